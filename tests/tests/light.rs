@@ -1,6 +1,6 @@
 //! Resolvers in the light's own space give the rays' own bits, for every light, scene and number of threads.
 
-use lt_render::{BackendKind, RenderError, Session, Setup, Technique};
+use lt_render::{BackendKind, Frame, PassKind, RenderError, Session, Setup, Technique, Upkeep};
 use lt_scene::{Light, LightKind};
 use lt_tests::{builtin, count_different, cpu_session, gpu_session};
 
@@ -53,6 +53,28 @@ fn lights_with_a_position_are_seen_on_six_faces() {
     }
     let blocked = rays.visibility.iter().zip(&rays.doubt).filter(|(v, d)| **d && **v == 0.0).count();
     assert!(blocked > 100, "{blocked} blocked");
+}
+
+#[test]
+fn rebuilding_counts_what_a_technique_traces_with_and_changes_no_bit() {
+    let scene = builtin("square:6");
+    let ids = ["ray", "ray:light", "ray:dac", "alias-free", "sm", "lt-evsm", "lt-evsm:dac"];
+    let passes_of = |frame: &Frame| -> Vec<PassKind> { frame.passes.iter().map(|p| p.kind).collect() };
+    for upkeep in [Upkeep::Build, Upkeep::Refit] {
+        let mut setup = Setup::for_scene(&scene, 160, 90);
+        setup.packing.bakes_copies = true;
+        let mut kept = Session::new(&scene, setup.clone(), BackendKind::Cpu).expect("session");
+        let mut session = Session::new(&scene, Setup { upkeep, ..setup }, BackendKind::Cpu).expect("session");
+        for id in ids {
+            let expected = kept.render(&technique(id)).expect("frame");
+            let frame = session.render(&technique(id)).expect("frame");
+            assert_eq!(frame.visibility, expected.visibility, "{id}");
+            let builds = ["ray", "lt-evsm"].contains(&id);
+            assert_eq!(passes_of(&frame).contains(&PassKind::Build), builds, "{id}");
+            let time = |kind| frame.passes.iter().find(|p| p.kind == kind).and_then(|p| p.ms);
+            assert!(!builds || time(PassKind::Build).expect("is timed") > 0.0, "{id}");
+        }
+    }
 }
 
 #[test]

@@ -226,6 +226,38 @@ fn what_moves_with_the_camera_keeps_its_history() {
     }
 }
 
+/// A caster that swings out of the scene's box and back, as a skinned figure does at every step.
+#[test]
+fn maps_are_kept_once_they_have_seen_how_far_casters_swing() {
+    use lt_math::glam::{Affine3A, Vec3};
+    let scene = lt_tests::builtin("cornell");
+    let last = scene.instances.len() - 1;
+    let pose = |i: usize| {
+        let mut scene = scene.clone();
+        let height = 9.0 * (i as f32 * std::f32::consts::TAU / 6.0).sin().max(0.0);
+        let instance = &mut scene.instances[last];
+        instance.is_dynamic = true;
+        instance.transform = Affine3A::from_translation(Vec3::Y * height) * instance.transform;
+        scene
+    };
+    let (low, high) = (pose(0).bounds().max.y, pose(1).bounds().max.y);
+    assert!(high > low, "it leaves the box: {high} over {low}");
+    let mut session = cpu_session(&pose(0), 160, 100);
+    session.play(Sequence { is_played: true, camera_moves: false, objects_move: true, starts_cold: false });
+    let camera = session.setup().camera.clone();
+    let mut draws = [0; 2];
+    for i in 0..12 {
+        if i > 0 {
+            session.advance(&camera, &pose(i), &pose(i - 1)).expect("a pose");
+        }
+        let truth = session.render(&Technique::RAY).expect("frame");
+        let frame = session.render(&technique("lt-evsm:cascades=2:far=map:map=512")).expect("frame");
+        assert_eq!(wrong(&session, &truth, &frame), [0, 0], "frame {i}");
+        draws[i / 6] += frame.map_draws;
+    }
+    assert!(draws[0] > 2 && draws[1] == 0, "{draws:?}");
+}
+
 /// How far a difference may be handed on in one frame: two pixels by the widest pattern, one by motion, one by rounding.
 const REACH_PX: usize = 4;
 

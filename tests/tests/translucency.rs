@@ -2,7 +2,7 @@
 
 use lt_math::glam::{Affine3A, Vec3, Vec4};
 use lt_render::{BackendKind, Frame, Packing, Session, Setup, Technique};
-use lt_scene::{AlphaMode, Camera, Instance, Light, Material, Mesh, Scene};
+use lt_scene::{AlphaMode, Camera, Instance, Light, LightKind, Material, Mesh, Scene};
 use lt_tests::{TWIN_PPM, builtin, gpu_session, ppm};
 
 /// Largest difference between two ways to multiply the same factors.
@@ -52,7 +52,7 @@ fn blended(color: Vec4) -> Material {
 fn setup(scene: &Scene) -> Setup {
     Setup {
         map_size: 512,
-        packing: Packing { traces_translucency: true, ..Packing::default() },
+        packing: Packing { traces_translucency: true, bakes_copies: true },
         ..Setup::for_scene(scene, 160, 100)
     }
 }
@@ -117,6 +117,31 @@ fn every_technique_sees_the_same_tint_where_it_sees_light() {
             let both = truth.visibility[i] > 0.0 && other.visibility[i] > 0.0;
             assert!(!both || a == b, "{id}, pixel {i}: {a} and {b}");
         }
+    }
+}
+
+#[test]
+fn the_alias_free_map_lets_through_what_rays_do() {
+    let mut overhead = builtin("strands:200");
+    let bounds = overhead.bounds();
+    let position = bounds.max + (bounds.max - bounds.min) * 0.2;
+    let lamp = LightKind::Point { position, range: f32::INFINITY };
+    for is_lamp in [false, true] {
+        if is_lamp {
+            overhead.lights = vec![Light { kind: lamp, ..Light::sun(Vec3::NEG_Y) }];
+        }
+        let truth = frame(&overhead, "ray");
+        let tinted = truth.tint.iter().filter(|t| **t != Vec3::ONE).count();
+        assert!(tinted > 200, "{tinted} pixels are tinted");
+        let map = frame(&overhead, "alias-free");
+        assert_eq!(map.visibility, truth.visibility);
+        assert_eq!(map.rays, truth.rays);
+        let off = farthest(&map.tint, &truth.tint);
+        assert!(off <= ORDER_TOLERANCE, "lamp {is_lamp}: off by {off}");
+        let hybrid = frame(&overhead, "ltt-evsm:alias-free");
+        let rays = frame(&overhead, "ltt-evsm");
+        let off = farthest(&hybrid.tint, &rays.tint);
+        assert!(off <= ORDER_TOLERANCE, "lamp {is_lamp}, hybrid: off by {off}");
     }
 }
 

@@ -5,6 +5,7 @@
 // Rays are laid out for a mode beforehand (`lt_embree_lay_out`) and answers read back afterwards
 // (`lt_embree_answers`), so that the timed part (`lt_embree_occluded`) is Embree alone.
 
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -123,6 +124,7 @@ struct Scene {
     std::vector<Masked> masked;
     std::vector<Material> materials;
     std::vector<uint8_t> texels;
+    double build_ms = 0.0;
 
     bool accepts(uint32_t triangle, float u, float v) const {
         const Masked& record = masked[triangle];
@@ -246,9 +248,23 @@ void lt_embree_describe(char* text, uint64_t capacity) {
                   has(RTC_DEVICE_PROPERTY_RAY_STREAM_SUPPORTED));
 }
 
-// A committed scene of default build quality, or null. Opaque triangles are a geometry without a filter.
+// Lets scenes made from now on be built by so many threads; 0 if that fails.
+int lt_embree_use_threads(uint32_t threads) {
+    const RTCDevice before = device;
+    if (!lt_embree_open(threads)) {
+        device = before;
+        return 0;
+    }
+    rtcReleaseDevice(before);
+    return 1;
+}
+
+// What building a scene took, from its triangles attached to where rays may be traced.
+double lt_embree_build_ms(const void* scene) { return static_cast<const Scene*>(scene)->build_ms; }
+
+// A committed scene of default or of low build quality, Embree's fastest, or null. Opaque triangles are a geometry without a filter.
 void* lt_embree_scene(const Triangle* triangles, uint64_t count, const Vertex* vertices, const Material* materials,
-                      uint64_t material_count, const uint32_t* alpha_texels, uint64_t texel_words, int robust) {
+                      uint64_t material_count, const uint32_t* alpha_texels, uint64_t texel_words, int robust, int fast) {
     last_error = RTC_ERROR_NONE;
     Scene* result = new Scene;
     result->materials.assign(materials, materials + material_count);
@@ -276,8 +292,11 @@ void* lt_embree_scene(const Triangle* triangles, uint64_t count, const Vertex* v
     }
     result->scene = rtcNewScene(device);
     if (robust) rtcSetSceneFlags(result->scene, RTC_SCENE_FLAG_ROBUST);
+    if (fast) rtcSetSceneBuildQuality(result->scene, RTC_BUILD_QUALITY_LOW);
     const bool attached = attach(result->scene, opaque, nullptr) && attach(result->scene, masked, result);
+    const auto start = std::chrono::steady_clock::now();
     if (attached) rtcCommitScene(result->scene);
+    result->build_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     if (!attached || last_error != RTC_ERROR_NONE) {
         delete result;
         return nullptr;

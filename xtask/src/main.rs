@@ -3,7 +3,7 @@
 //! - `cargo xtask build-shaders` compiles `crates/lt-shaders` to SPIR-V and WGSL in `shaders/`; `--check`
 //!   proves that what is committed there belongs to the sources.
 //! - `cargo xtask bench-rays` measures occlusion rays and builds beside Intel Embree's and obvhs's.
-//! - `cargo xtask papers alias-free` measures the tables of a paper, ours beside its own.
+//! - `cargo xtask papers alias-free` and `leak-tracing` measure the tables of a paper, ours beside its own.
 //! - `cargo xtask no-std` builds the `no_std` crates for targets that have no standard library.
 //! - `cargo xtask ci` is the gate: format, lints, documentation, `no-std`, shader freshness.
 //!
@@ -17,6 +17,7 @@ mod ci;
 mod compile;
 mod documents;
 mod files;
+mod leak_tracing;
 mod manifest;
 mod module;
 mod no_std;

@@ -2,29 +2,25 @@
 
 use std::ffi::OsString;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 
-use crate::{documents, workspace};
+use crate::{documents, leak_tracing, workspace};
 
 /// Whose tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Paper {
     /// Aila and Laine 2004: Table 1, close-ups, the hair ball
     AliasFree,
+    /// Kern, Brüll and Grosch 2024: Tables 2 and 3, Figures 8 and 10, the scale test
+    LeakTracing,
 }
 
 impl Paper {
-    /// The bench of lt-render that measures it.
-    fn bench(self) -> &'static str {
-        match self {
-            Paper::AliasFree => "alias_free",
-        }
-    }
-
-    /// Name of its page under docs/results, without ending; also of what the bench writes.
+    /// Name of its page under docs/results, without ending; also of what measuring writes.
     fn page(self) -> &'static str {
         match self {
             Paper::AliasFree => "alias-free",
+            Paper::LeakTracing => "leak-tracing",
         }
     }
 }
@@ -34,10 +30,13 @@ impl Paper {
 pub struct Args {
     /// Which paper
     paper: Paper,
+    /// Measure little, for a look in about a minute
+    #[arg(long, conflicts_with = "docs")]
+    quick: bool,
     /// Also put tables and plot into docs/results, which should hold a full run on a quiet machine
     #[arg(long)]
     docs: bool,
-    /// Options of the measuring program (see `-- --help`)
+    /// Options of the measuring program (alias-free: see `-- --help`)
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "OPTIONS")]
     rest: Vec<OsString>,
 }
@@ -51,10 +50,37 @@ const MARKS: [&str; 2] = ["<!-- cargo xtask papers: begin -->", "<!-- cargo xtas
 /// The measuring program cannot be built, fails, or finds wrong answers; or a result cannot be written.
 pub fn run(args: &Args) -> Result<()> {
     let out = workspace::root().join("lt-out/papers");
-    let mut command = workspace::cargo();
-    command.args(["bench", "--package", "lt-render", "--no-default-features", "--bench", args.paper.bench()]);
-    command.arg("--").arg("--out").arg(&out).args(&args.rest);
-    workspace::run(&mut command)?;
+    match args.paper {
+        Paper::AliasFree => {
+            let mut command = workspace::cargo();
+            command.args([
+                "bench",
+                "--package",
+                "lt-render",
+                "--no-default-features",
+                "--bench",
+                "alias_free",
+            ]);
+            command.arg("--").arg("--out").arg(&out);
+            if args.quick {
+                command.args([
+                    "--triangles",
+                    "1000,10000",
+                    "--close-ups",
+                    "8",
+                    "--hairs",
+                    "50",
+                    "--repeats",
+                    "1",
+                ]);
+            }
+            workspace::run(command.args(&args.rest))?;
+        }
+        Paper::LeakTracing => {
+            ensure!(args.rest.is_empty(), "papers leak-tracing has no options of its own: {:?}", args.rest);
+            leak_tracing::run(args.quick, &out)?;
+        }
+    }
     let results = workspace::root().join("docs/results");
     let name = args.paper.page();
     let (text, plot) = (format!("{name}.md"), format!("{name}.svg"));

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, value_parser};
-use lt_render::{MapSource, Technique};
+use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
+use lt_render::{MapSource, Technique, Upkeep};
 
 use crate::{
     scene_args::SceneArgs,
@@ -75,15 +75,40 @@ pub struct CompareArgs {
     /// shows with --still how many frames they take to converge
     #[arg(long, requires = "frames", help_heading = "Frames")]
     pub cold: bool,
+    /// Count in every frame what it takes to have all that a technique traces with up to date while everything moves: trees built
+    /// anew, or given new boxes where they can be (CPU only)
+    #[arg(long, value_name = "HOW", num_args = 0..=1, default_missing_value = "build", require_equals = true)]
+    pub rebuild: Option<Rebuild>,
     /// Folder to write into, created if need be
     #[arg(long, value_name = "DIR", default_value = "lt-out")]
     pub out: PathBuf,
+    /// Write results.json alone: no images, no report
+    #[arg(long)]
+    pub brief: bool,
     /// Leave out the perceptual metric FLIP, which takes a second or so per picture
     #[arg(long)]
     pub no_flip: bool,
 }
 
+/// How `--rebuild` rebuilds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Rebuild {
+    /// Trees are built anew
+    Build,
+    /// The BVH gets new boxes, a tree in light space is built anew
+    Refit,
+}
+
 impl CompareArgs {
+    /// What every frame does to trees.
+    pub fn upkeep(&self) -> Upkeep {
+        match self.rebuild {
+            None => Upkeep::Kept,
+            Some(Rebuild::Build) => Upkeep::Build,
+            Some(Rebuild::Refit) => Upkeep::Refit,
+        }
+    }
+
     /// The techniques to run, each once, in the order asked for.
     pub fn techniques(&self) -> Vec<Technique> {
         let typed = match (self.all, self.all_hybrids, self.techniques.is_empty()) {
@@ -192,6 +217,13 @@ mod tests {
         let hybrids = ids(&["--all-hybrids"]);
         assert_eq!(hybrids.len(), 21);
         assert!(hybrids.iter().all(|id| id == "ray" || id.starts_with("ltt-") || id.starts_with("lt-")));
+    }
+
+    #[test]
+    fn rebuilding_is_building_unless_told_otherwise() {
+        assert_eq!(compare(&[]).upkeep(), Upkeep::Kept);
+        assert_eq!(compare(&["--rebuild"]).upkeep(), Upkeep::Build);
+        assert_eq!(compare(&["--rebuild=refit", "street"]).upkeep(), Upkeep::Refit);
     }
 
     #[test]

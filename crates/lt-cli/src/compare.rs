@@ -34,7 +34,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
         return list();
     }
     files::prepare_dir(&args.out)?;
-    let mut opened = args.scene.open(&args.techniques())?;
+    let mut opened = args.scene.open(&args.techniques(), args.upkeep())?;
     let repeats = args.repeats.unwrap_or(DEFAULT_REPEATS);
     let (comparison, playback) = match args.frames {
         None => (single_view(args, &mut opened.session, repeats)?, None),
@@ -70,6 +70,11 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
         serde_json::to_writer_pretty(&mut *to, &results)?;
         Ok(to.write_all(b"\n")?)
     })?;
+    if args.brief {
+        work.finish_and_clear();
+        writeln!(out, "{}", args.out.join("results.json").display())?;
+        return Ok(());
+    }
     write_images(&args.out, &comparison, &is_valid)?;
     let report = Report::new(&summary, &comparison, &is_valid, playback.as_ref())?.render()?;
     let report_path = args.out.join("report.html");

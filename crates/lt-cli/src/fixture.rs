@@ -114,6 +114,7 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
             level_search: false,
             doubt_list: false,
             trace_all: rays > 0,
+            upkeep: lt_render::Upkeep::Kept,
             resolve: lt_render::Resolve::Ray,
             mask: None,
             object_motion: false,

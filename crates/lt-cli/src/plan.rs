@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use lt_render::EffectPlan;
+use lt_render::{EffectPlan, Upkeep};
 
 use crate::{
     args::PlanArgs,
@@ -15,7 +15,7 @@ use crate::{
 /// A bad request or a scene that cannot be read.
 pub fn run(args: &PlanArgs) -> anyhow::Result<()> {
     let technique = args.technique.with(args.scene.technique_defaults());
-    let opened = args.scene.open(&[technique])?;
+    let opened = args.scene.open(&[technique], Upkeep::Kept)?;
     let plan = opened.session.plan(&technique);
     writeln!(std::io::stdout(), "{} by {technique}\n\n{}", opened.name, text(&plan))?;
     Ok(())

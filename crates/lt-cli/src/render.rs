@@ -3,7 +3,7 @@
 use std::{io::Write, path::Path};
 
 use lt_math::glam::Vec3;
-use lt_render::{Frame, Session, Technique};
+use lt_render::{Frame, Session, Technique, Upkeep};
 
 use crate::{
     args::RenderArgs,
@@ -25,7 +25,7 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
         files::prepare_dir(dir)?;
     }
     let technique = args.technique.with(args.scene.technique_defaults());
-    let mut opened = args.scene.open(&[technique])?;
+    let mut opened = args.scene.open(&[technique], Upkeep::Kept)?;
     let session = &mut opened.session;
     let work = spinner(&format!("drawing with {technique}"));
     let frame = session.render(&technique)?;

@@ -3,7 +3,7 @@
 use anyhow::Context;
 use clap::{Args, value_parser};
 use lt_math::glam::{UVec2, Vec3};
-use lt_render::{BackendKind, RenderError, Session, Setup, Technique};
+use lt_render::{BackendKind, RenderError, Session, Setup, Technique, Upkeep};
 use lt_scene::{Camera, Light, LightKind, Scene, Source};
 
 use crate::{
@@ -61,6 +61,9 @@ pub struct SceneArgs {
     /// Moment at which the scene is posed, in seconds
     #[arg(long, value_name = "SECONDS", default_value = "0", allow_hyphen_values = true, value_parser = values::finite, help_heading = "Scene")]
     pub time: f32,
+    /// Draw the scene this many times as large: geometry, ground, lights and cameras of its own
+    #[arg(long, value_name = "X", value_parser = values::range, help_heading = "Scene")]
+    pub scale: Option<f32>,
     /// Seed of a built-in scene
     #[arg(long, value_name = "N", default_value_t = 1, help_heading = "Scene")]
     pub seed: u64,
@@ -98,11 +101,11 @@ pub struct Opened {
 
 impl SceneArgs {
     /// Starts the threads, loads the scene, applies the options, builds the BVH and finds the visible samples, in such a way that
-    /// `techniques` can run.
+    /// `techniques` can run, with this upkeep in every frame.
     ///
     /// # Errors
     /// What names no scene, cannot be read, or cannot be drawn; [`Usage`] for an option that does not fit the scene.
-    pub fn open(&self, techniques: &[Technique]) -> anyhow::Result<Opened> {
+    pub fn open(&self, techniques: &[Technique], upkeep: Upkeep) -> anyhow::Result<Opened> {
         if let Some(threads) = self.threads {
             rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global().with_context(
                 || format!("--threads {threads}: the threads could not be started; ask for fewer"),
@@ -115,7 +118,9 @@ impl SceneArgs {
             work.suspend(|| eprintln!("note: {}: {repairs}", self.scene));
         }
         let mut setup = self.setup(&scene)?;
-        setup.packing.bakes_copies = techniques.iter().any(|t| t.resolve.is_in_light_space());
+        setup.packing.bakes_copies =
+            upkeep != Upkeep::Kept || techniques.iter().any(|t| t.resolve.is_in_light_space());
+        setup.upkeep = upkeep;
         work.set_message(format!("building the BVH of {} triangles", grouped(scene.triangle_count() as u64)));
         let session = Session::new(&scene, setup, self.backend).map_err(|e| self.explain(e))?;
         work.finish_and_clear();
@@ -127,7 +132,7 @@ impl SceneArgs {
         Defaults { epsilon: self.epsilon, cascades: self.cascades }
     }
 
-    /// The scene at a moment, ground included. The ground's size is that of the pose at the moment asked for by `--time`.
+    /// The scene at a moment, ground included, scaled as asked for. The ground's size is that of the pose at the moment asked for by `--time`.
     ///
     /// # Errors
     /// A glTF file whose data is malformed.
@@ -140,6 +145,9 @@ impl SceneArgs {
                 None => fitting_half_size(&source.pose(self.time)?),
             };
             scene.add_ground(ground.y, half_size);
+        }
+        if let Some(factor) = self.scale {
+            scene.scale(factor);
         }
         Ok(scene)
     }

@@ -1,8 +1,10 @@
 //! Eight triangles side by side, against many points or against one.
 
+use crate::casters::Casters;
 use crate::lanes::Lanes;
-use crate::planes::{Planes, ROWS};
+use crate::planes::{Corners, Planes, ROWS, planes};
 use crate::rect::Rect;
+use crate::view::View;
 
 /// Triangles to a block.
 pub(crate) const BLOCK: usize = 8;
@@ -32,24 +34,41 @@ impl Block {
     /// No triangles. An empty slot's planes say "no" everywhere.
     pub const EMPTY: Self = Self { rows: EMPTY_ROWS, ids: [NOBODY; BLOCK] };
 
-    /// Fills a slot.
+    /// Of up to eight triangles, named by their place among the casters.
     #[inline(always)]
-    pub fn set(&mut self, slot: usize, planes: &Planes, triangle: u32, asks: bool) {
-        for (row, value) in self.rows.iter_mut().zip(planes.0) {
-            row[slot] = value;
+    pub fn of<E: Lanes>(lanes: E, view: &View, casters: Casters<'_>, ids: &[u32]) -> Self {
+        let corners = Corners::load(lanes, view, ids.iter().map(|id| &casters.triangles[*id as usize]));
+        let (rows, _) = planes(lanes, view, &corners);
+        let mut block = Self::EMPTY;
+        for (to, from) in block.rows.iter_mut().zip(rows) {
+            lanes.store(from, to);
         }
-        self.ids[slot] = triangle | if asks { ASKS } else { 0 };
+        for (slot, &id) in ids.iter().take(BLOCK).enumerate() {
+            let asks = !casters.triangles[id as usize].is_opaque();
+            block.ids[slot] = id | if asks { ASKS } else { 0 };
+        }
+        for slot in ids.len()..BLOCK {
+            for (row, nothing) in block.rows.iter_mut().zip(&EMPTY_ROWS) {
+                row[slot] = nothing[slot];
+            }
+        }
+        block
+    }
+
+    /// One slot's planes.
+    #[inline(always)]
+    pub fn planes(&self, slot: usize) -> Planes {
+        let mut planes = Planes([0.0; ROWS]);
+        for (to, from) in planes.0.iter_mut().zip(&self.rows) {
+            *to = from[slot & (BLOCK - 1)];
+        }
+        planes
     }
 
     /// One slot's planes in every lane.
     #[inline(always)]
     pub fn spread_out<L: Lanes>(&self, lanes: L, slot: usize) -> Spreadout<L> {
-        let slot = slot & (BLOCK - 1);
-        let mut rows = [lanes.splat(0.0); ROWS];
-        for (to, from) in rows.iter_mut().zip(&self.rows) {
-            *to = lanes.splat(from[slot]);
-        }
-        Spreadout(rows)
+        Spreadout::new(lanes, &self.planes(slot))
     }
 
     /// The triangles that block one point.

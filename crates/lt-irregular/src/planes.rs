@@ -37,7 +37,8 @@
 //! Triangles edge-on to the light (A ≤ 128εEF, P ≤ 282εEFD) have a depth plane of 0, which is never sure; where magnitudes come near
 //! over- or underflow all planes are 0.
 
-use crate::view::{Rays, View, permute};
+use crate::lanes::Lanes;
+use crate::view::{Rays, View};
 use lt_bvh::Triangle;
 use lt_math::glam::Vec3;
 
@@ -61,108 +62,271 @@ pub(crate) const ROWS: usize = 13;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Planes(pub [f32; ROWS]);
 
-/// Never sure.
-const DOUBTFUL: Planes = Planes([0.0; ROWS]);
+/// A vector in every lane.
+type V<L> = [<L as Lanes>::F; 3];
+
+/// A place in the light's plane in every lane.
+type Flat<L> = [<L as Lanes>::F; 2];
+
+/// The vertices of eight triangles side by side, in permuted axes.
+#[derive(Clone, Copy)]
+pub(crate) struct Corners<L: Lanes>(pub [V<L>; 3]);
+
+impl<L: Lanes> Corners<L> {
+    /// Of up to eight triangles; lanes beyond them hold a point.
+    #[inline(always)]
+    pub fn load<'a>(lanes: L, view: &View, triangles: impl Iterator<Item = &'a Triangle>) -> Self {
+        let axes = view.axes();
+        let mut rows = [[[0.0; 8]; 3]; 3];
+        for (lane, triangle) in triangles.take(8).enumerate() {
+            for (row, corner) in rows.iter_mut().zip([triangle.v0, triangle.v1, triangle.v2]) {
+                for (row, axis) in row.iter_mut().zip(axes) {
+                    row[lane] = corner[axis];
+                }
+            }
+        }
+        let mut corners = [[lanes.splat(0.0); 3]; 3];
+        for (corner, rows) in corners.iter_mut().zip(&rows) {
+            for (axis, row) in corner.iter_mut().zip(rows) {
+                *axis = lanes.load(row);
+            }
+        }
+        Corners(corners)
+    }
+
+    /// The same relative to a point.
+    #[inline(always)]
+    pub fn from(&self, lanes: L, point: Vec3) -> [V<L>; 3] {
+        let point = [lanes.splat(point.x), lanes.splat(point.y), lanes.splat(point.z)];
+        let [a, b, c] = self.0;
+        [minus(lanes, a, point), minus(lanes, b, point), minus(lanes, c, point)]
+    }
+}
 
 #[inline(always)]
-fn largest(v: Vec3) -> f32 {
-    let v = v.abs();
-    v.x.max(v.y).max(v.z)
+fn minus<L: Lanes>(lanes: L, a: V<L>, b: V<L>) -> V<L> {
+    [lanes.sub(a[0], b[0]), lanes.sub(a[1], b[1]), lanes.sub(a[2], b[2])]
 }
 
-/// x and y of the product a × b's three components are in permuted axes; the product itself keeps its sign under a cyclic permutation.
-struct Shape {
-    e: Vec3,
-    f: Vec3,
-    g: Vec3,
-    normal: Vec3,
+/// a·d − b·c.
+#[inline(always)]
+fn determinant<L: Lanes>(lanes: L, a: L::F, b: L::F, c: L::F, d: L::F) -> L::F {
+    lanes.sub(lanes.mul(a, d), lanes.mul(b, c))
+}
+
+#[inline(always)]
+fn cross<L: Lanes>(lanes: L, a: V<L>, b: V<L>) -> V<L> {
+    [
+        determinant(lanes, a[1], a[2], b[1], b[2]),
+        determinant(lanes, a[2], a[0], b[2], b[0]),
+        determinant(lanes, a[0], a[1], b[0], b[1]),
+    ]
+}
+
+#[inline(always)]
+fn dot<L: Lanes>(lanes: L, a: V<L>, b: V<L>) -> L::F {
+    lanes.add(lanes.add(lanes.mul(a[0], b[0]), lanes.mul(a[1], b[1])), lanes.mul(a[2], b[2]))
+}
+
+#[inline(always)]
+fn scaled<L: Lanes>(lanes: L, a: V<L>, factor: L::F) -> V<L> {
+    [lanes.mul(a[0], factor), lanes.mul(a[1], factor), lanes.mul(a[2], factor)]
+}
+
+#[inline(always)]
+fn negated<L: Lanes>(lanes: L, a: V<L>) -> V<L> {
+    minus(lanes, [lanes.splat(0.0); 3], a)
+}
+
+#[inline(always)]
+fn largest<L: Lanes>(lanes: L, a: V<L>) -> L::F {
+    lanes.max(lanes.max(lanes.abs(a[0]), lanes.abs(a[1])), lanes.abs(a[2]))
+}
+
+/// What a triangle's planes are made of, in permuted axes, where the cross product keeps its sign.
+struct Shape<L: Lanes> {
+    e: V<L>,
+    f: V<L>,
+    g: V<L>,
+    normal: V<L>,
     /// E·F.
-    product: f32,
-    /// W.
-    width: f32,
+    product: L::F,
+    /// What an edge value, and a depth value, may be off by.
+    edge: L::F,
+    depth: L::F,
 }
 
-impl Shape {
-    #[inline(always)]
-    fn new(view: &View, triangle: &Triangle) -> Self {
-        let e = permute(triangle.v1 - triangle.v0, view.axis);
-        let f = permute(triangle.v2 - triangle.v0, view.axis);
-        let g = permute(triangle.v2 - triangle.v1, view.axis);
-        let (le, lf) = (largest(e), largest(f));
-        Shape {
-            e,
-            f,
-            g,
-            normal: Vec3::new(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x),
-            product: le * lf,
-            width: 2.0 * le.max(lf).max(largest(g)) + 48.0 * EPSILON * view.reach,
+/// Planes of eight triangles, row by row, and a bit for each that is a **sliver**: a point outside of its rectangle may then pass its
+/// edges. Of others the three edge values have a sum above 3 wherever a point passes the depth test, so that one is surely
+/// positive where another is surely negative. All vertices must be finite.
+#[inline(always)]
+pub(crate) fn planes<L: Lanes>(lanes: L, view: &View, corners: &Corners<L>) -> ([L::F; ROWS], u32) {
+    let [a, b, c] = corners.0;
+    let (e, f, g) = (minus(lanes, b, a), minus(lanes, c, a), minus(lanes, c, b));
+    let (le, lf) = (largest(lanes, e), largest(lanes, f));
+    let product = lanes.mul(le, lf);
+    let size = lanes.splat(view.size);
+    let volume = lanes.mul(product, size);
+    let longest = lanes.max(lanes.max(le, lf), largest(lanes, g));
+    let width = lanes.add(lanes.add(longest, longest), lanes.splat(48.0 * EPSILON * view.reach));
+    let shape = Shape {
+        e,
+        f,
+        g,
+        normal: cross(lanes, e, f),
+        product,
+        edge: lanes.mul(lanes.splat(view.caution[0] * EDGE * view.size), width),
+        depth: lanes.mul(lanes.splat(view.caution[1] * DEPTH), volume),
+    };
+    let (mut rows, slivers) = match view.rays {
+        Rays::Parallel { shear, middle, .. } => {
+            parallel(lanes, &shape, corners.from(lanes, middle), shear, view.sign)
         }
+        Rays::Converging { light } => converging(lanes, &shape, corners.from(lanes, light), view),
+    };
+    let mut is_safe =
+        lanes.le(lanes.splat(VOLUMES.start), volume) & lanes.lt(volume, lanes.splat(VOLUMES.end));
+    if !SIZES.contains(&view.size) {
+        is_safe = 0;
     }
+    for row in &mut rows {
+        *row = lanes.pick(is_safe, *row, lanes.splat(0.0));
+    }
+    (rows, slivers | !is_safe)
 }
 
-impl Planes {
-    /// The planes of a triangle with finite vertices, and whether it is a **sliver**: a point outside of its rectangle may then pass its
-    /// edges. Of others the three edge values have a sum above 3 wherever a point passes the depth test, so that one is surely
-    /// positive where another is surely negative.
-    #[inline(always)]
-    pub fn new(view: &View, triangle: &Triangle) -> (Self, bool) {
-        let shape = Shape::new(view, triangle);
-        let volume = shape.product * view.size;
-        if !(SIZES.contains(&view.size) && VOLUMES.contains(&volume)) {
-            return (DOUBTFUL, true);
-        }
-        let edge = EDGE * view.size * shape.width;
-        match view.rays {
-            Rays::Parallel { shear, middle, .. } => {
-                let v = [triangle.v0, triangle.v1, triangle.v2].map(|v| permute(v, view.axis) - middle);
-                Self::parallel(&shape, v, shear, view.sign, edge, DEPTH * volume)
+/// From a vertex along an edge: positive on the left of it, where the triangle is if it turns counter-clockwise.
+#[inline(always)]
+fn line<L: Lanes>(lanes: L, p: Flat<L>, d: Flat<L>, k: L::F) -> V<L> {
+    let (x, y) = (lanes.mul(lanes.sub(lanes.splat(0.0), d[1]), k), lanes.mul(d[0], k));
+    let constant = lanes.add(lanes.mul(x, p[0]), lanes.mul(y, p[1]));
+    [x, y, lanes.sub(lanes.splat(0.0), constant)]
+}
+
+/// A place or direction in the sun's plane.
+#[inline(always)]
+pub(crate) fn flat<L: Lanes>(lanes: L, v: V<L>, shear: Vec3) -> Flat<L> {
+    [
+        lanes.sub(v[0], lanes.mul(lanes.splat(shear.x), v[2])),
+        lanes.sub(v[1], lanes.mul(lanes.splat(shear.y), v[2])),
+    ]
+}
+
+#[inline(always)]
+fn parallel<L: Lanes>(lanes: L, s: &Shape<L>, v: [V<L>; 3], shear: Vec3, sign: f32) -> ([L::F; ROWS], u32) {
+    let (zero, one) = (lanes.splat(0.0), lanes.splat(1.0));
+    let n = s.normal;
+    let den = dot(lanes, n, [lanes.splat(shear.x), lanes.splat(shear.y), one]);
+    let turn = lanes.pick(lanes.lt(den, zero), lanes.splat(-1.0), one);
+    let k = lanes.div(turn, s.edge);
+    let p = flat(lanes, v[0], shear);
+    let a = line(lanes, p, flat(lanes, s.e, shear), k);
+    let b = line(lanes, flat(lanes, v[1], shear), flat(lanes, s.g, shear), k);
+    let c = line(lanes, flat(lanes, v[2], shear), flat(lanes, negated(lanes, s.f), shear), k);
+    let is_edge_on = lanes.le(lanes.abs(den), lanes.mul(lanes.splat(LEAST_SLOPE), s.product));
+    let sign = lanes.splat(sign);
+    let h = lanes.pick(is_edge_on, zero, lanes.div(lanes.mul(turn, sign), s.depth));
+    let n = scaled(lanes, n, h);
+    let (hx, hy) = (lanes.sub(zero, n[0]), lanes.sub(zero, n[1]));
+    let z = lanes.mul(den, h);
+    let at = lanes.add(lanes.mul(hx, p[0]), lanes.mul(hy, p[1]));
+    let hc = lanes.sub(lanes.mul(z, v[0][2]), at);
+    let rows = [a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], hx, hy, hc, lanes.mul(z, sign)];
+    let is_thin = lanes.le(lanes.abs(den), lanes.mul(lanes.splat(3.2), s.edge));
+    (rows, is_edge_on | is_thin)
+}
+
+#[inline(always)]
+fn converging<L: Lanes>(lanes: L, s: &Shape<L>, r: [V<L>; 3], view: &View) -> ([L::F; ROWS], u32) {
+    let (zero, sign) = (lanes.splat(0.0), lanes.splat(view.sign));
+    let volume = dot(lanes, s.normal, r[0]);
+    let turn = lanes.pick(lanes.lt(volume, zero), sign, lanes.sub(zero, sign));
+    let k = lanes.div(turn, s.edge);
+    let a = scaled(lanes, cross(lanes, r[0], s.e), k);
+    let b = scaled(lanes, cross(lanes, r[1], s.g), k);
+    let c = scaled(lanes, cross(lanes, r[2], negated(lanes, s.f)), k);
+    let size = lanes.abs(volume);
+    let least = lanes.mul(lanes.splat(1.1), s.depth);
+    let is_edge_on = lanes.le(size, least);
+    let h = lanes.pick(is_edge_on, zero, lanes.div(turn, s.depth));
+    let n = scaled(lanes, s.normal, h);
+    let z = lanes.mul(size, lanes.abs(h));
+    let rows = [a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2], n[0], n[1], n[2], z];
+    // Such a point sees a sum of (P − tolerance)·Z at least, and Z ≥ 1/D.
+    let thin = lanes.add(least, lanes.mul(lanes.splat(3.2 * view.size), s.edge));
+    (rows, lanes.le(size, thin))
+}
+
+#[cfg(test)]
+#[path = "../tests/support/mod.rs"]
+mod support;
+
+#[cfg(test)]
+mod tests {
+    use super::support::{PLACES, Random, Soup, lights, origins};
+    use crate::block::{BLOCK, Block};
+    use crate::casters::Casters;
+    use crate::lanes::Portable;
+    use crate::rect::{Rect, rects};
+    use crate::view::{LightPoint, View};
+    use alloc::vec::Vec;
+    use lt_bvh::{BuildQuality, Bvh, Ray, RayTest};
+
+    /// Verdicts that the ray tracer contradicts, and how many are sure, with error bounds scaled by these factors.
+    fn wrong_verdicts(caution: [f32; 2]) -> (usize, usize) {
+        let mut random = Random(7);
+        let (mut wrong, mut sure) = (0, 0);
+        for (scale, offset) in PLACES {
+            for light in lights(&mut random, scale, offset).into_iter().step_by(2) {
+                let soup = Soup::mixed(&mut random, 64, light.truncate()).moved(scale, offset);
+                let starts = origins(&mut random, &soup, light, 600);
+                let bvh = Bvh::build(&soup.positions, &soup.triangles, |_| true, BuildQuality::Fast).unwrap();
+                let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+                for mut view in View::of_light(light, soup.bounds(), casters.root) {
+                    view.caution = caution;
+                    let rays = starts.iter().map(|o| Ray::to_light(*o, light));
+                    for ray in rays.filter(|ray| view.takes(ray)) {
+                        let counts = contradicted(&view, casters, &ray);
+                        (wrong, sure) = (wrong + counts.0, sure + counts.1);
+                    }
+                }
             }
-            Rays::Converging { light } => {
-                let r = [triangle.v0, triangle.v1, triangle.v2].map(|v| permute(v, view.axis) - light);
-                Self::converging(&shape, r, view, edge, DEPTH * volume)
-            }
         }
+        (wrong, sure)
     }
 
-    #[inline(always)]
-    fn parallel(s: &Shape, v: [Vec3; 3], shear: Vec3, sign: f32, edge: f32, depth: f32) -> (Self, bool) {
-        let n = s.normal;
-        let den = n.x * shear.x + n.y * shear.y + n.z;
-        let flat = |v: Vec3| (v.x - shear.x * v.z, v.y - shear.y * v.z);
-        let turn = if den < 0.0 { -1.0 } else { 1.0 };
-        let k = turn / edge;
-        let (p0, p1, p2) = (flat(v[0]), flat(v[1]), flat(v[2]));
-        // From a vertex along an edge: positive on the left of it, where the triangle is if it turns counter-clockwise.
-        let line = |p: (f32, f32), d: (f32, f32)| {
-            let (x, y) = (-d.1 * k, d.0 * k);
-            [x, y, -(x * p.0 + y * p.1)]
-        };
-        let (e, g, f) = (flat(s.e), flat(s.g), flat(-s.f));
-        let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2]) = (line(p0, e), line(p1, g), line(p2, f));
-        let is_edge_on = den.abs() <= LEAST_SLOPE * s.product;
-        let h = if is_edge_on { 0.0 } else { turn * sign / depth };
-        let (hx, hy) = (-n.x * h, -n.y * h);
-        let z = den * h;
-        let hc = z * v[0].z - (hx * p0.0 + hy * p0.1);
-        let planes = Planes([a0, a1, a2, b0, b1, b2, c0, c1, c2, hx, hy, hc, z * sign]);
-        (planes, is_edge_on || den.abs() <= 3.2 * edge)
+    fn contradicted(view: &View, casters: Casters<'_>, ray: &Ray) -> (usize, usize) {
+        let LightPoint { x, y, z } = view.point(ray);
+        let point = Rect { x0: x, x1: x, y0: y, y1: y, z };
+        let (constant, factor) = view.depth_tolerance();
+        let test = RayTest::new(ray, casters.root);
+        let (mut wrong, mut sure) = (0, 0);
+        for (at, triangles) in casters.triangles.chunks(BLOCK).enumerate() {
+            let ids: Vec<u32> = (0..triangles.len()).map(|i| (at * BLOCK + i) as u32).collect();
+            let block = Block::of(Portable, view, casters, &ids);
+            let answer = block.test_one(Portable, [x, y, z], constant + factor * z);
+            let rects = rects(Portable, view, triangles);
+            for (slot, triangle) in triangles.iter().enumerate() {
+                let meets = test.is_some_and(|t| t.meet(triangle).is_some());
+                let is_near = rects[slot].covers(&point) && z <= rects[slot].z;
+                let is_sure = is_near && answer.sure >> slot & 1 == 1;
+                let is_possible = is_near && answer.possible >> slot & 1 == 1;
+                wrong += usize::from(is_sure && !meets || !is_possible && meets);
+                sure += usize::from(is_sure || !is_possible);
+            }
+        }
+        (wrong, sure)
     }
 
-    #[inline(always)]
-    fn converging(s: &Shape, r: [Vec3; 3], view: &View, edge: f32, depth: f32) -> (Self, bool) {
-        let n = s.normal;
-        let volume = n.x * r[0].x + n.y * r[0].y + n.z * r[0].z;
-        let turn = if volume < 0.0 { view.sign } else { -view.sign };
-        let k = turn / edge;
-        let line = |r: Vec3, e: Vec3| {
-            [(r.y * e.z - r.z * e.y) * k, (r.z * e.x - r.x * e.z) * k, (r.x * e.y - r.y * e.x) * k]
-        };
-        let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2]) = (line(r[0], s.e), line(r[1], s.g), line(r[2], -s.f));
-        let is_edge_on = volume.abs() <= 1.1 * depth;
-        let h = if is_edge_on { 0.0 } else { turn / depth };
-        let z = volume.abs() * h.abs();
-        let planes = Planes([a0, a1, a2, b0, b1, b2, c0, c1, c2, n.x * h, n.y * h, n.z * h, z]);
-        // Such a point sees a sum of (P − tolerance)·Z at least, and Z ≥ 1/D.
-        (planes, volume.abs() <= 1.1 * depth + 3.2 * edge * view.size)
+    /// The cases are hard enough that bounds matter: with nearly none, verdicts are wrong.
+    #[test]
+    fn error_bounds_are_kept_and_needed() {
+        let (wrong, sure) = wrong_verdicts([1.0, 1.0]);
+        assert_eq!(wrong, 0, "of {sure}");
+        assert!(sure > 100_000, "{sure}");
+        for caution in [[1e-3, 1.0], [1.0, 1e-3]] {
+            let (wrong, _) = wrong_verdicts(caution);
+            assert!(wrong > 0, "bounds {caution:?} times the proven ones were never missed");
+        }
     }
 }

@@ -5,7 +5,9 @@
 //! sliver the projection of the triangle itself will do: if a point outside of its rectangle passed all three edge tests, all three vertices would be seen
 //! from it within an angle of 4ε, and the triangle would be a sliver. Vertices and point are off by 5εD, 2.5εD and 2.5εD.
 
-use crate::planes::EPSILON;
+use crate::block::BLOCK;
+use crate::lanes::Lanes;
+use crate::planes::{Corners, EPSILON, flat, planes};
 use crate::view::{Rays, View, permute};
 use lt_bvh::Triangle;
 use lt_math::glam::Vec3;
@@ -106,33 +108,12 @@ impl Rect {
         }
     }
 
-    /// The rectangle of a triangle; see the [module](self). `None` where the view cannot see it.
+    /// The rectangle of a triangle under a positioned light; see the [module](self). `None` where the view cannot see it.
     #[inline(always)]
-    pub(crate) fn of_triangle(view: &View, triangle: &Triangle, is_sliver: bool) -> Option<Self> {
+    fn of_triangle(view: &View, light: Vec3, triangle: &Triangle, is_sliver: bool) -> Option<Self> {
         let corners = [triangle.v0, triangle.v1, triangle.v2];
-        match view.rays {
-            Rays::Parallel { shear, middle, .. } => {
-                let v = corners.map(|v| permute(v, view.axis) - middle);
-                let z = v.map(|v| view.sign * v.z);
-                let mut rect = Rect { z: z[0].max(z[1]).max(z[2]) + MARGIN * view.reach, ..Self::EMPTY };
-                let flat = |r: Rect, v: Vec3| r.with(v.x - shear.x * v.z, v.y - shear.y * v.z);
-                if is_sliver {
-                    let (low, high) = (v[0].min(v[1]).min(v[2]), v[0].max(v[1]).max(v[2]));
-                    rect = (0..8).fold(rect, |r, corner| flat(r, pick(low, high, corner)));
-                    return Some(rect.widened(BOX_MARGIN * view.reach));
-                }
-                rect = v.into_iter().fold(rect, flat);
-                Some(rect.widened(MARGIN * view.size))
-            }
-            Rays::Converging { light } => {
-                let r = corners.map(|v| {
-                    let r = permute(v, view.axis) - light;
-                    // x / z is the slope either way; distance along the face's axis is −sign · z.
-                    r * -view.sign
-                });
-                Self::seen(view, r, is_sliver)
-            }
-        }
+        // x / z is the slope either way; distance along the face's axis is −sign · z.
+        Self::seen(view, corners.map(|v| (permute(v, view.axis) - light) * -view.sign), is_sliver)
     }
 
     /// Of a triangle given relative to the light, with its distance along the face's axis as z.
@@ -162,6 +143,72 @@ impl Rect {
         let is_seen = rect.x0 <= 1.0 && rect.x1 >= -1.0 && rect.y0 <= 1.0 && rect.y1 >= -1.0;
         is_seen.then_some(rect)
     }
+}
+
+/// The rectangles of up to eight triangles, with [`Rect::EMPTY`] for what the view cannot see.
+#[inline(always)]
+pub(crate) fn rects<E: Lanes>(lanes: E, view: &View, triangles: &[Triangle]) -> [Rect; BLOCK] {
+    let corners = Corners::load(lanes, view, triangles.iter());
+    let (_, slivers) = planes(lanes, view, &corners);
+    let mut rects = [Rect::EMPTY; BLOCK];
+    match view.rays {
+        Rays::Parallel { shear, middle, .. } => {
+            let rows = sheared(lanes, view, corners.from(lanes, middle), shear, slivers);
+            let mut out = [[0.0; BLOCK]; 5];
+            for (out, row) in out.iter_mut().zip(rows) {
+                lanes.store(row, out);
+            }
+            for (i, rect) in rects.iter_mut().enumerate() {
+                *rect = Rect { x0: out[0][i], x1: out[1][i], y0: out[2][i], y1: out[3][i], z: out[4][i] };
+            }
+        }
+        Rays::Converging { light } => {
+            for (i, (rect, triangle)) in rects.iter_mut().zip(triangles).enumerate() {
+                let seen = Rect::of_triangle(view, light, triangle, slivers >> i & 1 == 1);
+                *rect = seen.unwrap_or(Rect::EMPTY);
+            }
+        }
+    }
+    rects
+}
+
+/// Rectangles under a sun: least and largest x, y, and the nearness. Vertices relative to the domain's middle.
+#[inline(always)]
+fn sheared<E: Lanes>(
+    lanes: E,
+    view: &View,
+    [a, b, c]: [[E::F; 3]; 3],
+    shear: Vec3,
+    slivers: u32,
+) -> [E::F; 5] {
+    let (p, q, r) = (flat(lanes, a, shear), flat(lanes, b, shear), flat(lanes, c, shear));
+    let (low_z, high_z) = (least(lanes, a[2], b[2], c[2]), most(lanes, a[2], b[2], c[2]));
+    let margin = lanes.pick(slivers, lanes.splat(BOX_MARGIN * view.reach), lanes.splat(MARGIN * view.size));
+    let mut rows = [margin; 5];
+    for (axis, slope) in [shear.x, shear.y].into_iter().enumerate() {
+        let slope = lanes.splat(slope);
+        let (near, far) = (lanes.mul(slope, low_z), lanes.mul(slope, high_z));
+        // Of a sliver the projection of the box.
+        let box_low = lanes.sub(least(lanes, a[axis], b[axis], c[axis]), lanes.max(near, far));
+        let box_high = lanes.sub(most(lanes, a[axis], b[axis], c[axis]), lanes.min(near, far));
+        let low = lanes.pick(slivers, box_low, least(lanes, p[axis], q[axis], r[axis]));
+        let high = lanes.pick(slivers, box_high, most(lanes, p[axis], q[axis], r[axis]));
+        rows[2 * axis] = lanes.sub(low, margin);
+        rows[2 * axis + 1] = lanes.add(high, margin);
+    }
+    let near = if view.sign > 0.0 { high_z } else { lanes.sub(lanes.splat(0.0), low_z) };
+    rows[4] = lanes.add(near, lanes.splat(MARGIN * view.reach));
+    rows
+}
+
+#[inline(always)]
+fn least<E: Lanes>(lanes: E, a: E::F, b: E::F, c: E::F) -> E::F {
+    lanes.min(lanes.min(a, b), c)
+}
+
+#[inline(always)]
+fn most<E: Lanes>(lanes: E, a: E::F, b: E::F, c: E::F) -> E::F {
+    lanes.max(lanes.max(a, b), c)
 }
 
 /// Corner 0 to 7 of a box.

@@ -3,11 +3,12 @@
 use crate::block::{BLOCK, Block};
 use crate::casters::Casters;
 use crate::lanes::{Lanes, Level};
-use crate::planes::Planes;
-use crate::rect::Rect;
+use crate::level::{Chosen, Instructions, Work};
+use crate::rect::{Rect, rects};
 use crate::split::{Item, split};
 use crate::view::View;
 use alloc::vec::Vec;
+use lt_bvh::Triangle;
 
 /// Children to a node.
 pub(crate) const WIDTH: usize = 8;
@@ -15,8 +16,7 @@ pub(crate) const WIDTH: usize = 8;
 pub(crate) const LEAF: u32 = 0x8000_0000;
 /// Link of an empty slot.
 const NOWHERE: u32 = u32::MAX;
-/// Ranges of at least this many items are built as tasks of their own.
-#[cfg(feature = "std")]
+/// Ranges of at least this many items are built as tasks of their own; a multiple of [`BLOCK`].
 const TASK: usize = 4096;
 
 /// Eight rectangles side by side.
@@ -99,6 +99,7 @@ impl Part {
 }
 
 struct Builder<'a> {
+    chosen: Chosen,
     view: &'a View,
     casters: Casters<'a>,
 }
@@ -107,7 +108,8 @@ impl Tree {
     /// Builds over all triangles that the view can see. The same tree for any number of threads.
     pub fn build(view: View, casters: Casters<'_>) -> Self {
         let mut items = items(&view, casters);
-        let builder = Builder { view: &view, casters };
+        let chosen = Chosen::new(Instructions::best()).unwrap_or(Chosen::Portable);
+        let builder = Builder { chosen, view: &view, casters };
         let part = if items.is_empty() { Part::default() } else { builder.subtree(&mut items) };
         Tree { view, nodes: part.nodes, blocks: part.blocks }
     }
@@ -129,19 +131,49 @@ impl Tree {
     }
 }
 
-/// The triangles that a view can see, with their rectangles, in the order of the triangles.
+/// The triangles that a view can see, with their rectangles, in the order of the triangles. The same on all instructions.
 pub(crate) fn items(view: &View, casters: Casters<'_>) -> Vec<Item> {
-    let one = |(index, triangle)| {
-        let (_, is_sliver) = Planes::new(view, triangle);
-        let rect = Rect::of_triangle(view, triangle, is_sliver)?;
-        Some(Item { rect, triangle: index as u32 })
+    let chosen = Chosen::new(Instructions::best()).unwrap_or(Chosen::Portable);
+    let mut items = alloc::vec![Item { rect: Rect::EMPTY, triangle: 0 }; casters.triangles.len()];
+    let one = |(at, items): (usize, &mut [Item])| {
+        let first = at * TASK;
+        let triangles = &casters.triangles[first..first + items.len()];
+        chosen.run(Rectangles { view, triangles, first: first as u32, items });
     };
     #[cfg(feature = "std")]
-    if casters.triangles.len() >= 4 * TASK {
+    {
         use rayon::prelude::*;
-        return casters.triangles.par_iter().enumerate().with_min_len(TASK).filter_map(one).collect();
+        items.par_chunks_mut(TASK).enumerate().for_each(one);
     }
-    casters.triangles.iter().enumerate().filter_map(one).collect()
+    #[cfg(not(feature = "std"))]
+    items.chunks_mut(TASK).enumerate().for_each(one);
+    if !view.sees_all() {
+        items.retain(|item| item.rect.x0 <= item.rect.x1);
+    }
+    items
+}
+
+/// Fills in the rectangles of some triangles.
+struct Rectangles<'a> {
+    view: &'a View,
+    triangles: &'a [Triangle],
+    /// Place of the first of them.
+    first: u32,
+    items: &'a mut [Item],
+}
+
+impl Work for Rectangles<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) {
+        let mut triangle = self.first;
+        for (triangles, items) in self.triangles.chunks(BLOCK).zip(self.items.chunks_mut(BLOCK)) {
+            for (item, rect) in items.iter_mut().zip(rects(level.eight(), self.view, triangles)) {
+                *item = Item { rect, triangle };
+                triangle += 1;
+            }
+        }
+    }
 }
 
 impl Builder<'_> {
@@ -195,13 +227,27 @@ impl Builder<'_> {
     }
 
     fn block(&self, items: &[Item]) -> Block {
-        let mut block = Block::EMPTY;
-        for (slot, item) in items.iter().enumerate() {
-            let triangle = &self.casters.triangles[item.triangle as usize];
-            let (planes, _) = Planes::new(self.view, triangle);
-            block.set(slot, &planes, item.triangle, !triangle.is_opaque());
+        let mut ids = [0; BLOCK];
+        for (id, item) in ids.iter_mut().zip(items) {
+            *id = item.triangle;
         }
-        block
+        let ids = &ids[..items.len().min(BLOCK)];
+        self.chosen.run(Leaf { view: self.view, casters: self.casters, ids })
+    }
+}
+
+/// Makes a block.
+struct Leaf<'a> {
+    view: &'a View,
+    casters: Casters<'a>,
+    ids: &'a [u32],
+}
+
+impl Work for Leaf<'_> {
+    type Output = Block;
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) -> Block {
+        Block::of(level.eight(), self.view, self.casters, self.ids)
     }
 }
 

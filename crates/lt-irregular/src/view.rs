@@ -77,6 +77,8 @@ pub struct View {
     pub(crate) size: f32,
     /// The same with the root box of the ray tracer's tree, which its margins are in proportion to.
     pub(crate) reach: f32,
+    /// Factors on the error bounds of edges and depth: 1. Tests show what less does.
+    pub(crate) caution: [f32; 2],
     /// That root box, in permuted axes.
     pub(crate) root: Bounds,
     /// Where rays may start.
@@ -158,7 +160,7 @@ impl View {
         let with_root = all.with(root.low()).with(root.high());
         let reach = (with_root.high - with_root.low).max_element() * 1.000_001;
         let root = Bounds { low: permute(root.low(), axis), high: permute(root.high(), axis) };
-        View { rays, axis, sign, size, reach, root, domain }
+        View { rays, axis, sign, size, reach, caution: [1.0; 2], root, domain }
     }
 
     /// Whether the view takes this ray: it starts in the domain and leaves through this face.
@@ -235,6 +237,11 @@ impl View {
                 ([lanes.div(dx, dz), lanes.div(dy, dz), lanes.div(sign, dz)], taken)
             }
         }
+    }
+
+    /// Whether no triangle is out of sight.
+    pub(crate) fn sees_all(&self) -> bool {
+        matches!(self.rays, Rays::Parallel { .. })
     }
 
     /// The depth test's tolerance of a point of nearness z is `.0 + .1 · z`; see [`crate::planes`].

@@ -12,6 +12,9 @@
 //!   too. Correct edges grow along the geometry until they close, within a few frames.
 //! - **RR, remove rays:** if all neighbours' histories confirm the shadow test, believe it without a ray.
 //!
+//! What no neighbour knows of stays missed; a rolling refresh ([`is_due`]), which is not the paper's, traces every pixel once in a
+//! while and so bounds how long.
+//!
 //! What a pixel remembers is [`MaskBits`]: ST (the shadow test said shadow), LTT (a ray was traced), RS (the ray hit).
 //! [`PackedMask`] holds 42 lights in a 128-bit texel, [`reproject()`] finds the pixel's past, [`Pattern`] picks the
 //! neighbours, [`decide()`] puts it all in order.

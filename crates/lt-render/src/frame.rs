@@ -8,6 +8,8 @@ use lt_math::glam::Vec3;
 pub enum PassKind {
     /// Primary rays to visible samples; once per view, shared by all techniques.
     Camera,
+    /// The tree that rays walk, built or refitted once more ([`Upkeep`](crate::Upkeep)).
+    Build,
     /// Casters rasterised from the light.
     DepthMap,
     /// Depths to vectors, blurred along rows.
@@ -31,6 +33,7 @@ impl PassKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Camera => "camera",
+            Self::Build => "build",
             Self::DepthMap => "depth map",
             Self::FilterX => "filter x",
             Self::FilterY => "filter y",

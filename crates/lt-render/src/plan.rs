@@ -3,7 +3,7 @@
 use lt_scene::LightKind;
 
 use crate::lamp::lamp_maps;
-use crate::{Doubt, FarLevel, MapSource, MapTest, PackStats, PassKind, Removal, Resolve, Technique};
+use crate::{Doubt, FarLevel, MapSource, MapTest, PackStats, PassKind, Removal, Resolve, Technique, Upkeep};
 
 /// One effect, needed or not, with the reason.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,6 +70,8 @@ pub struct EffectPlan {
     pub trace_all: bool,
     /// What answers the doubt.
     pub resolve: Resolve,
+    /// What the frame does to the structures that it traces with.
+    pub upkeep: Upkeep,
     /// The last frame corrects the doubt.
     pub mask: Option<MaskEffects>,
     /// The camera pass also finds where every visible point was in the last frame.
@@ -112,6 +114,7 @@ impl EffectPlan {
             doubt_list,
             trace_all,
             resolve: technique.resolve,
+            upkeep: Upkeep::Kept,
             mask: technique.mask.map(|m| MaskEffects {
                 motion: sequence.camera_moves || sequence.objects_move,
                 depth_test: m.depth_test,
@@ -312,6 +315,9 @@ impl EffectPlan {
     /// The passes of a frame, in order. The camera pass is not among them: it runs once per view.
     pub fn passes(&self) -> Vec<PassKind> {
         let mut passes = Vec::new();
+        if self.upkeep != Upkeep::Kept && self.resolve == Resolve::Ray {
+            passes.push(PassKind::Build);
+        }
         if let Some((_, source)) = self.map {
             passes.push(PassKind::DepthMap);
             if source == MapSource::Prefiltered {

@@ -12,7 +12,7 @@ use lt_shaders::abi::{
 use crate::backend::{DepthMapJob, test_params};
 use crate::{
     Backend, BackendKind, EffectPlan, Frame, FrameJob, LightFit, PackStats, PackedScene, Removal,
-    RenderError, Sequence, Setup, ShadedLight, Technique,
+    RenderError, Resolve, Sequence, Setup, ShadedLight, Technique, Upkeep,
     cpu::CpuBackend,
     fit_directional,
     lamp::{LightChange, is_jump, lamp_levels, light_params_of},
@@ -63,8 +63,16 @@ pub struct Session {
 /// What planning and fitting need of a scene once the backend owns its buffers.
 struct PackedSummary {
     bounds: Bounds,
+    /// A box of all casters in every pose since `play`: kept maps are fitted to it.
+    reach: Bounds,
     stats: PackStats,
     root: u32,
+}
+
+impl PackedSummary {
+    fn of(packed: &PackedScene, reach: Bounds) -> Self {
+        Self { bounds: packed.bounds(), reach, stats: *packed.stats(), root: packed.root() }
+    }
 }
 
 /// What one technique keeps between frames for one light; the backend holds its buffers.
@@ -101,7 +109,7 @@ impl Session {
         let start = Instant::now();
         let packed = PackedScene::with(scene, setup.packing)?;
         let build_ms = start.elapsed().as_secs_f64() * 1e3;
-        let summary = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
+        let summary = PackedSummary::of(&packed, packed.bounds());
         let camera = camera_params(&setup, packed.root());
         let mut backend = make_backend(packed, backend)?;
         let plan = EffectPlan::for_scene(
@@ -131,6 +139,7 @@ impl Session {
     /// Says what will change between frames, which decides what techniques plan for; forgets all that they kept.
     pub fn play(&mut self, sequence: Sequence) {
         self.sequence = sequence;
+        self.scene.reach = self.scene.bounds;
         for slot in self.slots.values_mut() {
             *slot = Slot { last: None, frame: 0, ..*slot };
         }
@@ -169,7 +178,7 @@ impl Session {
         let packed = PackedScene::with(scene, self.setup.packing)?.after(scene, before)?;
         self.info.build_ms = start.elapsed().as_secs_f64() * 1e3;
         self.info.stats = *packed.stats();
-        self.scene = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
+        self.scene = PackedSummary::of(&packed, reach_of(self.scene.reach, packed.bounds()));
         self.backend.replace_scene(packed)?;
         self.pose += 1;
         self.sequence.objects_move = true;
@@ -219,11 +228,15 @@ impl Session {
 
     /// The effects a technique calls for here, under the first light.
     pub fn plan(&self, technique: &Technique) -> EffectPlan {
-        self.plan_under(technique, &self.setup.light)
+        self.plan_under(technique, (0, &self.setup.light))
     }
 
-    fn plan_under(&self, technique: &Technique, light: &Light) -> EffectPlan {
-        EffectPlan::for_scene(&self.scene.stats, &light.kind, technique, self.setup.map_size, self.sequence)
+    fn plan_under(&self, technique: &Technique, (number, light): (u32, &Light)) -> EffectPlan {
+        let map_size = self.setup.map_size;
+        let plan = EffectPlan::for_scene(&self.scene.stats, &light.kind, technique, map_size, self.sequence);
+        // Rays to all lights walk one tree.
+        let is_done = number > 0 && technique.resolve == Resolve::Ray;
+        EffectPlan { upkeep: if is_done { Upkeep::Kept } else { self.setup.upkeep }, ..plan }
     }
 
     /// Where the first light's one map of this many texels a side looks, if it is a directional one.
@@ -241,7 +254,8 @@ impl Session {
         }
         let lights: Vec<Light> = self.setup.lights().cloned().collect();
         let frames = lights.iter().enumerate().map(|(number, light)| {
-            self.render_light(technique, self.plan_under(technique, light), (number as u32, light))
+            let light = (number as u32, light);
+            self.render_light(technique, self.plan_under(technique, light), light)
         });
         Ok(Frame::of_lights(frames.collect::<Result<_, _>>()?))
     }
@@ -339,10 +353,11 @@ impl Session {
             slot.last.as_ref().filter(|l| plan.reuse && l.levels.1 == map_size && l.light == light.kind);
         // A caster outside the box that the kept maps were drawn of may lie before their near planes.
         let kept = last.filter(|l| encloses(l.casters, self.scene.bounds)).map_or(&[][..], |l| &l.levels.0);
-        let levels = self.levels(technique, &plan, &light.kind, (map_size, kept));
+        let casters = if plan.reuse { self.scene.reach } else { self.scene.bounds };
+        let levels = self.levels((technique, &plan), &light.kind, casters, (map_size, kept));
         let casters = match last {
             Some(last) if levels.draws.is_empty() => last.casters,
-            _ => self.scene.bounds,
+            _ => casters,
         };
         let has_moved = last.is_some_and(|l| l.pose != self.pose);
         let can_refresh = |level: &u32| {
@@ -400,12 +415,12 @@ impl Session {
     /// Where the maps of a technique look in its next frame, and which of them must be drawn.
     fn levels(
         &self,
-        technique: &Technique,
-        plan: &EffectPlan,
+        (technique, plan): (&Technique, &EffectPlan),
         light: &LightKind,
+        scene: Bounds,
         (map_size, kept): (u32, &[LightFit]),
     ) -> Levels {
-        let (scene, camera, direction) = (self.scene.bounds, &self.camera, sun_direction(light));
+        let (camera, direction) = (&self.camera, sun_direction(light));
         if plan.map.is_none() {
             return Levels { fits: Vec::new(), draws: Vec::new() };
         }
@@ -507,6 +522,19 @@ fn make_backend(packed: PackedScene, kind: BackendKind) -> Result<Box<dyn Backen
         }
         BackendKind::Auto => Ok(Box::new(CpuBackend::new(packed))),
     }
+}
+
+/// How much larger than its casters a box is made that they have left, so that their next step does not leave it again.
+const REACH_GROWTH: f32 = 0.1;
+
+/// A box that holds what `before` holds, and `now`; with some room around if that is more than before.
+fn reach_of(before: Bounds, now: Bounds) -> Bounds {
+    if now.is_empty() || encloses(before, now) {
+        return before;
+    }
+    let all = before.including(now.min).including(now.max);
+    let room = (all.max - all.min) * (REACH_GROWTH * 0.5);
+    all.including(now.min - room).including(now.max + room)
 }
 
 /// Whether one box lies in another, surfaces included.

@@ -4,7 +4,7 @@ use lt_mask::MAX_LIGHTS;
 use lt_math::glam::{UVec2, Vec3};
 use lt_scene::{Camera, Light, LightKind, Scene};
 
-use crate::{Packing, RenderError, technique::MAX_MAP_SIZE};
+use crate::{Packing, RenderError, Upkeep, technique::MAX_MAP_SIZE};
 
 /// View, light and map resolution of a session.
 #[derive(Clone, Debug)]
@@ -21,6 +21,8 @@ pub struct Setup {
     pub map_size: u32,
     /// How the scene is packed.
     pub packing: Packing,
+    /// What every frame does to the structures that it traces with, as part of its time.
+    pub upkeep: Upkeep,
 }
 
 /// Map resolution unless told otherwise (the leak tracing paper's).
@@ -43,6 +45,7 @@ impl Setup {
             more_lights: Vec::new(),
             map_size: DEFAULT_MAP_SIZE,
             packing: Packing::default(),
+            upkeep: Upkeep::Kept,
         }
     }
 

@@ -76,3 +76,24 @@ impl Light {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lights_turn_around_the_vertical_to_the_right() {
+        let quarter = std::f32::consts::FRAC_PI_2;
+        let kind = LightKind::Point { position: Vec3::new(3.0, 5.0, 1.0), range: 7.0 };
+        let lamp = Light { kind, ..Light::sun(Vec3::NEG_Z) };
+        let LightKind::Point { position, range } = lamp.turned(Vec3::new(1.0, 0.0, 1.0), quarter).kind else {
+            panic!("still a point light");
+        };
+        assert!((position - Vec3::new(1.0, 5.0, 3.0)).length() < 1e-5 && range == 7.0, "{position}");
+        let LightKind::Directional { direction } = Light::sun(Vec3::NEG_Z).turned(Vec3::ONE, quarter).kind
+        else {
+            panic!("still a sun");
+        };
+        assert!((direction - Vec3::X).length() < 1e-6, "north becomes east: {direction}");
+    }
+}

@@ -2,7 +2,7 @@
 
 use lt_math::glam::{Affine3A, Vec3};
 
-use crate::{Camera, Instance, Light, Material, Mesh, Texture};
+use crate::{Camera, Instance, Light, LightKind, Material, Mesh, Texture};
 
 /// Axis-aligned box; empty when `min > max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,6 +115,28 @@ impl Scene {
         })
     }
 
+    /// Makes everything this many times as large around the origin: meshes where they are placed, lights and their ranges,
+    /// cameras. Intensities stay as they are.
+    pub fn scale(&mut self, factor: f32) {
+        let larger = Affine3A::from_scale(Vec3::splat(factor));
+        for instance in &mut self.instances {
+            instance.transform = larger * instance.transform;
+        }
+        for camera in &mut self.cameras {
+            camera.eye *= factor;
+            camera.target *= factor;
+        }
+        for light in &mut self.lights {
+            match &mut light.kind {
+                LightKind::Directional { .. } => {}
+                LightKind::Point { position, range } | LightKind::Spot { position, range, .. } => {
+                    *position *= factor;
+                    *range *= factor;
+                }
+            }
+        }
+    }
+
     /// Adds a mesh and one static instance of it at `transform`.
     pub fn place(&mut self, mesh: Mesh, transform: Affine3A) {
         let index = self.meshes.len() as u32;
@@ -137,5 +159,25 @@ impl Scene {
             ..Mesh::default()
         };
         self.place(mesh, Affine3A::IDENTITY);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn everything_grows_with_its_scene() {
+        let mut scene = crate::Source::open("cornell", 1).and_then(|s| s.pose(0.0)).expect("a place");
+        let position = Vec3::new(1.0, 2.0, 3.0);
+        let kind = LightKind::Point { position, range: 4.0 };
+        scene.lights.push(Light { kind, ..Light::sun(Vec3::NEG_Y) });
+        let (before, eye) = (scene.bounds(), scene.cameras[0].eye);
+        scene.scale(1000.0);
+        let after = scene.bounds();
+        assert!((after.max - before.max * 1000.0).abs().max_element() < 1.0, "{}", after.max);
+        assert_eq!(scene.cameras[0].eye, eye * 1000.0);
+        let larger = LightKind::Point { position: position * 1000.0, range: 4000.0 };
+        assert_eq!(scene.lights.last().map(|l| l.kind), Some(larger));
     }
 }

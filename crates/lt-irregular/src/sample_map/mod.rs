@@ -14,6 +14,7 @@ mod visit;
 
 pub use sort::PointOrder;
 
+use crate::block::{BLOCK, Block};
 use crate::casters::{Casters, Query};
 use crate::lanes::Level;
 use crate::level::{Chosen, Instructions, Work};
@@ -25,7 +26,7 @@ use core::ops::AddAssign;
 use lt_bvh::{AnyHit, Ray, Transmit};
 use lt_math::glam::{Vec3, Vec4};
 use part::{Part, Tasks};
-use visit::{Block, Paint, Tint};
+use visit::{Darken, Paint, Tint};
 
 /// Triangles that are sorted into parts at a time, which bounds memory where large triangles meet every part. The first rounds are
 /// short and double: what they bring into shadow is closed to all that come later.
@@ -154,7 +155,7 @@ impl SampleMap {
         for &stray in &self.strays {
             out[stray as usize] = query.is_blocked_by_any(origins[stray as usize]);
         }
-        let counters = self.rasterise(casters, origins, Block(any_hit));
+        let counters = self.rasterise(casters, origins, Darken(any_hit));
         for part in self.parts() {
             part.blocked().for_each(|sample| out[sample] = true);
         }
@@ -230,8 +231,16 @@ impl<P: Paint> Work for Walk<'_, P> {
     #[inline(always)]
     fn run<L: Level>(self, level: L) -> Counters {
         let mut counters = Counters::default();
-        for item in self.items {
-            self.part.draw(level.points(), &self.scene, item, &mut counters);
+        for items in self.items.chunks(BLOCK) {
+            let mut ids = [0; BLOCK];
+            for (id, item) in ids.iter_mut().zip(items) {
+                *id = item.triangle;
+            }
+            let Scene { view, casters, .. } = self.scene;
+            let block = Block::of(level.eight(), view, casters, &ids[..items.len()]);
+            for (slot, item) in items.iter().enumerate() {
+                self.part.draw(level.points(), &self.scene, item, &block.planes(slot), &mut counters);
+            }
         }
         counters
     }

@@ -170,6 +170,7 @@ impl Part {
         lanes: L,
         scene: &Scene<'_, P>,
         item: &Item,
+        planes: &Planes,
         counters: &mut Counters,
     ) {
         if !self.nodes[0].is_open {
@@ -178,9 +179,8 @@ impl Part {
             return;
         }
         let triangle = &scene.casters.triangles[item.triangle as usize];
-        let (planes, _) = Planes::new(scene.view, triangle);
-        let cover = Cover::new(&planes, scene.view.depth_tolerance());
-        let wide = Spreadout::new(lanes, &planes);
+        let cover = Cover::new(planes, scene.view.depth_tolerance());
+        let wide = Spreadout::new(lanes, planes);
         let exact = Exact::new(scene.view, triangle);
         let is_sure = scene.paint.blocks_unasked(triangle.is_opaque());
         let leaves = (1 << self.depth) - 1;

@@ -14,9 +14,9 @@ pub(crate) trait Paint: Copy + Sync {
 
 /// Samples become blocked.
 #[derive(Clone, Copy)]
-pub(crate) struct Block<A>(pub A);
+pub(crate) struct Darken<A>(pub A);
 
-impl<A: AnyHit + Sync> Paint for Block<A> {
+impl<A: AnyHit + Sync> Paint for Darken<A> {
     #[inline(always)]
     fn blocks_unasked(self, is_opaque: bool) -> bool {
         A::IS_OPAQUE || is_opaque

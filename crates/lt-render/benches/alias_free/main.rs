@@ -4,12 +4,11 @@
 //! `cargo xtask papers alias-free` runs this and keeps the tables. Counters are the paper's own and depend on no machine. Every
 //! answer is compared with the ray tracer's; a difference ends the run.
 
-#[path = "../rays/clock.rs"]
-#[expect(dead_code, reason = "the rays' bench reads more clocks")]
-mod clock;
 #[path = "../rays/rays.rs"]
 #[expect(dead_code, reason = "the rays' bench takes parts of its lists")]
 mod rays;
+#[path = "../rays/today.rs"]
+mod today;
 
 mod hair;
 mod options;

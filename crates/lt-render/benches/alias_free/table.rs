@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use lt_irregular::Instructions;
 
-use super::clock::today;
+use super::today::today;
 use super::{hair, random};
 
 /// The paper's Table 1: nodes visited, occlusion-culled, samples tested (thousands), then ms of tree, triangles and total.

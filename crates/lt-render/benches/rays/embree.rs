@@ -37,18 +37,32 @@ type NewScene = unsafe extern "C" fn(
     *const u32,
     u64,
     c_int,
+    c_int,
 ) -> *mut c_void;
 type Build = unsafe extern "C" fn(*const Vec3, u64, *const [u32; 3], u64) -> c_int;
+type BuildMs = unsafe extern "C" fn(*const c_void) -> f64;
+type UseThreads = unsafe extern "C" fn(u32) -> c_int;
 type Free = unsafe extern "C" fn(*mut c_void);
 type NewRays = unsafe extern "C" fn(*const Ray, u64) -> *mut c_void;
 type LayOut = unsafe extern "C" fn(*mut c_void, u32);
 type Occluded = unsafe extern "C" fn(*const c_void, *mut c_void, u32, u64, u64);
 type Answers = unsafe extern "C" fn(*const c_void, u32, *mut bool);
 
+/// How well trees are built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quality {
+    /// Embree's default.
+    Default,
+    /// Its fastest.
+    Fast,
+}
+
 /// The library, its device opened.
 pub struct Embree {
     new_scene: NewScene,
     free_scene: Free,
+    build_ms: BuildMs,
+    use_threads: UseThreads,
     build: Build,
     new_rays: NewRays,
     free_rays: Free,
@@ -85,6 +99,8 @@ impl Embree {
             Ok(Some(Embree {
                 new_scene: *library.get(b"lt_embree_scene\0")?,
                 free_scene: *library.get(b"lt_embree_scene_free\0")?,
+                build_ms: *library.get(b"lt_embree_build_ms\0")?,
+                use_threads: *library.get(b"lt_embree_use_threads\0")?,
                 build: *library.get(b"lt_embree_build\0")?,
                 new_rays: *library.get(b"lt_embree_rays\0")?,
                 free_rays: *library.get(b"lt_embree_rays_free\0")?,
@@ -96,11 +112,21 @@ impl Embree {
         }
     }
 
+    /// Lets scenes made from now on be built by so many threads.
+    ///
+    /// # Errors
+    /// Embree has no such device.
+    pub fn use_threads(&self, threads: u32) -> Outcome<()> {
+        // SAFETY: no call of the library's is under way; scenes keep their own device.
+        let opened = unsafe { (self.use_threads)(threads) };
+        if opened == 0 { Err(format!("Embree opens no device of {threads} threads").into()) } else { Ok(()) }
+    }
+
     /// Builds a scene over the triangles of a place.
     ///
     /// # Errors
     /// Embree refuses.
-    pub fn scene(&self, place: &Place, is_robust: bool) -> Outcome<EmbreeScene<'_>> {
+    pub fn scene(&self, place: &Place, is_robust: bool, quality: Quality) -> Outcome<EmbreeScene<'_>> {
         let packed = &place.packed;
         let (triangles, materials, texels) = (packed.triangles(), packed.materials(), packed.alpha_texels());
         // SAFETY: pointers and lengths belong together, and the library copies what it keeps. Vertex and material
@@ -115,6 +141,7 @@ impl Embree {
                 texels.as_ptr(),
                 texels.len() as u64,
                 c_int::from(is_robust),
+                c_int::from(quality == Quality::Fast),
             )
         };
         if scene.is_null() {
@@ -147,6 +174,12 @@ pub struct EmbreeScene<'e> {
 }
 
 impl<'e> EmbreeScene<'e> {
+    /// What building it took, ms.
+    pub fn build_ms(&self) -> f64 {
+        // SAFETY: made by `new_scene` and not freed yet.
+        unsafe { (self.embree.build_ms)(self.scene) }
+    }
+
     /// Prepares a list of rays.
     pub fn rays<'a>(&'a self, rays: &'a [Ray]) -> EmbreeRays<'a> {
         // SAFETY: the list outlives the handle by the lifetime of the result.

@@ -20,8 +20,10 @@ mod ours;
 mod places;
 mod plot;
 mod rays;
+mod rebuilt;
 mod report;
 mod residual;
+mod today;
 
 use std::fs;
 use std::path::Path;
@@ -29,10 +31,11 @@ use std::path::Path;
 use lt_bvh::AnyHit;
 use lt_bvh::Opaque;
 
-use embree::Embree;
+use embree::{Embree, Quality};
 use measure::{Way, measure};
 use options::Options;
 use places::Place;
+use rebuilt::Rebuilt;
 use report::{List, Report, Row};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
@@ -46,7 +49,7 @@ fn main() -> Outcome<()> {
         eprintln!("{name}: preparing");
         let place = Place::open(name, options.size())?;
         report.on_machine(&place.device);
-        let rows = match place.has_holes() {
+        let (rows, rebuilt) = match place.has_holes() {
             true => scene(&place, place.coverage(), embree.as_ref(), &options)?,
             false => scene(&place, Opaque, embree.as_ref(), &options)?,
         };
@@ -54,6 +57,7 @@ fn main() -> Outcome<()> {
             println!("{}", report.text_row(&row));
             report.rows.push(row);
         }
+        report.rebuilt.extend(rebuilt);
     }
     if let Some(name) = options.build() {
         eprintln!("build {name}: preparing");
@@ -75,15 +79,16 @@ fn scene<A: AnyHit + Sync>(
     any_hit: A,
     embree: Option<&Embree>,
     options: &Options,
-) -> Outcome<Vec<Row>> {
+) -> Outcome<(Vec<Row>, Vec<Rebuilt>)> {
     let bvh = place.bvh();
     let counts = ours::mean_counts(bvh, &place.rays.rays, any_hit);
     eprintln!("{}: building the peers' trees", place.name);
     let peer = obvhs_peer::Obvhs::new(bvh);
-    let their_scene = embree.map(|e| e.scene(place, options.robust)).transpose()?;
+    let their_scene = embree.map(|e| e.scene(place, options.robust, Quality::Default)).transpose()?;
     let light = light::Tree::new(place)?;
     let mut rows = Vec::new();
     let mut residual = Vec::new();
+    let mut rebuilt = Vec::new();
     for list in [List::Primary, List::Residual] {
         let rays = match list {
             List::Primary => place.rays.clone(),
@@ -109,10 +114,13 @@ fn scene<A: AnyHit + Sync>(
         }
         if list == List::Primary {
             residual = residual::nearest_to_edges(&rays, &measured.answers[0]);
+            if let Some(embree) = embree {
+                rebuilt = rebuilt::compare(place, any_hit, &measured.answers[0], embree, options.repeats)?;
+            }
         }
         rows.push(Row::new(place, list, rays.rays.len(), counts, &measured, differences));
     }
-    Ok(rows)
+    Ok((rows, rebuilt))
 }
 
 /// Turns over one answer in a thousand of the last way; how many.

@@ -4,13 +4,14 @@ use std::fmt;
 use std::fmt::Write as _;
 
 use super::builds::Builds;
-use super::clock::today;
 use super::embree::{BUILD_THREADS, Embree};
 use super::judge::Differences;
 use super::measure::{Column, Family, Measured};
 use super::options::Options;
 use super::ours::MeanCounts;
 use super::places::Place;
+use super::rebuilt::Rebuilt;
+use super::today::today;
 
 /// Which rays of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,6 +94,8 @@ pub struct Report {
     conditions: Vec<String>,
     pub rows: Vec<Row>,
     pub build: Option<Builds>,
+    /// Frames with everything built anew.
+    pub rebuilt: Vec<Rebuilt>,
 }
 
 impl Report {
@@ -118,7 +121,7 @@ impl Report {
             None => "Embree: not measured (`apt-get install libembree-dev`, then `cargo xtask bench-rays`)".to_owned(),
         });
         conditions.push("obvhs: its slowest build, the better of CWBVH and BVH2".to_owned());
-        Report { conditions, rows: Vec::new(), build: None }
+        Report { conditions, rows: Vec::new(), build: None, rebuilt: Vec::new() }
     }
 
     /// Tells the report what it runs on, as a session names it.
@@ -190,6 +193,25 @@ impl Report {
                 );
             }
         }
+        if !self.rebuilt.is_empty() {
+            text.push_str(
+                "\neverything built anew, ms: Embree's fastest build + best mode, divide and conquer\n",
+            );
+        }
+        for r in &self.rebuilt {
+            let _ = writeln!(
+                text,
+                "  {:<16} {} thread{}  {:>7.1} + {:>6.1} ({}), {:>7.1}: {:.2}×",
+                r.scene,
+                r.threads,
+                if r.threads == 1 { " " } else { "s" },
+                r.embree_build,
+                r.embree_rays,
+                r.mode,
+                r.ours,
+                r.ratio()
+            );
+        }
         text.trim_end().to_owned()
     }
 
@@ -226,6 +248,16 @@ impl Report {
                 b.name, b.wall_ms
             );
         }
+        for r in &self.rebuilt {
+            let ways = [
+                ("Embree, fastest build", r.embree_build),
+                ("Embree, rays", r.embree_rays),
+                ("ours, divide and conquer", r.ours),
+            ];
+            for (way, ms) in ways {
+                let _ = writeln!(text, "{},,rebuilt,,,\"{way}\",{},ms,{ms:.2},,,", r.scene, r.threads);
+            }
+        }
         text
     }
 
@@ -259,6 +291,22 @@ impl Report {
                     b.name, b.wall_ms, b.cpu_ms
                 );
             }
+        }
+        if !self.rebuilt.is_empty() {
+            text.push_str("\n### Everything built anew\n\n| | threads | Embree's fastest build, ms | its best mode, ms | divide and conquer, ms | ratio |\n|---|---:|---:|---:|---:|---:|\n");
+        }
+        for r in &self.rebuilt {
+            let _ = writeln!(
+                text,
+                "| {} | {} | {:.1} | {:.1} ({}) | {:.1} | {:.2} |",
+                r.scene,
+                r.threads,
+                r.embree_build,
+                r.embree_rays,
+                r.mode,
+                r.ours,
+                r.ratio()
+            );
         }
         text.push_str("\n### Answers\n\n");
         for row in &self.rows {

@@ -1,6 +1,6 @@
 //! The resolvers in the light's own space (lt-irregular): the rays' answers without a ray.
 
-use lt_bvh::AnyHit;
+use lt_bvh::{AnyHit, Transmit};
 use lt_irregular::{Bounds, Casters, DivideAndConquer, LightBvh, Options, SampleMap};
 use lt_math::glam::{Vec3, Vec4};
 
@@ -55,4 +55,17 @@ pub(super) fn occluded<A: AnyHit + Sync>(
     } else {
         DivideAndConquer::new(light, domain).occluded(casters, origins, any_hit, out);
     }
+}
+
+/// What translucent casters let through of the rays from these origins, by an alias-free map.
+pub(super) fn transmitted<T: Transmit + Sync>(
+    scene: &PackedScene,
+    casters: Casters<'_>,
+    light: Vec4,
+    origins: &[Vec3],
+    transmit: T,
+    out: &mut [Vec3],
+) {
+    SampleMap::build(light, domain(scene), casters, origins, Options::default())
+        .transmitted(casters, origins, transmit, out);
 }

@@ -40,6 +40,7 @@ use tiles::{BLOCK, Tiles};
 use crate::packed::Trees;
 use crate::{
     Backend, EffectPlan, Frame, FrameJob, MapTest, PackedScene, Pass, PassKind, RenderError, ShadedLight,
+    Upkeep,
 };
 
 pub use batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
@@ -187,6 +188,12 @@ impl Backend for CpuBackend {
         let start = Instant::now();
         let slot = &mut self.slots[self.slot];
         match (kind, &job.map, job.plan.map) {
+            (PassKind::Build, ..) => {
+                // Timed inside: what it is built from is prepared first.
+                let ms = Some(self.scene.keep_up(job.plan.upkeep)?);
+                self.passes.push(Pass { kind, ms });
+                return Ok(());
+            }
             (PassKind::DepthMap, Some(map), _) => {
                 slot.still.resize_with(map.levels.len(), StillMap::default);
                 let whole = if job.plan.reuse { Draw::Whole } else { Draw::Once };
@@ -206,7 +213,8 @@ impl Backend for CpuBackend {
             }),
             (PassKind::LightTree, ..) => {
                 let light = job.shadow.light.place;
-                if self.light_tree.as_ref().is_none_or(|(of, _)| *of != light) {
+                let is_kept = job.plan.upkeep == Upkeep::Kept;
+                if !is_kept || self.light_tree.as_ref().is_none_or(|(of, _)| *of != light) {
                     self.light_tree = Some((light, light_space::tree(&self.scene, light)));
                 }
             }
@@ -220,13 +228,7 @@ impl Backend for CpuBackend {
                 return Ok(());
             }
             (PassKind::Tint, ..) => {
-                self.rays += tint::trace(
-                    &self.scene,
-                    &job.shadow.light,
-                    &self.samples,
-                    &self.visibility,
-                    &mut self.tint,
-                );
+                self.rays += tint::trace(&self.scene, job, &self.samples, &self.visibility, &mut self.tint);
             }
             _ => {}
         }

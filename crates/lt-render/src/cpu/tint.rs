@@ -1,23 +1,29 @@
-//! The tint pass: most rays meet nothing translucent, which the SIMD tracer finds out; the shared kernel follows the others.
+//! The tint pass, by rays or by what resolves the frame's doubt.
+//!
+//! Of rays most meet nothing translucent, which the SIMD tracer finds out; the shared kernel follows the others. The alias-free map takes all
+//! samples at once. What else resolves in light space knows no transmittance and leaves this to rays.
 
 use lt_bvh::{Bvh, Opaque, Ray, Simd, Tracer};
+use lt_irregular::Casters;
 use lt_math::glam::Vec3;
 use lt_shaders::abi::{LightParams, Sample};
 use lt_shaders::resolve::{may_be_tinted, shadow_ray, trace_tint};
 use lt_shaders::surface::Translucence;
 use rayon::prelude::*;
 
+use super::light_space::transmitted;
 use super::tiles::BLOCK;
-use crate::PackedScene;
+use crate::{FrameJob, PackedScene, Resolve};
 
 /// Fills in what translucent casters let through to each sample; returns how many rays that took.
 pub fn trace(
     scene: &PackedScene,
-    light: &LightParams,
+    job: &FrameJob,
     samples: &[Sample],
     visibility: &[f32],
     tint: &mut [Vec3],
 ) -> u64 {
+    let light = &job.shadow.light;
     let Some(bvh) = scene.translucent() else { return 0 };
     let casters = Translucence {
         triangles: bvh.triangles(),
@@ -26,6 +32,19 @@ pub fn trace(
         alpha_texels: scene.alpha_texels(),
         color_texels: scene.color_texels(),
     };
+    if job.plan.resolve == Resolve::AliasFree {
+        let reached = |&i: &usize| may_be_tinted(&samples[i], light, visibility[i]);
+        let pixels: Vec<usize> = (0..samples.len()).into_par_iter().filter(reached).collect();
+        let origins: Vec<Vec3> = pixels.par_iter().map(|&i| shadow_ray(&samples[i], light).origin).collect();
+        let mut passes = vec![Vec3::ONE; pixels.len()];
+        let triangles = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+        transmitted(scene, triangles, light.place, &origins, casters, &mut passes);
+        tint.fill(Vec3::ONE);
+        for (&pixel, passes) in pixels.iter().zip(&passes) {
+            tint[pixel] = *passes;
+        }
+        return pixels.len() as u64;
+    }
     let blocks = tint.par_chunks_mut(BLOCK).zip(samples.par_chunks(BLOCK)).zip(visibility.par_chunks(BLOCK));
     blocks
         .map(|((tint, samples), visibility)| trace_block(bvh, casters, light, samples, visibility, tint))

@@ -30,7 +30,9 @@ use lt_shaders::mask::BitsPlace;
 use lt_shaders::resolve::may_be_tinted;
 use timestamps::Timestamps;
 
-use crate::{Backend, EffectPlan, Frame, FrameJob, PackedScene, Pass, PassKind, RenderError, ShadedLight};
+use crate::{
+    Backend, EffectPlan, Frame, FrameJob, PackedScene, Pass, PassKind, RenderError, ShadedLight, Upkeep,
+};
 
 /// Runs frames on a device of its own and reads them back.
 pub struct GpuBackend {
@@ -206,6 +208,10 @@ impl Backend for GpuBackend {
             let problem = format!(
                 "has no resolver `{resolver}` yet: use --backend cpu, or rays (leave `:{resolver}` out)"
             );
+            return Err(RenderError::Gpu { device: self.device_name.clone(), problem });
+        }
+        if job.plan.upkeep != Upkeep::Kept {
+            let problem = "does not rebuild trees (--rebuild): use --backend cpu".to_owned();
             return Err(RenderError::Gpu { device: self.device_name.clone(), problem });
         }
         self.recorder.prepare(&mut self.frame, job)?;

@@ -211,7 +211,7 @@ impl Recorder {
             PassKind::Evaluate => self.evaluate(encoder, frame, job),
             PassKind::Mask => self.mask(encoder, frame, job),
             // Refused before a frame begins.
-            PassKind::LightTree => Ok(()),
+            PassKind::Build | PassKind::LightTree => Ok(()),
             PassKind::Resolve => self.resolve(encoder, scene, frame, job),
             PassKind::Tint => self.tint(encoder, scene, frame, job),
         }

@@ -7,6 +7,7 @@ mod meshes;
 mod moving;
 mod opacity;
 mod textures;
+mod upkeep;
 
 use std::sync::OnceLock;
 
@@ -20,6 +21,7 @@ use crate::RenderError;
 use textures::PackedMaterials;
 
 pub use opacity::{MappedCoverage, OpacityMaps};
+pub use upkeep::Upkeep;
 
 /// Scenes up to this many triangles (copies counted) are baked whole: below it the memory that a TLAS saves is
 /// taken not to be worth its second level of traversal. Chosen by judgement, not by measurement.

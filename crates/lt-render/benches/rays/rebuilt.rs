@@ -1,0 +1,98 @@
+//! Everything built anew for one frame: Embree's fastest build and its best mode beside divide and conquer, which builds nothing.
+
+use std::time::Instant;
+
+use lt_bvh::AnyHit;
+use lt_irregular::{Bounds, Casters, DivideAndConquer};
+use lt_math::glam::Vec3;
+
+use super::Outcome;
+use super::embree::{BUILD_THREADS, Embree, Quality};
+use super::measure::measure;
+use super::places::Place;
+
+/// What a frame takes, milliseconds of wall time (of its CPU for Embree's rays on one thread), medians.
+#[derive(Clone, Debug)]
+pub struct Rebuilt {
+    pub scene: String,
+    pub threads: u32,
+    pub embree_build: f64,
+    pub embree_rays: f64,
+    /// The mode that answers fastest.
+    pub mode: String,
+    pub ours: f64,
+}
+
+impl Rebuilt {
+    /// Embree's time over ours.
+    pub fn ratio(&self) -> f64 {
+        (self.embree_build + self.embree_rays) / self.ours
+    }
+}
+
+/// One thread, then two.
+///
+/// # Errors
+/// Embree refuses the scene, or the answers differ from those of `truth` in more than one ray of 10,000 (Embree's) or in any (ours).
+pub fn compare<A: AnyHit + Sync>(
+    place: &Place,
+    any_hit: A,
+    truth: &[bool],
+    embree: &Embree,
+    repeats: u32,
+) -> Outcome<Vec<Rebuilt>> {
+    let rays = &place.rays.rays;
+    let origins: Vec<Vec3> = rays.iter().map(|ray| ray.origin).collect();
+    let light = rays.first().map_or(Vec3::Y, |ray| ray.direction).extend(0.0);
+    let bounds = place.packed.bounds();
+    let domain = origins.iter().fold(Bounds { low: bounds.min, high: bounds.max }, |b, o| b.with(*o));
+    let casters = Casters { root: &place.packed.nodes()[0], triangles: place.packed.triangles() };
+    let both = DivideAndConquer::new(light, domain);
+    let mut rows = Vec::new();
+    for threads in [1, BUILD_THREADS] {
+        embree.use_threads(threads)?;
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads as usize).build()?;
+        let (mut builds, mut ours) = (Vec::new(), Vec::new());
+        for _ in 0..repeats {
+            builds.push(embree.scene(place, false, Quality::Fast)?.build_ms());
+            let mut out = vec![false; rays.len()];
+            let start = Instant::now();
+            pool.install(|| both.occluded(casters, &origins, any_hit, &mut out));
+            ours.push(start.elapsed().as_secs_f64() * 1e3);
+            if out != truth {
+                return Err(
+                    format!("{}: divide and conquer answers otherwise than the rays", place.name).into()
+                );
+            }
+        }
+        let scene = embree.scene(place, false, Quality::Fast)?;
+        let laid_out = scene.rays(rays);
+        let measured = measure(&format!("{}, rebuilt", place.name), &laid_out.ways(), rays.len(), repeats);
+        for answers in &measured.answers {
+            let differ = answers.iter().zip(truth).filter(|(a, b)| a != b).count();
+            if differ * 10_000 > rays.len() {
+                return Err(
+                    format!("{}: Embree's fast tree answers {differ} rays otherwise", place.name).into()
+                );
+            }
+        }
+        let rate = |c: &super::measure::Column| if threads == 1 { c.one.median } else { c.two.median };
+        let best = measured.columns.iter().max_by(|a, b| rate(a).total_cmp(&rate(b)));
+        let Some(best) = best else { continue };
+        rows.push(Rebuilt {
+            scene: place.name.clone(),
+            threads,
+            embree_build: median(builds),
+            embree_rays: rays.len() as f64 / rate(best) * 1e-3,
+            mode: best.name.clone(),
+            ours: median(ours),
+        });
+    }
+    embree.use_threads(BUILD_THREADS)?;
+    Ok(rows)
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
