@@ -6,6 +6,12 @@ use lt_math::glam::Vec3;
 
 use crate::{Camera, SceneError};
 
+/// Largest file read, bytes: days of keyframes.
+const MAX_FILE_BYTES: u64 = 16 << 20;
+/// Largest magnitude of a number, and least step between moments in seconds: curves between them then stay finite.
+const MAX_NUMBER: f32 = 1.0e9;
+const MIN_STEP_S: f32 = 1.0e-3;
+
 /// Cameras at moments, with a smooth way between them.
 ///
 /// As text, a line for each keyframe in order of time: the moment in seconds, the eye, the target, and the vertical field of view
@@ -41,9 +47,10 @@ impl Keyframes {
     /// [`SceneError::Io`] for a file that cannot be read, [`SceneError::Malformed`] naming line, problem and remedy for one that
     /// holds no path.
     pub fn open(path: &Path, base: Camera) -> Result<Self, SceneError> {
-        let text =
-            std::fs::read_to_string(path).map_err(|source| SceneError::Io { path: path.into(), source })?;
-        Self::parse(&text, base).map_err(|problem| SceneError::Malformed {
+        let bytes = crate::file::read(path, MAX_FILE_BYTES)
+            .map_err(|source| SceneError::Io { path: path.into(), source })?;
+        let text = std::str::from_utf8(&bytes).map_err(|e| format!("no text: {e}"));
+        text.and_then(|text| Self::parse(text, base)).map_err(|problem| SceneError::Malformed {
             path: path.into(),
             place: "keyframes".to_owned(),
             problem,
@@ -65,8 +72,8 @@ impl Keyframes {
             }
             let usual_fov = keys.last().map_or(base.fov_y_rad, |k| k.fov_y_rad);
             let key = key(&words, usual_fov).and_then(|key| match keys.last() {
-                Some(last) if key.time_s <= last.time_s => Err(format!(
-                    "its moment {} does not follow {}: times must ascend",
+                Some(last) if key.time_s - last.time_s < MIN_STEP_S => Err(format!(
+                    "its moment {} does not follow {}: times must ascend by {MIN_STEP_S} s or more",
                     key.time_s, last.time_s
                 )),
                 _ => Ok(key),
@@ -134,8 +141,8 @@ fn between(times: [f32; 4], values: [f32; 4], time: f32) -> f32 {
 
 fn key(words: &[&str], usual_fov: f32) -> Result<Key, String> {
     let number = |word: &&str| {
-        let parsed = word.parse::<f32>().ok().filter(|n| n.is_finite());
-        parsed.ok_or_else(|| format!("`{word}` is no finite number"))
+        let parsed = word.parse::<f32>().ok().filter(|n| n.abs() <= MAX_NUMBER);
+        parsed.ok_or_else(|| format!("`{word}` is no number of at most {MAX_NUMBER} in magnitude"))
     };
     let n: Vec<f32> = words.iter().map(number).collect::<Result<_, _>>()?;
     let (fov_y_rad, n) = match n.len() {
@@ -148,7 +155,8 @@ fn key(words: &[&str], usual_fov: f32) -> Result<Key, String> {
         }
     };
     if !(fov_y_rad > 0.0 && fov_y_rad < std::f32::consts::PI) {
-        return Err(format!("a field of view of {} degrees: it must lie between 0 and 180", n[7]));
+        let degrees = fov_y_rad.to_degrees();
+        return Err(format!("a field of view of {degrees} degrees: it must lie between 0 and 180"));
     }
     let (eye, target) = (Vec3::new(n[1], n[2], n[3]), Vec3::new(n[4], n[5], n[6]));
     if eye == target {
@@ -196,6 +204,13 @@ mod tests {
         }
     }
 
+    #[cfg(unix)]
+    #[test]
+    fn a_file_without_end_is_refused() {
+        let problem = Keyframes::open(Path::new("/dev/zero"), base()).unwrap_err().to_string();
+        assert!(problem.contains("not a regular file"), "{problem}");
+    }
+
     #[test]
     fn what_is_no_path_is_refused_by_line() {
         for (text, line) in [
@@ -205,6 +220,9 @@ mod tests {
             ("0 0 0 0 0 0 1\n0 0 0 0 0 0 1\n", "line 2: its moment"),
             ("0 0 0 0 0 0 x\n", "`x`"),
             ("0 0 0 0 0 0 nan\n", "`nan`"),
+            ("0 0 0 0 0 0 1e38\n", "`1e38`"),
+            ("0 0 0 0 0 0 1\n1e-9 0 0 0 0 0 1\n", "line 2: its moment"),
+            ("1e6 0 0 0 0 0 1\n1e6 0 0 0 0 0 1\n", "line 2: its moment"),
             ("0 1 2 3 1 2 3\n", "line 1: eye and target"),
             ("0 0 0 0 0 0 1 180\n", "180"),
         ] {

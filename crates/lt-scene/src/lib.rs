@@ -21,6 +21,7 @@
 pub mod builtin;
 mod camera;
 mod error;
+mod file;
 pub mod gltf;
 mod keyframes;
 mod light;

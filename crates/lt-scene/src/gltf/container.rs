@@ -1,6 +1,6 @@
 //! Reads a file and splits the GLB container (glTF 2.0 specification, chapter 4) into JSON and binary chunk.
 
-use std::{fs, io, path::Path};
+use std::path::Path;
 
 use super::fault::Fault;
 use crate::SceneError;
@@ -13,18 +13,10 @@ const CHUNK_HEADER_BYTES: usize = 8;
 const JSON_CHUNK: u32 = 0x4E4F_534A;
 const BIN_CHUNK: u32 = 0x004E_4942;
 
-/// Reads a regular file whole. Devices and pipes, which may never end, are refused.
+/// Reads a file whole.
 pub(super) fn read_file(path: &Path) -> Result<Vec<u8>, Fault> {
     let io_fault = |source| Fault::Whole(SceneError::Io { path: path.to_owned(), source });
-    let meta = fs::metadata(path).map_err(io_fault)?;
-    if !meta.is_file() {
-        return Err(io_fault(io::Error::new(io::ErrorKind::InvalidInput, "not a regular file")));
-    }
-    if meta.len() > MAX_FILE_BYTES {
-        let problem = format!("{} bytes, more than the {MAX_FILE_BYTES} that a GLB can hold", meta.len());
-        return Err(io_fault(io::Error::new(io::ErrorKind::FileTooLarge, problem)));
-    }
-    fs::read(path).map_err(io_fault)
+    crate::file::read(path, MAX_FILE_BYTES).map_err(io_fault)
 }
 
 /// The JSON text and, in a GLB, the binary chunk.
