@@ -8,18 +8,24 @@
 //! Memory is the rectangles of all triangles, and at most as much again for each of [`DEPTH`] levels of each thread's; lists only shrink. Time
 //! is at worst that of every triangle against every leaf of points.
 
+mod lists;
+mod points;
+mod rows;
+
 use crate::block::{BLOCK, Block, Spread};
 use crate::casters::{Casters, Query};
-use crate::lanes::{Lanes, Level};
+use crate::lanes::Level;
 use crate::level::{Chosen, Instructions, Work};
 use crate::rect::Rect;
-use crate::tile::{TILE, Tile, least, most};
-use crate::tree::items;
+use crate::tile::{TILE, Tile};
 use crate::view::{Bounds, View};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use lists::Lists;
 use lt_bvh::{AnyHit, Ray};
 use lt_math::glam::{Vec3, Vec4};
+use points::{Part, Points};
+use rows::SLACK;
 
 /// Up to this many points are not divided further.
 const LEAF: usize = 128;
@@ -31,8 +37,6 @@ const DEPTH: usize = 40;
 const FEW: usize = 24;
 /// Triangles that are fetched before they are needed.
 const AHEAD: usize = 32;
-/// Room behind every list, so that whole registers may be written at its end.
-const SLACK: usize = 16;
 
 /// Answers lists of shadow rays to one light from the triangles alone, dividing points and triangles together
 /// (after Mora 2011); nothing is built before and nothing kept.
@@ -41,269 +45,6 @@ pub struct DivideAndConquer {
     light: Vec4,
     domain: Bounds,
     instructions: Instructions,
-}
-
-/// Rectangles and the triangles that they belong to.
-#[derive(Default)]
-struct Lists {
-    x0: Vec<f32>,
-    x1: Vec<f32>,
-    y0: Vec<f32>,
-    y1: Vec<f32>,
-    z: Vec<f32>,
-    ids: Vec<u32>,
-}
-
-impl Lists {
-    fn of(view: &View, casters: Casters<'_>) -> (Self, usize) {
-        let items = items(view, casters);
-        let mut lists = Lists::default();
-        lists.reserve(items.len());
-        for (i, item) in items.iter().enumerate() {
-            (lists.x0[i], lists.x1[i]) = (item.rect.x0, item.rect.x1);
-            (lists.y0[i], lists.y1[i]) = (item.rect.y0, item.rect.y1);
-            (lists.z[i], lists.ids[i]) = (item.rect.z, item.triangle);
-        }
-        (lists, items.len())
-    }
-
-    fn reserve(&mut self, end: usize) {
-        if self.ids.len() < end + SLACK {
-            let len = if self.ids.is_empty() { end } else { end + end / 2 } + SLACK;
-            for row in [&mut self.x0, &mut self.x1, &mut self.y0, &mut self.y1, &mut self.z] {
-                grow(row, len, 0.0);
-            }
-            grow(&mut self.ids, len, 0);
-        }
-    }
-
-    /// Whether any of eight triangles may block points in `rect`.
-    #[inline(always)]
-    fn meet<E: Lanes>(&self, lanes: E, at: usize, rect: &Rect) -> bool {
-        let mask = lanes.le(lanes.load(&self.x0[at..]), lanes.splat(rect.x1))
-            & lanes.le(lanes.splat(rect.x0), lanes.load(&self.x1[at..]))
-            & lanes.le(lanes.load(&self.y0[at..]), lanes.splat(rect.y1))
-            & lanes.le(lanes.splat(rect.y0), lanes.load(&self.y1[at..]))
-            & lanes.le(lanes.splat(rect.z), lanes.load(&self.z[at..]));
-        mask != 0
-    }
-
-    /// Writes those of `from` that may block points in `rect`, of nearness from `rect.z` to `far`, to `to`; how many, and which of
-    /// them covers the rectangle, beyond all points, with the largest nearness.
-    #[inline(always)]
-    fn take<P: Lanes>(
-        &mut self,
-        lanes: P,
-        from: Option<&Lists>,
-        start: usize,
-        len: usize,
-        bounds: &(Rect, f32),
-        to: usize,
-    ) -> (usize, Option<usize>) {
-        self.reserve(to + len);
-        let (rect, far) = bounds;
-        let far = lanes.splat(*far);
-        let mut best: Option<usize> = None;
-        let (x0, x1) = (lanes.splat(rect.x0), lanes.splat(rect.x1));
-        let (y0, y1) = (lanes.splat(rect.y0), lanes.splat(rect.y1));
-        let near = lanes.splat(rect.z);
-        let mut end = to;
-        for at in (start..start + len).step_by(P::WIDTH) {
-            let rows = from.unwrap_or(self);
-            let (a0, a1) = (lanes.load(&rows.x0[at..]), lanes.load(&rows.x1[at..]));
-            let (b0, b1) = (lanes.load(&rows.y0[at..]), lanes.load(&rows.y1[at..]));
-            let z = lanes.load(&rows.z[at..]);
-            let mut mask =
-                lanes.le(a0, x1) & lanes.le(x0, a1) & lanes.le(b0, y1) & lanes.le(y0, b1) & lanes.le(near, z);
-            let left = start + len - at;
-            if left < P::WIDTH {
-                mask &= (1 << left) - 1;
-            }
-            if mask != 0 {
-                let mut ids = [0; 16];
-                ids[..P::WIDTH].copy_from_slice(&rows.ids[at..at + P::WIDTH]);
-                lanes.compress(mask, a0, &mut self.x0[end..]);
-                lanes.compress(mask, a1, &mut self.x1[end..]);
-                lanes.compress(mask, b0, &mut self.y0[end..]);
-                lanes.compress(mask, b1, &mut self.y1[end..]);
-                lanes.compress(mask, z, &mut self.z[end..]);
-                lanes.compress_words(mask, &ids, &mut self.ids[end..]);
-                let mut covers = lanes.le(a0, x0)
-                    & lanes.le(x1, a1)
-                    & lanes.le(b0, y0)
-                    & lanes.le(y1, b1)
-                    & lanes.lt(far, z);
-                covers &= mask;
-                while covers != 0 {
-                    let i = end + (mask & ((1 << covers.trailing_zeros()) - 1)).count_ones() as usize;
-                    covers &= covers - 1;
-                    best = if best.is_none_or(|b| self.z[i] > self.z[b]) { Some(i) } else { best };
-                }
-                end += mask.count_ones() as usize;
-            }
-        }
-        (end - to, best)
-    }
-}
-
-/// Points, row by row.
-#[derive(Default)]
-struct Points {
-    x: Vec<f32>,
-    y: Vec<f32>,
-    z: Vec<f32>,
-    /// Places in the task.
-    ids: Vec<u32>,
-}
-
-impl Points {
-    fn reserve(&mut self, end: usize) {
-        if self.ids.len() < end + SLACK {
-            let len = if self.ids.is_empty() { end } else { end + end / 2 } + SLACK;
-            for row in [&mut self.x, &mut self.y, &mut self.z] {
-                grow(row, len, 0.0);
-            }
-            grow(&mut self.ids, len, 0);
-        }
-    }
-
-    /// Takes the points of all rays that the view takes; how many.
-    #[inline(always)]
-    fn fill<P: Lanes>(&mut self, lanes: P, view: &View, origins: &[Vec3]) -> usize {
-        self.reserve(origins.len());
-        let [x, y, z] = view.axes();
-        let mut len = 0;
-        for (chunk, some) in origins.chunks(P::WIDTH).enumerate() {
-            // What is not given starts nowhere, which no view takes.
-            let mut o = [[f32::NAN; 16]; 3];
-            let mut ids = [0; 16];
-            for (i, from) in some.iter().enumerate() {
-                (o[0][i], o[1][i], o[2][i]) = (from[x], from[y], from[z]);
-                ids[i] = (chunk * P::WIDTH + i) as u32;
-            }
-            let (point, taken) =
-                view.points(lanes, [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])]);
-            lanes.compress(taken, point[0], &mut self.x[len..]);
-            lanes.compress(taken, point[1], &mut self.y[len..]);
-            lanes.compress(taken, point[2], &mut self.z[len..]);
-            lanes.compress_words(taken, &ids, &mut self.ids[len..]);
-            len += taken.count_ones() as usize;
-        }
-        len
-    }
-
-    /// A list of some of the points alone.
-    fn part(&self, part: &Part) -> Self {
-        let mut alone = Points::default();
-        alone.reserve(part.len);
-        let (to, from) = (..part.len, part.start..part.start + part.len);
-        alone.x[to].copy_from_slice(&self.x[from.clone()]);
-        alone.y[to].copy_from_slice(&self.y[from.clone()]);
-        alone.z[to].copy_from_slice(&self.z[from.clone()]);
-        alone.ids[to].copy_from_slice(&self.ids[from]);
-        alone
-    }
-
-    /// The rectangle of points with their least nearness, and the largest.
-    #[inline(always)]
-    fn bounds<P: Lanes>(&self, lanes: P, start: usize, len: usize) -> (Rect, f32) {
-        let (infinite, minus) = (lanes.splat(f32::INFINITY), lanes.splat(f32::NEG_INFINITY));
-        let (mut low, mut high) = ([infinite; 3], [minus; 3]);
-        for at in (start..start + len).step_by(P::WIDTH) {
-            let given = first(start + len - at);
-            let point = [lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..])];
-            for axis in 0..3 {
-                low[axis] = lanes.min(lanes.pick(given, point[axis], infinite), low[axis]);
-                high[axis] = lanes.max(lanes.pick(given, point[axis], minus), high[axis]);
-            }
-        }
-        around(lanes, low, high)
-    }
-
-    /// Writes the points of `from`, or of this very list, that lie below a step's place behind `to`, and the others behind those and some room;
-    /// both halves with their bounds.
-    #[inline(always)]
-    fn halve<P: Lanes>(&mut self, lanes: P, from: Option<&Points>, step: &Step, to: usize) -> [Part; 2] {
-        let second = to + step.len + SLACK;
-        self.reserve(second + step.len);
-        let place = lanes.splat(step.place);
-        let mut ends = [to, second];
-        let (infinite, minus) = (lanes.splat(f32::INFINITY), lanes.splat(f32::NEG_INFINITY));
-        let mut reach = [([infinite; 3], [minus; 3]); 2];
-        for at in (step.start..step.start + step.len).step_by(P::WIDTH) {
-            let rows = from.unwrap_or(self);
-            let point = [lanes.load(&rows.x[at..]), lanes.load(&rows.y[at..]), lanes.load(&rows.z[at..])];
-            let mut ids = [0; 16];
-            ids[..P::WIDTH].copy_from_slice(&rows.ids[at..at + P::WIDTH]);
-            let below = lanes.lt(if step.is_y { point[1] } else { point[0] }, place);
-            let given = first((step.start + step.len - at).min(P::WIDTH));
-            for (half, mask) in [below & given, given & !below].into_iter().enumerate() {
-                if mask == 0 {
-                    continue;
-                }
-                let end = ends[half];
-                lanes.compress(mask, point[0], &mut self.x[end..]);
-                lanes.compress(mask, point[1], &mut self.y[end..]);
-                lanes.compress(mask, point[2], &mut self.z[end..]);
-                lanes.compress_words(mask, &ids, &mut self.ids[end..]);
-                ends[half] += mask.count_ones() as usize;
-                let (low, high) = &mut reach[half];
-                for axis in 0..3 {
-                    low[axis] = lanes.min(lanes.pick(mask, point[axis], infinite), low[axis]);
-                    high[axis] = lanes.max(lanes.pick(mask, point[axis], minus), high[axis]);
-                }
-            }
-        }
-        let mut parts = [Part::default(); 2];
-        for (half, part) in parts.iter_mut().enumerate() {
-            let start = [to, second][half];
-            let (low, high) = reach[half];
-            *part = Part { start, len: ends[half] - start, bounds: around(lanes, low, high) };
-        }
-        parts
-    }
-}
-
-/// Some of the points in a list, with their bounds.
-#[derive(Clone, Copy)]
-struct Part {
-    start: usize,
-    len: usize,
-    bounds: (Rect, f32),
-}
-
-impl Default for Part {
-    fn default() -> Self {
-        Part { start: 0, len: 0, bounds: (Rect::EMPTY, 0.0) }
-    }
-}
-
-/// The rectangle with the least nearness, and the largest, from those of each lane.
-#[inline(always)]
-fn around<P: Lanes>(lanes: P, low: [P::F; 3], high: [P::F; 3]) -> (Rect, f32) {
-    let rect = Rect {
-        x0: least(lanes, low[0]),
-        x1: most(lanes, high[0]),
-        y0: least(lanes, low[1]),
-        y1: most(lanes, high[1]),
-        z: least(lanes, low[2]),
-    };
-    (rect, most(lanes, high[2]))
-}
-
-/// Makes a row longer. The first time it comes zeroed from the system, untouched.
-fn grow<T: Copy>(row: &mut Vec<T>, len: usize, zero: T) {
-    if row.is_empty() {
-        *row = alloc::vec![zero; len];
-    } else {
-        row.resize(len, zero);
-    }
-}
-
-/// The lowest bits, as many as `count`.
-#[inline(always)]
-fn first(count: usize) -> u32 {
-    if count >= 32 { u32::MAX } else { (1 << count) - 1 }
 }
 
 /// Memory of a thread.
