@@ -195,132 +195,132 @@ var<storage> alpha_texels: type_13;
 var<storage> instances: type_69;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_234_: lt_mask_LightPlace;
-    var phi_235_: bool;
     var phi_236_: lt_mask_LightPlace;
     var phi_237_: bool;
-    var phi_242_: lt_mask_LightPlace;
+    var phi_238_: lt_mask_LightPlace;
+    var phi_239_: bool;
+    var phi_244_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_234_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_235_ = false;
+            phi_236_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_237_ = false;
         } else {
-            phi_234_ = lt_mask_LightPlace();
-            phi_235_ = true;
+            phi_236_ = lt_mask_LightPlace();
+            phi_237_ = true;
         }
-        let _e81 = phi_234_;
-        let _e83 = phi_235_;
-        phi_236_ = _e81;
-        phi_237_ = _e83;
+        let _e81 = phi_236_;
+        let _e83 = phi_237_;
+        phi_238_ = _e81;
+        phi_239_ = _e83;
     } else {
-        phi_236_ = lt_mask_LightPlace();
-        phi_237_ = true;
+        phi_238_ = lt_mask_LightPlace();
+        phi_239_ = true;
     }
-    let _e85 = phi_236_;
-    let _e87 = phi_237_;
+    let _e85 = phi_238_;
+    let _e87 = phi_239_;
     if _e87 {
-        phi_242_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_244_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_242_ = _e85;
+        phi_244_ = _e85;
     }
-    let _e92 = phi_242_;
+    let _e92 = phi_244_;
     return lt_mask_LightPlace(_e92.word, _e92.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_257_: bool;
-    var phi_261_: f32;
+    var phi_259_: bool;
+    var phi_263_: f32;
 
     if (param_3 != param_3) {
-        phi_257_ = true;
+        phi_259_ = true;
     } else {
         let _e71 = (param_4 >= param_3);
         if _e71 {
         }
-        phi_257_ = _e71;
+        phi_259_ = _e71;
     }
-    let _e73 = phi_257_;
+    let _e73 = phi_259_;
     if _e73 {
-        phi_261_ = param_4;
+        phi_263_ = param_4;
     } else {
-        phi_261_ = param_3;
+        phi_263_ = param_3;
     }
-    let _e75 = phi_261_;
+    let _e75 = phi_263_;
     return _e75;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_273_: bool;
-    var phi_277_: f32;
+    var phi_275_: bool;
+    var phi_279_: f32;
 
     if (param_5 != param_5) {
-        phi_273_ = true;
+        phi_275_ = true;
     } else {
         let _e71 = (param_6 <= param_5);
         if _e71 {
         }
-        phi_273_ = _e71;
+        phi_275_ = _e71;
     }
-    let _e73 = phi_273_;
+    let _e73 = phi_275_;
     if _e73 {
-        phi_277_ = param_6;
+        phi_279_ = param_6;
     } else {
-        phi_277_ = param_5;
+        phi_279_ = param_5;
     }
-    let _e75 = phi_277_;
+    let _e75 = phi_279_;
     return _e75;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_319_: f32;
-    var phi_324_: f32;
-    var phi_325_: bool;
+    var phi_321_: f32;
     var phi_326_: f32;
     var phi_327_: bool;
-    var phi_331_: f32;
-    var phi_357_: f32;
-    var phi_362_: f32;
-    var phi_363_: bool;
+    var phi_328_: f32;
+    var phi_329_: bool;
+    var phi_333_: f32;
+    var phi_359_: f32;
     var phi_364_: f32;
     var phi_365_: bool;
-    var phi_369_: f32;
-    var phi_377_: f32;
-    var phi_378_: f32;
+    var phi_366_: f32;
+    var phi_367_: bool;
+    var phi_371_: f32;
     var phi_379_: f32;
-    var phi_388_: f32;
-    var phi_389_: f32;
-    var phi_407_: u32;
-    var phi_421_: u32;
-    var phi_428_: u32;
-    var phi_433_: u32;
-    var phi_439_: u32;
-    var phi_444_: u32;
-    var phi_446_: texture_Axis;
-    var phi_474_: f32;
-    var phi_479_: f32;
-    var phi_480_: bool;
+    var phi_380_: f32;
+    var phi_381_: f32;
+    var phi_390_: f32;
+    var phi_391_: f32;
+    var phi_409_: u32;
+    var phi_423_: u32;
+    var phi_430_: u32;
+    var phi_435_: u32;
+    var phi_441_: u32;
+    var phi_446_: u32;
+    var phi_448_: texture_Axis;
+    var phi_476_: f32;
     var phi_481_: f32;
     var phi_482_: bool;
-    var phi_486_: f32;
-    var phi_512_: f32;
-    var phi_517_: f32;
-    var phi_518_: bool;
+    var phi_483_: f32;
+    var phi_484_: bool;
+    var phi_488_: f32;
+    var phi_514_: f32;
     var phi_519_: f32;
     var phi_520_: bool;
-    var phi_524_: f32;
-    var phi_532_: f32;
-    var phi_533_: f32;
+    var phi_521_: f32;
+    var phi_522_: bool;
+    var phi_526_: f32;
     var phi_534_: f32;
-    var phi_543_: f32;
-    var phi_544_: f32;
-    var phi_562_: u32;
-    var phi_576_: u32;
-    var phi_583_: u32;
-    var phi_588_: u32;
-    var phi_594_: u32;
-    var phi_599_: u32;
-    var phi_601_: texture_Axis;
+    var phi_535_: f32;
+    var phi_536_: f32;
+    var phi_545_: f32;
+    var phi_546_: f32;
+    var phi_564_: u32;
+    var phi_578_: u32;
+    var phi_585_: u32;
+    var phi_590_: u32;
+    var phi_596_: u32;
+    var phi_601_: u32;
+    var phi_603_: texture_Axis;
 
     let _e72 = (*param_7).size;
     let _e73 = (_e72 & 65535u);
@@ -334,286 +334,286 @@ fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureVi
         if (param_8 > -8388608f) {
             let _e99 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
             if (_e99 > param_8) {
-                phi_319_ = 1f;
+                phi_321_ = 1f;
             } else {
-                phi_319_ = 0f;
+                phi_321_ = 0f;
             }
-            let _e102 = phi_319_;
+            let _e102 = phi_321_;
             if (param_8 < 8388608f) {
-                phi_324_ = (_e99 - _e102);
-                phi_325_ = false;
+                phi_326_ = (_e99 - _e102);
+                phi_327_ = false;
             } else {
-                phi_324_ = f32();
-                phi_325_ = true;
+                phi_326_ = f32();
+                phi_327_ = true;
             }
-            let _e105 = phi_324_;
-            let _e107 = phi_325_;
-            phi_326_ = _e105;
-            phi_327_ = _e107;
+            let _e105 = phi_326_;
+            let _e107 = phi_327_;
+            phi_328_ = _e105;
+            phi_329_ = _e107;
         } else {
-            phi_326_ = f32();
-            phi_327_ = true;
+            phi_328_ = f32();
+            phi_329_ = true;
         }
-        let _e109 = phi_326_;
-        let _e111 = phi_327_;
+        let _e109 = phi_328_;
+        let _e111 = phi_329_;
         if _e111 {
-            phi_331_ = param_8;
+            phi_333_ = param_8;
         } else {
-            phi_331_ = _e109;
+            phi_333_ = _e109;
         }
-        let _e113 = phi_331_;
-        phi_379_ = (param_8 - _e113);
+        let _e113 = phi_333_;
+        phi_381_ = (param_8 - _e113);
     } else {
         if (_e86 == 1u) {
             let _e116 = (param_8 * 0.5f);
             if (_e116 > -8388608f) {
                 let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
                 if (_e128 > _e116) {
-                    phi_357_ = 1f;
+                    phi_359_ = 1f;
                 } else {
-                    phi_357_ = 0f;
+                    phi_359_ = 0f;
                 }
-                let _e131 = phi_357_;
+                let _e131 = phi_359_;
                 if (_e116 < 8388608f) {
-                    phi_362_ = (_e128 - _e131);
-                    phi_363_ = false;
+                    phi_364_ = (_e128 - _e131);
+                    phi_365_ = false;
                 } else {
-                    phi_362_ = f32();
-                    phi_363_ = true;
+                    phi_364_ = f32();
+                    phi_365_ = true;
                 }
-                let _e134 = phi_362_;
-                let _e136 = phi_363_;
-                phi_364_ = _e134;
-                phi_365_ = _e136;
+                let _e134 = phi_364_;
+                let _e136 = phi_365_;
+                phi_366_ = _e134;
+                phi_367_ = _e136;
             } else {
-                phi_364_ = f32();
-                phi_365_ = true;
+                phi_366_ = f32();
+                phi_367_ = true;
             }
-            let _e138 = phi_364_;
-            let _e140 = phi_365_;
+            let _e138 = phi_366_;
+            let _e140 = phi_367_;
             if _e140 {
-                phi_369_ = _e116;
+                phi_371_ = _e116;
             } else {
-                phi_369_ = _e138;
+                phi_371_ = _e138;
             }
-            let _e142 = phi_369_;
+            let _e142 = phi_371_;
             let _e144 = (param_8 - (2f * _e142));
             if (_e144 > 1f) {
-                phi_377_ = (2f - _e144);
+                phi_379_ = (2f - _e144);
             } else {
-                phi_377_ = _e144;
+                phi_379_ = _e144;
             }
-            let _e148 = phi_377_;
-            phi_378_ = _e148;
+            let _e148 = phi_379_;
+            phi_380_ = _e148;
         } else {
-            phi_378_ = param_8;
+            phi_380_ = param_8;
         }
-        let _e150 = phi_378_;
-        phi_379_ = _e150;
+        let _e150 = phi_380_;
+        phi_381_ = _e150;
     }
-    let _e152 = phi_379_;
+    let _e152 = phi_381_;
     if (_e152 > 0f) {
         if (_e152 < 1f) {
-            phi_388_ = _e152;
+            phi_390_ = _e152;
         } else {
-            phi_388_ = 1f;
+            phi_390_ = 1f;
         }
-        let _e156 = phi_388_;
-        phi_389_ = _e156;
+        let _e156 = phi_390_;
+        phi_391_ = _e156;
     } else {
-        phi_389_ = 0f;
+        phi_391_ = 0f;
     }
-    let _e158 = phi_389_;
+    let _e158 = phi_391_;
     let _e159 = (_e73 - 1u);
     let _e161 = (_e158 * f32(_e73));
     if _e81 {
         let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
         if (_e159 < _e168) {
-            phi_407_ = _e159;
+            phi_409_ = _e159;
         } else {
-            phi_407_ = _e168;
+            phi_409_ = _e168;
         }
-        let _e171 = phi_407_;
-        phi_446_ = texture_Axis(_e171, _e171, 0f);
+        let _e171 = phi_409_;
+        phi_448_ = texture_Axis(_e171, _e171, 0f);
     } else {
         let _e173 = (_e161 + 0.5f);
         let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
         if (_e73 < _e180) {
-            phi_421_ = _e73;
+            phi_423_ = _e73;
         } else {
-            phi_421_ = _e180;
+            phi_423_ = _e180;
         }
-        let _e183 = phi_421_;
+        let _e183 = phi_423_;
         if (_e86 == 0u) {
-            phi_428_ = _e159;
+            phi_430_ = _e159;
         } else {
-            phi_428_ = 0u;
+            phi_430_ = 0u;
         }
-        let _e188 = phi_428_;
+        let _e188 = phi_430_;
         if (_e86 == 0u) {
-            phi_433_ = 0u;
+            phi_435_ = 0u;
         } else {
-            phi_433_ = _e159;
+            phi_435_ = _e159;
         }
-        let _e191 = phi_433_;
+        let _e191 = phi_435_;
         if (_e183 == 0u) {
-            phi_439_ = _e188;
+            phi_441_ = _e188;
         } else {
-            phi_439_ = (_e183 - 1u);
+            phi_441_ = (_e183 - 1u);
         }
-        let _e195 = phi_439_;
+        let _e195 = phi_441_;
         if (_e183 > _e159) {
-            phi_444_ = _e191;
+            phi_446_ = _e191;
         } else {
-            phi_444_ = _e183;
+            phi_446_ = _e183;
         }
-        let _e198 = phi_444_;
-        phi_446_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+        let _e198 = phi_446_;
+        phi_448_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e201 = phi_446_;
+    let _e201 = phi_448_;
     let _e203 = (*param_7).flags;
     let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
     if (_e206 == 0u) {
         if (param_9 > -8388608f) {
             let _e219 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
             if (_e219 > param_9) {
-                phi_474_ = 1f;
+                phi_476_ = 1f;
             } else {
-                phi_474_ = 0f;
+                phi_476_ = 0f;
             }
-            let _e222 = phi_474_;
+            let _e222 = phi_476_;
             if (param_9 < 8388608f) {
-                phi_479_ = (_e219 - _e222);
-                phi_480_ = false;
+                phi_481_ = (_e219 - _e222);
+                phi_482_ = false;
             } else {
-                phi_479_ = f32();
-                phi_480_ = true;
+                phi_481_ = f32();
+                phi_482_ = true;
             }
-            let _e225 = phi_479_;
-            let _e227 = phi_480_;
-            phi_481_ = _e225;
-            phi_482_ = _e227;
+            let _e225 = phi_481_;
+            let _e227 = phi_482_;
+            phi_483_ = _e225;
+            phi_484_ = _e227;
         } else {
-            phi_481_ = f32();
-            phi_482_ = true;
+            phi_483_ = f32();
+            phi_484_ = true;
         }
-        let _e229 = phi_481_;
-        let _e231 = phi_482_;
+        let _e229 = phi_483_;
+        let _e231 = phi_484_;
         if _e231 {
-            phi_486_ = param_9;
+            phi_488_ = param_9;
         } else {
-            phi_486_ = _e229;
+            phi_488_ = _e229;
         }
-        let _e233 = phi_486_;
-        phi_534_ = (param_9 - _e233);
+        let _e233 = phi_488_;
+        phi_536_ = (param_9 - _e233);
     } else {
         if (_e206 == 1u) {
             let _e236 = (param_9 * 0.5f);
             if (_e236 > -8388608f) {
                 let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
                 if (_e248 > _e236) {
-                    phi_512_ = 1f;
+                    phi_514_ = 1f;
                 } else {
-                    phi_512_ = 0f;
+                    phi_514_ = 0f;
                 }
-                let _e251 = phi_512_;
+                let _e251 = phi_514_;
                 if (_e236 < 8388608f) {
-                    phi_517_ = (_e248 - _e251);
-                    phi_518_ = false;
+                    phi_519_ = (_e248 - _e251);
+                    phi_520_ = false;
                 } else {
-                    phi_517_ = f32();
-                    phi_518_ = true;
+                    phi_519_ = f32();
+                    phi_520_ = true;
                 }
-                let _e254 = phi_517_;
-                let _e256 = phi_518_;
-                phi_519_ = _e254;
-                phi_520_ = _e256;
+                let _e254 = phi_519_;
+                let _e256 = phi_520_;
+                phi_521_ = _e254;
+                phi_522_ = _e256;
             } else {
-                phi_519_ = f32();
-                phi_520_ = true;
+                phi_521_ = f32();
+                phi_522_ = true;
             }
-            let _e258 = phi_519_;
-            let _e260 = phi_520_;
+            let _e258 = phi_521_;
+            let _e260 = phi_522_;
             if _e260 {
-                phi_524_ = _e236;
+                phi_526_ = _e236;
             } else {
-                phi_524_ = _e258;
+                phi_526_ = _e258;
             }
-            let _e262 = phi_524_;
+            let _e262 = phi_526_;
             let _e264 = (param_9 - (2f * _e262));
             if (_e264 > 1f) {
-                phi_532_ = (2f - _e264);
+                phi_534_ = (2f - _e264);
             } else {
-                phi_532_ = _e264;
+                phi_534_ = _e264;
             }
-            let _e268 = phi_532_;
-            phi_533_ = _e268;
+            let _e268 = phi_534_;
+            phi_535_ = _e268;
         } else {
-            phi_533_ = param_9;
+            phi_535_ = param_9;
         }
-        let _e270 = phi_533_;
-        phi_534_ = _e270;
+        let _e270 = phi_535_;
+        phi_536_ = _e270;
     }
-    let _e272 = phi_534_;
+    let _e272 = phi_536_;
     if (_e272 > 0f) {
         if (_e272 < 1f) {
-            phi_543_ = _e272;
+            phi_545_ = _e272;
         } else {
-            phi_543_ = 1f;
+            phi_545_ = 1f;
         }
-        let _e276 = phi_543_;
-        phi_544_ = _e276;
+        let _e276 = phi_545_;
+        phi_546_ = _e276;
     } else {
-        phi_544_ = 0f;
+        phi_546_ = 0f;
     }
-    let _e278 = phi_544_;
+    let _e278 = phi_546_;
     let _e279 = (_e77 - 1u);
     let _e281 = (_e278 * f32(_e77));
     if _e81 {
         let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
         if (_e279 < _e288) {
-            phi_562_ = _e279;
+            phi_564_ = _e279;
         } else {
-            phi_562_ = _e288;
+            phi_564_ = _e288;
         }
-        let _e291 = phi_562_;
-        phi_601_ = texture_Axis(_e291, _e291, 0f);
+        let _e291 = phi_564_;
+        phi_603_ = texture_Axis(_e291, _e291, 0f);
     } else {
         let _e293 = (_e281 + 0.5f);
         let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
         if (_e77 < _e300) {
-            phi_576_ = _e77;
+            phi_578_ = _e77;
         } else {
-            phi_576_ = _e300;
+            phi_578_ = _e300;
         }
-        let _e303 = phi_576_;
+        let _e303 = phi_578_;
         if (_e206 == 0u) {
-            phi_583_ = _e279;
+            phi_585_ = _e279;
         } else {
-            phi_583_ = 0u;
+            phi_585_ = 0u;
         }
-        let _e308 = phi_583_;
+        let _e308 = phi_585_;
         if (_e206 == 0u) {
-            phi_588_ = 0u;
+            phi_590_ = 0u;
         } else {
-            phi_588_ = _e279;
+            phi_590_ = _e279;
         }
-        let _e311 = phi_588_;
+        let _e311 = phi_590_;
         if (_e303 == 0u) {
-            phi_594_ = _e308;
+            phi_596_ = _e308;
         } else {
-            phi_594_ = (_e303 - 1u);
+            phi_596_ = (_e303 - 1u);
         }
-        let _e315 = phi_594_;
+        let _e315 = phi_596_;
         if (_e303 > _e279) {
-            phi_599_ = _e311;
+            phi_601_ = _e311;
         } else {
-            phi_599_ = _e303;
+            phi_601_ = _e303;
         }
-        let _e318 = phi_599_;
-        phi_601_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+        let _e318 = phi_601_;
+        phi_603_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e321 = phi_601_;
+    let _e321 = phi_603_;
     let _e325 = (*param_7).offset;
     let _e332 = (*param_7).offset;
     let _e339 = (*param_7).offset;
@@ -622,11 +622,11 @@ fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureVi
 }
 
 fn _lt_shaders_abi_Sample_is_valid(param_10: ptr<function, abi_Sample>) -> bool {
-    var phi_673_: bool;
-    var phi_674_: bool;
     var phi_675_: bool;
     var phi_676_: bool;
-    var phi_680_: bool;
+    var phi_677_: bool;
+    var phi_678_: bool;
+    var phi_682_: bool;
 
     let _e71 = (*param_10).normal[0u];
     let _e73 = global[0u];
@@ -636,28 +636,28 @@ fn _lt_shaders_abi_Sample_is_valid(param_10: ptr<function, abi_Sample>) -> bool 
         if (_e76 == _e78) {
             let _e81 = (*param_10).normal[2u];
             let _e83 = global[2u];
-            phi_673_ = (_e81 == _e83);
-            phi_674_ = false;
+            phi_675_ = (_e81 == _e83);
+            phi_676_ = false;
         } else {
-            phi_673_ = bool();
-            phi_674_ = true;
+            phi_675_ = bool();
+            phi_676_ = true;
         }
-        let _e86 = phi_673_;
-        let _e88 = phi_674_;
-        phi_675_ = _e86;
-        phi_676_ = _e88;
+        let _e86 = phi_675_;
+        let _e88 = phi_676_;
+        phi_677_ = _e86;
+        phi_678_ = _e88;
     } else {
-        phi_675_ = bool();
-        phi_676_ = true;
+        phi_677_ = bool();
+        phi_678_ = true;
     }
-    let _e90 = phi_675_;
-    let _e92 = phi_676_;
+    let _e90 = phi_677_;
+    let _e92 = phi_678_;
     if _e92 {
-        phi_680_ = false;
+        phi_682_ = false;
     } else {
-        phi_680_ = _e90;
+        phi_682_ = _e90;
     }
-    let _e94 = phi_680_;
+    let _e94 = phi_682_;
     return !(_e94);
 }
 
@@ -666,236 +666,234 @@ fn function_() {
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
     var local_3: abi_Sample;
-    var phi_802_: bool;
-    var phi_803_: bool;
-    var phi_814_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_815_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
     var phi_816_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_817_: bool;
-    var phi_824_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_828_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_880_: f32;
-    var phi_912_: bool;
-    var phi_913_: bool;
+    var phi_818_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_819_: bool;
+    var phi_826_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_830_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_882_: f32;
     var phi_914_: bool;
     var phi_915_: bool;
-    var phi_919_: bool;
-    var phi_932_: bool;
-    var phi_933_: bool;
+    var phi_916_: bool;
+    var phi_917_: bool;
+    var phi_921_: bool;
     var phi_934_: bool;
     var phi_935_: bool;
-    var phi_939_: bool;
-    var phi_952_: bool;
-    var phi_953_: bool;
+    var phi_936_: bool;
+    var phi_937_: bool;
+    var phi_941_: bool;
     var phi_954_: bool;
-    var phi_958_: bool;
-    var phi_959_: bool;
+    var phi_955_: bool;
+    var phi_956_: bool;
     var phi_960_: bool;
     var phi_961_: bool;
     var phi_962_: bool;
-    var phi_966_: bool;
-    var phi_1036_: f32;
-    var phi_1043_: f32;
-    var phi_1050_: f32;
-    var phi_1057_: f32;
-    var phi_1064_: f32;
-    var phi_1071_: f32;
-    var phi_1088_: f32;
-    var phi_1093_: f32;
-    var phi_1098_: f32;
-    var phi_1103_: f32;
-    var phi_1108_: f32;
-    var phi_1127_: u32;
-    var phi_1132_: u32;
-    var phi_1137_: u32;
-    var phi_1251_: bool;
-    var phi_1252_: bool;
-    var phi_1283_: u32;
+    var phi_963_: bool;
+    var phi_964_: bool;
+    var phi_968_: bool;
+    var phi_1038_: f32;
+    var phi_1045_: f32;
+    var phi_1052_: f32;
+    var phi_1059_: f32;
+    var phi_1066_: f32;
+    var phi_1073_: f32;
+    var phi_1090_: f32;
+    var phi_1095_: f32;
+    var phi_1100_: f32;
+    var phi_1105_: f32;
+    var phi_1110_: f32;
+    var phi_1129_: u32;
+    var phi_1134_: u32;
+    var phi_1139_: u32;
+    var phi_1253_: bool;
+    var phi_1254_: bool;
     var phi_1285_: u32;
-    var phi_1288_: bool;
-    var phi_1368_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1395_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1422_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1428_: u32;
-    var phi_1431_: u32;
-    var phi_1445_: u32;
-    var phi_1455_: u32;
-    var phi_1465_: u32;
-    var phi_1483_: u32;
-    var phi_1493_: u32;
-    var phi_1503_: u32;
-    var phi_1539_: u32;
-    var phi_1552_: u32;
-    var phi_1557_: u32;
-    var phi_1558_: u32;
+    var phi_1287_: u32;
+    var phi_1290_: bool;
+    var phi_1370_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1397_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1424_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1430_: u32;
+    var phi_1433_: u32;
+    var phi_1447_: u32;
+    var phi_1457_: u32;
+    var phi_1467_: u32;
+    var phi_1485_: u32;
+    var phi_1495_: u32;
+    var phi_1505_: u32;
+    var phi_1541_: u32;
+    var phi_1554_: u32;
     var phi_1559_: u32;
-    var phi_1429_: u32;
-    var phi_1432_: u32;
+    var phi_1560_: u32;
+    var phi_1561_: u32;
+    var phi_1431_: u32;
+    var phi_1434_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_1617_: u32;
-    var phi_1620_: bool;
-    var phi_1669_: f32;
-    var phi_1674_: f32;
-    var phi_1679_: f32;
-    var phi_1687_: f32;
-    var phi_1692_: f32;
-    var phi_1697_: f32;
-    var phi_1817_: bool;
-    var phi_1818_: bool;
+    var phi_1619_: u32;
+    var phi_1622_: bool;
+    var phi_1671_: f32;
+    var phi_1676_: f32;
+    var phi_1681_: f32;
+    var phi_1689_: f32;
+    var phi_1694_: f32;
+    var phi_1699_: f32;
     var phi_1819_: bool;
     var phi_1820_: bool;
-    var phi_1824_: bool;
-    var phi_1837_: bool;
-    var phi_1838_: bool;
+    var phi_1821_: bool;
+    var phi_1822_: bool;
+    var phi_1826_: bool;
     var phi_1839_: bool;
     var phi_1840_: bool;
-    var phi_1844_: bool;
-    var phi_1857_: bool;
-    var phi_1858_: bool;
+    var phi_1841_: bool;
+    var phi_1842_: bool;
+    var phi_1846_: bool;
     var phi_1859_: bool;
-    var phi_1863_: bool;
-    var phi_1864_: bool;
+    var phi_1860_: bool;
+    var phi_1861_: bool;
     var phi_1865_: bool;
     var phi_1866_: bool;
     var phi_1867_: bool;
-    var phi_1871_: bool;
-    var phi_1941_: f32;
-    var phi_1948_: f32;
-    var phi_1955_: f32;
-    var phi_1962_: f32;
-    var phi_1969_: f32;
-    var phi_1976_: f32;
-    var phi_1993_: f32;
-    var phi_1998_: f32;
-    var phi_2003_: f32;
-    var phi_2008_: f32;
-    var phi_2013_: f32;
-    var phi_2039_: bool;
-    var phi_2040_: bool;
-    var phi_2048_: u32;
-    var phi_2049_: u32;
-    var phi_2060_: vec3<f32>;
-    var phi_2061_: vec3<f32>;
-    var phi_2074_: u32;
-    var phi_2079_: u32;
-    var phi_2084_: u32;
-    var phi_2198_: bool;
-    var phi_2199_: bool;
-    var phi_2230_: u32;
+    var phi_1868_: bool;
+    var phi_1869_: bool;
+    var phi_1873_: bool;
+    var phi_1943_: f32;
+    var phi_1950_: f32;
+    var phi_1957_: f32;
+    var phi_1964_: f32;
+    var phi_1971_: f32;
+    var phi_1978_: f32;
+    var phi_1995_: f32;
+    var phi_2000_: f32;
+    var phi_2005_: f32;
+    var phi_2010_: f32;
+    var phi_2015_: f32;
+    var phi_2041_: bool;
+    var phi_2042_: bool;
+    var phi_2050_: u32;
+    var phi_2051_: u32;
+    var phi_2062_: vec3<f32>;
+    var phi_2063_: vec3<f32>;
+    var phi_2076_: u32;
+    var phi_2081_: u32;
+    var phi_2086_: u32;
+    var phi_2200_: bool;
+    var phi_2201_: bool;
     var phi_2232_: u32;
-    var phi_2235_: bool;
-    var phi_2315_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2342_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2369_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2375_: u32;
-    var phi_2378_: u32;
-    var phi_2392_: u32;
-    var phi_2402_: u32;
-    var phi_2412_: u32;
-    var phi_2430_: u32;
-    var phi_2440_: u32;
-    var phi_2450_: u32;
-    var phi_2486_: u32;
-    var phi_2499_: u32;
-    var phi_2504_: u32;
-    var phi_2505_: u32;
+    var phi_2234_: u32;
+    var phi_2237_: bool;
+    var phi_2317_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2344_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2371_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2377_: u32;
+    var phi_2380_: u32;
+    var phi_2394_: u32;
+    var phi_2404_: u32;
+    var phi_2414_: u32;
+    var phi_2432_: u32;
+    var phi_2442_: u32;
+    var phi_2452_: u32;
+    var phi_2488_: u32;
+    var phi_2501_: u32;
     var phi_2506_: u32;
-    var phi_2376_: u32;
-    var phi_2379_: u32;
+    var phi_2507_: u32;
+    var phi_2508_: u32;
+    var phi_2378_: u32;
+    var phi_2381_: u32;
     var local_7: u32;
     var local_8: u32;
     var local_9: u32;
-    var phi_2564_: u32;
-    var phi_2567_: bool;
-    var phi_2611_: vec3<f32>;
-    var phi_2612_: vec3<f32>;
-    var phi_2641_: vec3<f32>;
-    var phi_2642_: vec3<f32>;
-    var phi_2671_: vec3<f32>;
-    var phi_2672_: vec3<f32>;
-    var phi_2690_: bool;
-    var phi_2691_: bool;
-    var phi_2695_: f32;
-    var phi_2696_: f32;
+    var phi_2566_: u32;
+    var phi_2569_: bool;
+    var phi_2613_: vec3<f32>;
+    var phi_2614_: vec3<f32>;
+    var phi_2643_: vec3<f32>;
+    var phi_2644_: vec3<f32>;
+    var phi_2673_: vec3<f32>;
+    var phi_2674_: vec3<f32>;
+    var phi_2692_: bool;
+    var phi_2693_: bool;
     var phi_2697_: f32;
     var phi_2698_: f32;
-    var phi_2706_: f32;
-    var phi_2716_: bool;
-    var phi_2717_: bool;
-    var phi_2721_: f32;
-    var phi_2722_: f32;
+    var phi_2699_: f32;
+    var phi_2700_: f32;
+    var phi_2708_: f32;
+    var phi_2718_: bool;
+    var phi_2719_: bool;
     var phi_2723_: f32;
     var phi_2724_: f32;
-    var phi_2732_: f32;
-    var phi_2742_: bool;
-    var phi_2743_: bool;
-    var phi_2747_: f32;
-    var phi_2748_: f32;
+    var phi_2725_: f32;
+    var phi_2726_: f32;
+    var phi_2734_: f32;
+    var phi_2744_: bool;
+    var phi_2745_: bool;
     var phi_2749_: f32;
     var phi_2750_: f32;
-    var phi_2758_: f32;
-    var phi_2773_: f32;
-    var phi_2774_: bool;
+    var phi_2751_: f32;
+    var phi_2752_: f32;
+    var phi_2760_: f32;
     var phi_2775_: f32;
     var phi_2776_: bool;
     var phi_2777_: f32;
     var phi_2778_: bool;
-    var phi_2796_: f32;
-    var phi_2797_: bool;
-    var phi_2798_: bool;
-    var phi_2799_: f32;
+    var phi_2779_: f32;
+    var phi_2780_: bool;
+    var phi_2798_: f32;
+    var phi_2799_: bool;
     var phi_2800_: bool;
-    var phi_2801_: bool;
-    var phi_2805_: bool;
-    var phi_2806_: f32;
+    var phi_2801_: f32;
+    var phi_2802_: bool;
+    var phi_2803_: bool;
     var phi_2807_: bool;
-    var phi_2835_: vec3<f32>;
-    var phi_2836_: vec3<f32>;
-    var phi_2861_: vec3<f32>;
-    var phi_2862_: vec3<f32>;
-    var phi_2887_: vec3<f32>;
-    var phi_2888_: vec3<f32>;
-    var phi_2944_: f32;
-    var phi_2953_: f32;
-    var phi_2962_: f32;
-    var phi_2971_: f32;
-    var phi_2978_: f32;
-    var phi_2985_: f32;
-    var phi_2998_: f32;
-    var phi_3007_: f32;
-    var phi_3016_: f32;
-    var phi_3025_: f32;
-    var phi_3032_: f32;
-    var phi_3039_: f32;
-    var phi_3056_: f32;
-    var phi_3061_: f32;
-    var phi_3066_: f32;
-    var phi_3074_: f32;
-    var phi_3079_: f32;
-    var phi_3084_: f32;
-    var phi_3096_: f32;
-    var phi_3101_: f32;
-    var phi_3106_: f32;
-    var phi_3111_: f32;
-    var phi_3116_: lt_bvh_triangle_Intersection;
-    var phi_3117_: bool;
+    var phi_2808_: f32;
+    var phi_2809_: bool;
+    var phi_2837_: vec3<f32>;
+    var phi_2838_: vec3<f32>;
+    var phi_2863_: vec3<f32>;
+    var phi_2864_: vec3<f32>;
+    var phi_2889_: vec3<f32>;
+    var phi_2890_: vec3<f32>;
+    var phi_2946_: f32;
+    var phi_2955_: f32;
+    var phi_2964_: f32;
+    var phi_2973_: f32;
+    var phi_2980_: f32;
+    var phi_2987_: f32;
+    var phi_3000_: f32;
+    var phi_3009_: f32;
+    var phi_3018_: f32;
+    var phi_3027_: f32;
+    var phi_3034_: f32;
+    var phi_3041_: f32;
+    var phi_3058_: f32;
+    var phi_3063_: f32;
+    var phi_3068_: f32;
+    var phi_3076_: f32;
+    var phi_3081_: f32;
+    var phi_3086_: f32;
+    var phi_3098_: f32;
+    var phi_3103_: f32;
+    var phi_3108_: f32;
+    var phi_3113_: f32;
     var phi_3118_: lt_bvh_triangle_Intersection;
     var phi_3119_: bool;
-    var phi_3123_: lt_bvh_triangle_Intersection;
-    var phi_3124_: bool;
+    var phi_3120_: lt_bvh_triangle_Intersection;
+    var phi_3121_: bool;
     var phi_3125_: lt_bvh_triangle_Intersection;
     var phi_3126_: bool;
-    var phi_3127_: bool;
-    var phi_3131_: bool;
-    var phi_3135_: lt_bvh_triangle_Intersection;
-    var phi_3349_: f32;
-    var phi_3352_: bool;
-    var phi_3353_: bool;
+    var phi_3127_: lt_bvh_triangle_Intersection;
+    var phi_3128_: bool;
+    var phi_3129_: bool;
+    var phi_3133_: bool;
+    var phi_3137_: lt_bvh_triangle_Intersection;
+    var phi_3351_: f32;
     var phi_3354_: bool;
-    var phi_3358_: bool;
-    var phi_3359_: bool;
+    var phi_3355_: bool;
+    var phi_3356_: bool;
     var phi_3360_: bool;
     var phi_3361_: bool;
     var phi_3362_: bool;
@@ -904,56 +902,58 @@ fn function_() {
     var phi_3365_: bool;
     var phi_3366_: bool;
     var phi_3367_: bool;
-    var phi_2565_: u32;
-    var phi_2568_: bool;
-    var phi_3371_: bool;
-    var phi_3372_: bool;
+    var phi_3368_: bool;
+    var phi_3369_: bool;
+    var phi_2567_: u32;
+    var phi_2570_: bool;
+    var phi_3373_: bool;
+    var phi_3374_: bool;
     var local_10: bool;
-    var phi_3414_: bool;
-    var phi_3415_: bool;
-    var phi_3446_: u32;
-    var phi_3447_: u32;
-    var phi_2233_: u32;
-    var phi_2236_: bool;
-    var phi_3448_: bool;
-    var phi_3449_: bool;
+    var phi_3416_: bool;
+    var phi_3417_: bool;
+    var phi_3448_: u32;
+    var phi_3449_: u32;
+    var phi_2235_: u32;
+    var phi_2238_: bool;
     var phi_3450_: bool;
+    var phi_3451_: bool;
+    var phi_3452_: bool;
     var local_11: bool;
-    var phi_3454_: bool;
-    var phi_3458_: bool;
-    var phi_3459_: bool;
+    var phi_3456_: bool;
     var phi_3460_: bool;
     var phi_3461_: bool;
-    var phi_3465_: bool;
-    var phi_3469_: bool;
-    var phi_3470_: bool;
+    var phi_3462_: bool;
+    var phi_3463_: bool;
+    var phi_3467_: bool;
     var phi_3471_: bool;
     var phi_3472_: bool;
     var phi_3473_: bool;
     var phi_3474_: bool;
     var phi_3475_: bool;
-    var phi_1618_: u32;
-    var phi_1621_: bool;
-    var phi_3479_: bool;
+    var phi_3476_: bool;
+    var phi_3477_: bool;
+    var phi_1620_: u32;
+    var phi_1623_: bool;
+    var phi_3481_: bool;
     var local_12: bool;
-    var phi_3521_: bool;
-    var phi_3522_: bool;
-    var phi_3553_: u32;
-    var phi_3554_: u32;
-    var phi_1286_: u32;
-    var phi_1289_: bool;
-    var phi_3555_: bool;
-    var phi_3556_: bool;
+    var phi_3523_: bool;
+    var phi_3524_: bool;
+    var phi_3555_: u32;
+    var phi_3556_: u32;
+    var phi_1288_: u32;
+    var phi_1291_: bool;
+    var phi_3557_: bool;
+    var phi_3558_: bool;
     var local_13: bool;
-    var phi_3560_: bool;
-    var phi_3564_: bool;
-    var phi_3565_: bool;
+    var phi_3562_: bool;
     var phi_3566_: bool;
-    var phi_3570_: bool;
-    var phi_3571_: bool;
-    var phi_3575_: bool;
-    var phi_3579_: f32;
-    var phi_3580_: f32;
+    var phi_3567_: bool;
+    var phi_3568_: bool;
+    var phi_3572_: bool;
+    var phi_3573_: bool;
+    var phi_3577_: bool;
+    var phi_3581_: f32;
+    var phi_3582_: f32;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
@@ -991,57 +991,57 @@ fn function_() {
                 let _e157 = p.member.light.axis;
                 let _e169 = p.member.light.place[3u];
                 if (_e169 == 0f) {
-                    phi_803_ = true;
+                    phi_805_ = true;
                 } else {
                     let _e172 = p.member.light.range_squared;
                     if (_e155 <= _e172) {
                         let _e175 = p.member.light.cos_outer;
-                        phi_802_ = (-((((_e137 * _e157.x) + (_e138 * _e157.y)) + (_e139 * _e157.z))) >= (_e175 * sqrt(_e155)));
+                        phi_804_ = (-((((_e137 * _e157.x) + (_e138 * _e157.y)) + (_e139 * _e157.z))) >= (_e175 * sqrt(_e155)));
                     } else {
-                        phi_802_ = false;
+                        phi_804_ = false;
                     }
-                    let _e180 = phi_802_;
-                    phi_803_ = _e180;
+                    let _e180 = phi_804_;
+                    phi_805_ = _e180;
                 }
-                let _e182 = phi_803_;
+                let _e182 = phi_805_;
                 if _e182 {
                     let _e184 = local_3.flags;
                     let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
-                    phi_814_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, ((_e184 & 1u) == 0u));
-                    phi_815_ = false;
+                    phi_816_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, ((_e184 & 1u) == 0u));
+                    phi_817_ = false;
                 } else {
-                    phi_814_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_815_ = true;
+                    phi_816_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_817_ = true;
                 }
-                let _e203 = phi_814_;
-                let _e205 = phi_815_;
-                phi_816_ = _e203;
-                phi_817_ = _e205;
+                let _e203 = phi_816_;
+                let _e205 = phi_817_;
+                phi_818_ = _e203;
+                phi_819_ = _e205;
             } else {
-                phi_816_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_817_ = true;
+                phi_818_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_819_ = true;
             }
-            let _e207 = phi_816_;
-            let _e209 = phi_817_;
+            let _e207 = phi_818_;
+            let _e209 = phi_819_;
             if _e209 {
                 let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e215.unnamed.visibility, false), _e215.unnamed_1);
-                phi_824_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e221.unnamed, true);
+                phi_826_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e221.unnamed, true);
             } else {
-                phi_824_ = _e207;
+                phi_826_ = _e207;
             }
-            let _e226 = phi_824_;
-            phi_828_ = _e226;
+            let _e226 = phi_826_;
+            phi_830_ = _e226;
         } else {
             let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e232.unnamed.visibility, false), _e232.unnamed_1);
-            phi_828_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e238.unnamed, true);
+            phi_830_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e238.unnamed, true);
         }
-        let _e243 = phi_828_;
+        let _e243 = phi_830_;
         let _e248 = p.member.root;
         if _e243.unnamed_1 {
-            phi_3580_ = _e243.unnamed.visibility;
+            phi_3582_ = _e243.unnamed.visibility;
         } else {
             let _e251 = local_3.position;
             let _e253 = local_3.normal;
@@ -1052,11 +1052,11 @@ fn function_() {
             let _e269 = (_e251.z + (_e253.z * _e257));
             let _e271 = p.member.light.place;
             if (_e271.w == 0f) {
-                phi_880_ = 300000000000000000000000000000000000000f;
+                phi_882_ = 300000000000000000000000000000000000000f;
             } else {
-                phi_880_ = 1f;
+                phi_882_ = 1f;
             }
-            let _e275 = phi_880_;
+            let _e275 = phi_882_;
             let _e283 = (_e271.x - (_e265 * _e271.w));
             let _e284 = (_e271.y - (_e267 * _e271.w));
             let _e285 = (_e271.z - (_e269 * _e271.w));
@@ -1065,102 +1065,102 @@ fn function_() {
             let _e288 = abs(_e285);
             if (abs(_e265) < 1000000000000000f) {
                 if (abs(_e267) < 1000000000000000f) {
-                    phi_912_ = (abs(_e269) < 1000000000000000f);
-                    phi_913_ = false;
+                    phi_914_ = (abs(_e269) < 1000000000000000f);
+                    phi_915_ = false;
                 } else {
-                    phi_912_ = bool();
-                    phi_913_ = true;
+                    phi_914_ = bool();
+                    phi_915_ = true;
                 }
-                let _e296 = phi_912_;
-                let _e298 = phi_913_;
-                phi_914_ = _e296;
-                phi_915_ = _e298;
+                let _e296 = phi_914_;
+                let _e298 = phi_915_;
+                phi_916_ = _e296;
+                phi_917_ = _e298;
             } else {
-                phi_914_ = bool();
-                phi_915_ = true;
+                phi_916_ = bool();
+                phi_917_ = true;
             }
-            let _e300 = phi_914_;
-            let _e302 = phi_915_;
+            let _e300 = phi_916_;
+            let _e302 = phi_917_;
             if _e302 {
-                phi_919_ = false;
+                phi_921_ = false;
             } else {
-                phi_919_ = _e300;
+                phi_921_ = _e300;
             }
-            let _e304 = phi_919_;
+            let _e304 = phi_921_;
             if _e304 {
                 if (_e286 < 1000000000000000f) {
                     if (_e287 < 1000000000000000f) {
-                        phi_932_ = (_e288 < 1000000000000000f);
-                        phi_933_ = false;
+                        phi_934_ = (_e288 < 1000000000000000f);
+                        phi_935_ = false;
                     } else {
-                        phi_932_ = bool();
-                        phi_933_ = true;
+                        phi_934_ = bool();
+                        phi_935_ = true;
                     }
-                    let _e309 = phi_932_;
-                    let _e311 = phi_933_;
-                    phi_934_ = _e309;
-                    phi_935_ = _e311;
+                    let _e309 = phi_934_;
+                    let _e311 = phi_935_;
+                    phi_936_ = _e309;
+                    phi_937_ = _e311;
                 } else {
-                    phi_934_ = bool();
-                    phi_935_ = true;
+                    phi_936_ = bool();
+                    phi_937_ = true;
                 }
-                let _e313 = phi_934_;
-                let _e315 = phi_935_;
+                let _e313 = phi_936_;
+                let _e315 = phi_937_;
                 if _e315 {
-                    phi_939_ = false;
+                    phi_941_ = false;
                 } else {
-                    phi_939_ = _e313;
+                    phi_941_ = _e313;
                 }
-                let _e317 = phi_939_;
+                let _e317 = phi_941_;
                 if _e317 {
                     if (_e286 > 0f) {
-                        phi_953_ = bool();
-                        phi_954_ = true;
+                        phi_955_ = bool();
+                        phi_956_ = true;
                     } else {
                         let _e319 = (_e287 > 0f);
                         if _e319 {
-                            phi_952_ = bool();
+                            phi_954_ = bool();
                         } else {
-                            phi_952_ = (_e288 > 0f);
+                            phi_954_ = (_e288 > 0f);
                         }
-                        let _e322 = phi_952_;
-                        phi_953_ = _e322;
-                        phi_954_ = _e319;
+                        let _e322 = phi_954_;
+                        phi_955_ = _e322;
+                        phi_956_ = _e319;
                     }
-                    let _e324 = phi_953_;
-                    let _e326 = phi_954_;
+                    let _e324 = phi_955_;
+                    let _e326 = phi_956_;
                     if _e326 {
-                        phi_958_ = true;
+                        phi_960_ = true;
                     } else {
-                        phi_958_ = _e324;
+                        phi_960_ = _e324;
                     }
-                    let _e328 = phi_958_;
-                    phi_959_ = _e328;
-                    phi_960_ = false;
+                    let _e328 = phi_960_;
+                    phi_961_ = _e328;
+                    phi_962_ = false;
                 } else {
-                    phi_959_ = bool();
-                    phi_960_ = true;
+                    phi_961_ = bool();
+                    phi_962_ = true;
                 }
-                let _e330 = phi_959_;
-                let _e332 = phi_960_;
-                phi_961_ = _e330;
-                phi_962_ = _e332;
+                let _e330 = phi_961_;
+                let _e332 = phi_962_;
+                phi_963_ = _e330;
+                phi_964_ = _e332;
             } else {
-                phi_961_ = bool();
-                phi_962_ = true;
+                phi_963_ = bool();
+                phi_964_ = true;
             }
-            let _e334 = phi_961_;
-            let _e336 = phi_962_;
+            let _e334 = phi_963_;
+            let _e336 = phi_964_;
             if _e336 {
-                phi_966_ = false;
+                phi_968_ = false;
             } else {
-                phi_966_ = _e334;
+                phi_968_ = _e334;
             }
-            let _e338 = phi_966_;
+            let _e338 = phi_968_;
             if _e338 {
                 let _e339 = (_e248 >= _e79);
                 if _e339 {
-                    phi_3564_ = false;
+                    phi_3566_ = false;
                 } else {
                     if (_e248 < _e79) {
                     } else {
@@ -1177,41 +1177,41 @@ fn function_() {
                     let _e404 = core_intrinsics_maximum_number_nsz_f32_(_e403, abs(_e285));
                     let _e405 = (_e404 * 0.0000000000009094947f);
                     if (abs(_e283) < _e405) {
-                        phi_1036_ = _e405;
+                        phi_1038_ = _e405;
                     } else {
-                        phi_1036_ = abs(_e283);
+                        phi_1038_ = abs(_e283);
                     }
-                    let _e410 = phi_1036_;
+                    let _e410 = phi_1038_;
                     if (_e283 < 0f) {
-                        phi_1043_ = (-1f / _e410);
+                        phi_1045_ = (-1f / _e410);
                     } else {
-                        phi_1043_ = (1f / _e410);
+                        phi_1045_ = (1f / _e410);
                     }
-                    let _e415 = phi_1043_;
+                    let _e415 = phi_1045_;
                     if (abs(_e284) < _e405) {
-                        phi_1050_ = _e405;
+                        phi_1052_ = _e405;
                     } else {
-                        phi_1050_ = abs(_e284);
+                        phi_1052_ = abs(_e284);
                     }
-                    let _e420 = phi_1050_;
+                    let _e420 = phi_1052_;
                     if (_e284 < 0f) {
-                        phi_1057_ = (-1f / _e420);
+                        phi_1059_ = (-1f / _e420);
                     } else {
-                        phi_1057_ = (1f / _e420);
+                        phi_1059_ = (1f / _e420);
                     }
-                    let _e425 = phi_1057_;
+                    let _e425 = phi_1059_;
                     if (abs(_e285) < _e405) {
-                        phi_1064_ = _e405;
+                        phi_1066_ = _e405;
                     } else {
-                        phi_1064_ = abs(_e285);
+                        phi_1066_ = abs(_e285);
                     }
-                    let _e430 = phi_1064_;
+                    let _e430 = phi_1066_;
                     if (_e285 < 0f) {
-                        phi_1071_ = (-1f / _e430);
+                        phi_1073_ = (-1f / _e430);
                     } else {
-                        phi_1071_ = (1f / _e430);
+                        phi_1073_ = (1f / _e430);
                     }
-                    let _e435 = phi_1071_;
+                    let _e435 = phi_1073_;
                     let _e439 = abs((bitcast<f32>(_e345) - _e265));
                     let _e440 = abs((bitcast<f32>(_e349) - _e267));
                     let _e441 = abs((bitcast<f32>(_e353) - _e269));
@@ -1219,35 +1219,35 @@ fn function_() {
                     let _e446 = abs(((bitcast<f32>(_e361) + (bitcast<f32>((((_e369 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e267));
                     let _e447 = abs(((bitcast<f32>(_e365) + (bitcast<f32>((((_e369 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e269));
                     if (_e439 > _e445) {
-                        phi_1088_ = _e439;
+                        phi_1090_ = _e439;
                     } else {
-                        phi_1088_ = _e445;
+                        phi_1090_ = _e445;
                     }
-                    let _e450 = phi_1088_;
+                    let _e450 = phi_1090_;
                     if (_e440 > _e446) {
-                        phi_1093_ = _e440;
+                        phi_1095_ = _e440;
                     } else {
-                        phi_1093_ = _e446;
+                        phi_1095_ = _e446;
                     }
-                    let _e453 = phi_1093_;
+                    let _e453 = phi_1095_;
                     if (_e441 > _e447) {
-                        phi_1098_ = _e441;
+                        phi_1100_ = _e441;
                     } else {
-                        phi_1098_ = _e447;
+                        phi_1100_ = _e447;
                     }
-                    let _e456 = phi_1098_;
+                    let _e456 = phi_1100_;
                     if (_e450 > _e453) {
-                        phi_1103_ = _e450;
+                        phi_1105_ = _e450;
                     } else {
-                        phi_1103_ = _e453;
+                        phi_1105_ = _e453;
                     }
-                    let _e459 = phi_1103_;
+                    let _e459 = phi_1105_;
                     if (_e459 > _e456) {
-                        phi_1108_ = _e459;
+                        phi_1110_ = _e459;
                     } else {
-                        phi_1108_ = _e456;
+                        phi_1110_ = _e456;
                     }
-                    let _e462 = phi_1108_;
+                    let _e462 = phi_1110_;
                     let _e466 = (_e462 * 0.0000019073486f);
                     let _e467 = (abs(_e415) * _e466);
                     let _e468 = (abs(_e425) * _e466);
@@ -1257,23 +1257,23 @@ fn function_() {
                     let _e475 = (abs(_e425) * _e473);
                     let _e476 = (abs(_e435) * _e473);
                     if (_e415 < 0f) {
-                        phi_1127_ = 0u;
+                        phi_1129_ = 0u;
                     } else {
-                        phi_1127_ = 1u;
+                        phi_1129_ = 1u;
                     }
-                    let _e479 = phi_1127_;
+                    let _e479 = phi_1129_;
                     if (_e425 < 0f) {
-                        phi_1132_ = 0u;
+                        phi_1134_ = 0u;
                     } else {
-                        phi_1132_ = 2u;
+                        phi_1134_ = 2u;
                     }
-                    let _e482 = phi_1132_;
+                    let _e482 = phi_1134_;
                     if (_e435 < 0f) {
-                        phi_1137_ = 0u;
+                        phi_1139_ = 0u;
                     } else {
-                        phi_1137_ = 4u;
+                        phi_1139_ = 4u;
                     }
-                    let _e485 = phi_1137_;
+                    let _e485 = phi_1139_;
                     let _e487 = ((_e479 | _e482) | _e485);
                     let _e488 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e248, 2147483648u);
                     local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e488.first[0], _e488.first[1], _e488.first[2], _e488.first[3], _e488.first[4], _e488.first[5], _e488.first[6], _e488.first[7], _e488.first[8], _e488.first[9], _e488.first[10], _e488.first[11], _e488.first[12], _e488.first[13], _e488.first[14], _e488.first[15], _e488.first[16], _e488.first[17], _e488.first[18], _e488.first[19], _e488.first[20], _e488.first[21], _e488.first[22], _e488.first[23], _e488.first[24], _e488.first[25], _e488.first[26], _e488.first[27], _e488.first[28], _e488.first[29], _e488.first[30], _e488.first[31]), array<u32, 32>(_e488.mask[0], _e488.mask[1], _e488.mask[2], _e488.mask[3], _e488.mask[4], _e488.mask[5], _e488.mask[6], _e488.mask[7], _e488.mask[8], _e488.mask[9], _e488.mask[10], _e488.mask[11], _e488.mask[12], _e488.mask[13], _e488.mask[14], _e488.mask[15], _e488.mask[16], _e488.mask[17], _e488.mask[18], _e488.mask[19], _e488.mask[20], _e488.mask[21], _e488.mask[22], _e488.mask[23], _e488.mask[24], _e488.mask[25], _e488.mask[26], _e488.mask[27], _e488.mask[28], _e488.mask[29], _e488.mask[30], _e488.mask[31]), _e488.len, _e488.group, _e488.group_mask);
@@ -1281,7 +1281,7 @@ fn function_() {
                     if ((_e562 & 4278190080u) == 0u) {
                         let _e566 = local_2.len;
                         if (_e566 == 0u) {
-                            phi_1251_ = false;
+                            phi_1253_ = false;
                         } else {
                             let _e570 = local_2.len;
                             local_2.len = (_e570 - 1u);
@@ -1299,14 +1299,14 @@ fn function_() {
                             }
                             let _e586 = local_2.mask[(0u + _e581)];
                             local_2.group_mask = _e586;
-                            phi_1251_ = true;
+                            phi_1253_ = true;
                         }
-                        let _e589 = phi_1251_;
-                        phi_1252_ = _e589;
+                        let _e589 = phi_1253_;
+                        phi_1254_ = _e589;
                     } else {
-                        phi_1252_ = true;
+                        phi_1254_ = true;
                     }
-                    let _e591 = phi_1252_;
+                    let _e591 = phi_1254_;
                     if _e591 {
                         let _e593 = local_2.group_mask;
                         let _e599 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e593)), 32u, (_e593 == 0u)));
@@ -1314,16 +1314,16 @@ fn function_() {
                         let _e617 = local_2.group_mask;
                         local_2.group_mask = (_e617 & ~((1u << bitcast<u32>((_e599 & 31u)))));
                         let _e620 = local_2.group;
-                        phi_1283_ = (_e620 + countOneBits(((_e603 & ~((4294967295u << bitcast<u32>((((_e599 - 24u) ^ 7u) & 31u))))) & 255u)));
+                        phi_1285_ = (_e620 + countOneBits(((_e603 & ~((4294967295u << bitcast<u32>((((_e599 - 24u) ^ 7u) & 31u))))) & 255u)));
                     } else {
-                        phi_1283_ = 4294967295u;
+                        phi_1285_ = 4294967295u;
                     }
-                    let _e623 = phi_1283_;
-                    phi_1285_ = _e623;
-                    phi_1288_ = false;
+                    let _e623 = phi_1285_;
+                    phi_1287_ = _e623;
+                    phi_1290_ = false;
                     loop {
-                        let _e625 = phi_1285_;
-                        let _e627 = phi_1288_;
+                        let _e625 = phi_1287_;
+                        let _e627 = phi_1290_;
                         if (_e625 != 4294967295u) {
                             if (_e625 < _e79) {
                             } else {
@@ -1344,45 +1344,45 @@ fn function_() {
                                 let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                 let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.unnamed.word, _e687.w), _e698.unnamed_1);
                                 let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_mask_LightPlace(_e687.x, _e704.unnamed_1.shift));
-                                phi_1368_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_mask_LightPlace(_e710.unnamed_1.word, _e687.y));
+                                phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_mask_LightPlace(_e710.unnamed_1.word, _e687.y));
                             } else {
                                 let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                 let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.unnamed.word, _e687.y), _e726.unnamed_1);
                                 let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e687.z, _e732.unnamed_1.shift));
-                                phi_1368_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e738.unnamed_1.word, _e687.w));
+                                phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e738.unnamed_1.word, _e687.w));
                             }
-                            let _e746 = phi_1368_;
+                            let _e746 = phi_1370_;
                             let _e756 = nodes.member[(0u + _e625)].y;
                             if (_e425 < 0f) {
                                 let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                 let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e767.unnamed.word, _e756.w), _e767.unnamed_1);
                                 let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_mask_LightPlace(_e756.x, _e773.unnamed_1.shift));
-                                phi_1395_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_mask_LightPlace(_e779.unnamed_1.word, _e756.y));
+                                phi_1397_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_mask_LightPlace(_e779.unnamed_1.word, _e756.y));
                             } else {
                                 let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                 let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e795.unnamed.word, _e756.y), _e795.unnamed_1);
                                 let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e756.z, _e801.unnamed_1.shift));
-                                phi_1395_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_mask_LightPlace(_e807.unnamed_1.word, _e756.w));
+                                phi_1397_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_mask_LightPlace(_e807.unnamed_1.word, _e756.w));
                             }
-                            let _e815 = phi_1395_;
+                            let _e815 = phi_1397_;
                             let _e825 = nodes.member[(0u + _e625)].z;
                             if (_e435 < 0f) {
                                 let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e825.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                 let _e842 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e836.unnamed.word, _e825.w), _e836.unnamed_1);
                                 let _e848 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e842.unnamed, lt_mask_LightPlace(_e825.x, _e842.unnamed_1.shift));
-                                phi_1422_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e848.unnamed, lt_mask_LightPlace(_e848.unnamed_1.word, _e825.y));
+                                phi_1424_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e848.unnamed, lt_mask_LightPlace(_e848.unnamed_1.word, _e825.y));
                             } else {
                                 let _e864 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e825.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                 let _e870 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e864.unnamed.word, _e825.y), _e864.unnamed_1);
                                 let _e876 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e870.unnamed, lt_mask_LightPlace(_e825.z, _e870.unnamed_1.shift));
-                                phi_1422_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e876.unnamed, lt_mask_LightPlace(_e876.unnamed_1.word, _e825.w));
+                                phi_1424_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e876.unnamed, lt_mask_LightPlace(_e876.unnamed_1.word, _e825.w));
                             }
-                            let _e884 = phi_1422_;
-                            phi_1428_ = 0u;
-                            phi_1431_ = 0u;
+                            let _e884 = phi_1424_;
+                            phi_1430_ = 0u;
+                            phi_1433_ = 0u;
                             loop {
-                                let _e894 = phi_1428_;
-                                let _e896 = phi_1431_;
+                                let _e894 = phi_1430_;
+                                let _e896 = phi_1433_;
                                 local_4 = _e896;
                                 local_5 = _e896;
                                 local_6 = _e896;
@@ -1391,43 +1391,43 @@ fn function_() {
                                     let _e899 = (_e894 >> bitcast<u32>(2i));
                                     let _e900 = (_e894 & 3u);
                                     if (_e899 == 0u) {
-                                        phi_1445_ = _e746.unnamed.word;
+                                        phi_1447_ = _e746.unnamed.word;
                                     } else {
-                                        phi_1445_ = _e746.unnamed.shift;
+                                        phi_1447_ = _e746.unnamed.shift;
                                     }
-                                    let _e903 = phi_1445_;
+                                    let _e903 = phi_1447_;
                                     if (_e899 == 0u) {
-                                        phi_1455_ = _e815.unnamed.word;
+                                        phi_1457_ = _e815.unnamed.word;
                                     } else {
-                                        phi_1455_ = _e815.unnamed.shift;
+                                        phi_1457_ = _e815.unnamed.shift;
                                     }
-                                    let _e912 = phi_1455_;
+                                    let _e912 = phi_1457_;
                                     if (_e899 == 0u) {
-                                        phi_1465_ = _e884.unnamed.word;
+                                        phi_1467_ = _e884.unnamed.word;
                                     } else {
-                                        phi_1465_ = _e884.unnamed.shift;
+                                        phi_1467_ = _e884.unnamed.shift;
                                     }
-                                    let _e921 = phi_1465_;
+                                    let _e921 = phi_1467_;
                                     let _e934 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e903 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e659) + (_e677 - _e467)), ((f32(((_e912 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e660) + (_e678 - _e468)));
                                     let _e935 = core_intrinsics_maximum_number_nsz_f32_(_e934, ((f32(((_e921 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e661) + (_e679 - _e469)));
                                     if (_e899 == 0u) {
-                                        phi_1483_ = _e746.unnamed_1.word;
+                                        phi_1485_ = _e746.unnamed_1.word;
                                     } else {
-                                        phi_1483_ = _e746.unnamed_1.shift;
+                                        phi_1485_ = _e746.unnamed_1.shift;
                                     }
-                                    let _e938 = phi_1483_;
+                                    let _e938 = phi_1485_;
                                     if (_e899 == 0u) {
-                                        phi_1493_ = _e815.unnamed_1.word;
+                                        phi_1495_ = _e815.unnamed_1.word;
                                     } else {
-                                        phi_1493_ = _e815.unnamed_1.shift;
+                                        phi_1495_ = _e815.unnamed_1.shift;
                                     }
-                                    let _e947 = phi_1493_;
+                                    let _e947 = phi_1495_;
                                     if (_e899 == 0u) {
-                                        phi_1503_ = _e884.unnamed_1.word;
+                                        phi_1505_ = _e884.unnamed_1.word;
                                     } else {
-                                        phi_1503_ = _e884.unnamed_1.shift;
+                                        phi_1505_ = _e884.unnamed_1.shift;
                                     }
-                                    let _e956 = phi_1503_;
+                                    let _e956 = phi_1505_;
                                     let _e969 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e938 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e659) + (_e677 + _e467)), ((f32(((_e947 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e660) + (_e678 + _e468)));
                                     let _e970 = core_intrinsics_minimum_number_nsz_f32_(_e969, ((f32(((_e956 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e661) + (_e679 + _e469)));
                                     if (_e935 <= _e970) {
@@ -1435,47 +1435,47 @@ fn function_() {
                                             if (_e970 >= 0f) {
                                                 if (_e899 == 0u) {
                                                     let _e977 = nodes.member[(0u + _e625)].links[2u];
-                                                    phi_1539_ = _e977;
+                                                    phi_1541_ = _e977;
                                                 } else {
                                                     let _e980 = nodes.member[(0u + _e625)].links[3u];
-                                                    phi_1539_ = _e980;
+                                                    phi_1541_ = _e980;
                                                 }
-                                                let _e982 = phi_1539_;
+                                                let _e982 = phi_1541_;
                                                 let _e987 = ((_e982 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u);
                                                 let _e988 = (_e987 & 31u);
                                                 if (_e988 >= 24u) {
-                                                    phi_1552_ = (24u + ((_e988 - 24u) ^ _e487));
+                                                    phi_1554_ = (24u + ((_e988 - 24u) ^ _e487));
                                                 } else {
-                                                    phi_1552_ = _e988;
+                                                    phi_1554_ = _e988;
                                                 }
-                                                let _e994 = phi_1552_;
-                                                phi_1557_ = (_e896 | ((_e987 >> bitcast<u32>(5i)) << bitcast<u32>((_e994 & 31u))));
+                                                let _e994 = phi_1554_;
+                                                phi_1559_ = (_e896 | ((_e987 >> bitcast<u32>(5i)) << bitcast<u32>((_e994 & 31u))));
                                             } else {
-                                                phi_1557_ = _e896;
+                                                phi_1559_ = _e896;
                                             }
-                                            let _e1002 = phi_1557_;
-                                            phi_1558_ = _e1002;
+                                            let _e1002 = phi_1559_;
+                                            phi_1560_ = _e1002;
                                         } else {
-                                            phi_1558_ = _e896;
+                                            phi_1560_ = _e896;
                                         }
-                                        let _e1004 = phi_1558_;
-                                        phi_1559_ = _e1004;
+                                        let _e1004 = phi_1560_;
+                                        phi_1561_ = _e1004;
                                     } else {
-                                        phi_1559_ = _e896;
+                                        phi_1561_ = _e896;
                                     }
-                                    let _e1006 = phi_1559_;
-                                    phi_1429_ = (_e894 + 1u);
-                                    phi_1432_ = _e1006;
+                                    let _e1006 = phi_1561_;
+                                    phi_1431_ = (_e894 + 1u);
+                                    phi_1434_ = _e1006;
                                 } else {
-                                    phi_1429_ = u32();
-                                    phi_1432_ = u32();
+                                    phi_1431_ = u32();
+                                    phi_1434_ = u32();
                                 }
-                                let _e1009 = phi_1429_;
-                                let _e1011 = phi_1432_;
+                                let _e1009 = phi_1431_;
+                                let _e1011 = phi_1434_;
                                 continue;
                                 continuing {
-                                    phi_1428_ = _e1009;
-                                    phi_1431_ = _e1011;
+                                    phi_1430_ = _e1009;
+                                    phi_1433_ = _e1011;
                                     break if !(_e897);
                                 }
                             }
@@ -1512,19 +1512,19 @@ fn function_() {
                                 local_2.group_mask = ((_e1055 & 4278190080u) | (_e1019 >> bitcast<u32>(24i)));
                             }
                             let _e1060 = local_6;
-                            phi_1617_ = (_e1060 & 16777215u);
-                            phi_1620_ = _e627;
+                            phi_1619_ = (_e1060 & 16777215u);
+                            phi_1622_ = _e627;
                             loop {
-                                let _e1063 = phi_1617_;
-                                let _e1065 = phi_1620_;
+                                let _e1063 = phi_1619_;
+                                let _e1065 = phi_1622_;
                                 local_19 = _e1065;
                                 let _e1066 = (_e1063 == 0u);
                                 local_12 = _e1066;
                                 local_20 = _e1066;
                                 if _e1066 {
-                                    phi_1618_ = u32();
-                                    phi_1621_ = bool();
-                                    phi_3479_ = false;
+                                    phi_1620_ = u32();
+                                    phi_1623_ = bool();
+                                    phi_3481_ = false;
                                 } else {
                                     let _e1069 = nodes.member[(0u + _e625)].links[1u];
                                     let _e1073 = (_e1069 + select(firstTrailingBit(_e1063), 32u, (_e1063 == 0u)));
@@ -1541,41 +1541,41 @@ fn function_() {
                                     let _e1099 = ((_e1082.y - _e267) * _e425);
                                     let _e1100 = ((_e1082.z - _e269) * _e435);
                                     if (_e1089 < _e1098) {
-                                        phi_1669_ = _e1089;
+                                        phi_1671_ = _e1089;
                                     } else {
-                                        phi_1669_ = _e1098;
+                                        phi_1671_ = _e1098;
                                     }
-                                    let _e1103 = phi_1669_;
+                                    let _e1103 = phi_1671_;
                                     if (_e1090 < _e1099) {
-                                        phi_1674_ = _e1090;
+                                        phi_1676_ = _e1090;
                                     } else {
-                                        phi_1674_ = _e1099;
+                                        phi_1676_ = _e1099;
                                     }
-                                    let _e1106 = phi_1674_;
+                                    let _e1106 = phi_1676_;
                                     if (_e1091 < _e1100) {
-                                        phi_1679_ = _e1091;
+                                        phi_1681_ = _e1091;
                                     } else {
-                                        phi_1679_ = _e1100;
+                                        phi_1681_ = _e1100;
                                     }
-                                    let _e1109 = phi_1679_;
+                                    let _e1109 = phi_1681_;
                                     if (_e1089 > _e1098) {
-                                        phi_1687_ = _e1089;
+                                        phi_1689_ = _e1089;
                                     } else {
-                                        phi_1687_ = _e1098;
+                                        phi_1689_ = _e1098;
                                     }
-                                    let _e1115 = phi_1687_;
+                                    let _e1115 = phi_1689_;
                                     if (_e1090 > _e1099) {
-                                        phi_1692_ = _e1090;
+                                        phi_1694_ = _e1090;
                                     } else {
-                                        phi_1692_ = _e1099;
+                                        phi_1694_ = _e1099;
                                     }
-                                    let _e1118 = phi_1692_;
+                                    let _e1118 = phi_1694_;
                                     if (_e1091 > _e1100) {
-                                        phi_1697_ = _e1091;
+                                        phi_1699_ = _e1091;
                                     } else {
-                                        phi_1697_ = _e1100;
+                                        phi_1699_ = _e1100;
                                     }
-                                    let _e1121 = phi_1697_;
+                                    let _e1121 = phi_1699_;
                                     let _e1125 = core_intrinsics_maximum_number_nsz_f32_((_e1103 - _e474), (_e1106 - _e475));
                                     let _e1126 = core_intrinsics_maximum_number_nsz_f32_(_e1125, (_e1109 - _e476));
                                     let _e1127 = core_intrinsics_minimum_number_nsz_f32_((_e1115 + _e474), (_e1118 + _e475));
@@ -1602,102 +1602,102 @@ fn function_() {
                                                 let _e1219 = abs(_e1211);
                                                 if (abs(_e1145) < 1000000000000000f) {
                                                     if (abs(_e1158) < 1000000000000000f) {
-                                                        phi_1817_ = (abs(_e1171) < 1000000000000000f);
-                                                        phi_1818_ = false;
+                                                        phi_1819_ = (abs(_e1171) < 1000000000000000f);
+                                                        phi_1820_ = false;
                                                     } else {
-                                                        phi_1817_ = bool();
-                                                        phi_1818_ = true;
+                                                        phi_1819_ = bool();
+                                                        phi_1820_ = true;
                                                     }
-                                                    let _e1227 = phi_1817_;
-                                                    let _e1229 = phi_1818_;
-                                                    phi_1819_ = _e1227;
-                                                    phi_1820_ = _e1229;
+                                                    let _e1227 = phi_1819_;
+                                                    let _e1229 = phi_1820_;
+                                                    phi_1821_ = _e1227;
+                                                    phi_1822_ = _e1229;
                                                 } else {
-                                                    phi_1819_ = bool();
-                                                    phi_1820_ = true;
+                                                    phi_1821_ = bool();
+                                                    phi_1822_ = true;
                                                 }
-                                                let _e1231 = phi_1819_;
-                                                let _e1233 = phi_1820_;
+                                                let _e1231 = phi_1821_;
+                                                let _e1233 = phi_1822_;
                                                 if _e1233 {
-                                                    phi_1824_ = false;
+                                                    phi_1826_ = false;
                                                 } else {
-                                                    phi_1824_ = _e1231;
+                                                    phi_1826_ = _e1231;
                                                 }
-                                                let _e1235 = phi_1824_;
+                                                let _e1235 = phi_1826_;
                                                 if _e1235 {
                                                     if (_e1217 < 1000000000000000f) {
                                                         if (_e1218 < 1000000000000000f) {
-                                                            phi_1837_ = (_e1219 < 1000000000000000f);
-                                                            phi_1838_ = false;
+                                                            phi_1839_ = (_e1219 < 1000000000000000f);
+                                                            phi_1840_ = false;
                                                         } else {
-                                                            phi_1837_ = bool();
-                                                            phi_1838_ = true;
+                                                            phi_1839_ = bool();
+                                                            phi_1840_ = true;
                                                         }
-                                                        let _e1240 = phi_1837_;
-                                                        let _e1242 = phi_1838_;
-                                                        phi_1839_ = _e1240;
-                                                        phi_1840_ = _e1242;
+                                                        let _e1240 = phi_1839_;
+                                                        let _e1242 = phi_1840_;
+                                                        phi_1841_ = _e1240;
+                                                        phi_1842_ = _e1242;
                                                     } else {
-                                                        phi_1839_ = bool();
-                                                        phi_1840_ = true;
+                                                        phi_1841_ = bool();
+                                                        phi_1842_ = true;
                                                     }
-                                                    let _e1244 = phi_1839_;
-                                                    let _e1246 = phi_1840_;
+                                                    let _e1244 = phi_1841_;
+                                                    let _e1246 = phi_1842_;
                                                     if _e1246 {
-                                                        phi_1844_ = false;
+                                                        phi_1846_ = false;
                                                     } else {
-                                                        phi_1844_ = _e1244;
+                                                        phi_1846_ = _e1244;
                                                     }
-                                                    let _e1248 = phi_1844_;
+                                                    let _e1248 = phi_1846_;
                                                     if _e1248 {
                                                         if (_e1217 > 0f) {
-                                                            phi_1858_ = bool();
-                                                            phi_1859_ = true;
+                                                            phi_1860_ = bool();
+                                                            phi_1861_ = true;
                                                         } else {
                                                             let _e1250 = (_e1218 > 0f);
                                                             if _e1250 {
-                                                                phi_1857_ = bool();
+                                                                phi_1859_ = bool();
                                                             } else {
-                                                                phi_1857_ = (_e1219 > 0f);
+                                                                phi_1859_ = (_e1219 > 0f);
                                                             }
-                                                            let _e1253 = phi_1857_;
-                                                            phi_1858_ = _e1253;
-                                                            phi_1859_ = _e1250;
+                                                            let _e1253 = phi_1859_;
+                                                            phi_1860_ = _e1253;
+                                                            phi_1861_ = _e1250;
                                                         }
-                                                        let _e1255 = phi_1858_;
-                                                        let _e1257 = phi_1859_;
+                                                        let _e1255 = phi_1860_;
+                                                        let _e1257 = phi_1861_;
                                                         if _e1257 {
-                                                            phi_1863_ = true;
+                                                            phi_1865_ = true;
                                                         } else {
-                                                            phi_1863_ = _e1255;
+                                                            phi_1865_ = _e1255;
                                                         }
-                                                        let _e1259 = phi_1863_;
-                                                        phi_1864_ = _e1259;
-                                                        phi_1865_ = false;
+                                                        let _e1259 = phi_1865_;
+                                                        phi_1866_ = _e1259;
+                                                        phi_1867_ = false;
                                                     } else {
-                                                        phi_1864_ = bool();
-                                                        phi_1865_ = true;
+                                                        phi_1866_ = bool();
+                                                        phi_1867_ = true;
                                                     }
-                                                    let _e1261 = phi_1864_;
-                                                    let _e1263 = phi_1865_;
-                                                    phi_1866_ = _e1261;
-                                                    phi_1867_ = _e1263;
+                                                    let _e1261 = phi_1866_;
+                                                    let _e1263 = phi_1867_;
+                                                    phi_1868_ = _e1261;
+                                                    phi_1869_ = _e1263;
                                                 } else {
-                                                    phi_1866_ = bool();
-                                                    phi_1867_ = true;
+                                                    phi_1868_ = bool();
+                                                    phi_1869_ = true;
                                                 }
-                                                let _e1265 = phi_1866_;
-                                                let _e1267 = phi_1867_;
+                                                let _e1265 = phi_1868_;
+                                                let _e1267 = phi_1869_;
                                                 if _e1267 {
-                                                    phi_1871_ = false;
+                                                    phi_1873_ = false;
                                                 } else {
-                                                    phi_1871_ = _e1265;
+                                                    phi_1873_ = _e1265;
                                                 }
-                                                let _e1269 = phi_1871_;
+                                                let _e1269 = phi_1873_;
                                                 if _e1269 {
                                                     let _e1270 = (_e1214 >= _e79);
                                                     if _e1270 {
-                                                        phi_3459_ = bool();
+                                                        phi_3461_ = bool();
                                                     } else {
                                                         if (_e1214 < _e79) {
                                                         } else {
@@ -1714,41 +1714,41 @@ fn function_() {
                                                         let _e1335 = core_intrinsics_maximum_number_nsz_f32_(_e1334, abs(_e1211));
                                                         let _e1336 = (_e1335 * 0.0000000000009094947f);
                                                         if (abs(_e1185) < _e1336) {
-                                                            phi_1941_ = _e1336;
+                                                            phi_1943_ = _e1336;
                                                         } else {
-                                                            phi_1941_ = abs(_e1185);
+                                                            phi_1943_ = abs(_e1185);
                                                         }
-                                                        let _e1341 = phi_1941_;
+                                                        let _e1341 = phi_1943_;
                                                         if (_e1185 < 0f) {
-                                                            phi_1948_ = (-1f / _e1341);
+                                                            phi_1950_ = (-1f / _e1341);
                                                         } else {
-                                                            phi_1948_ = (1f / _e1341);
+                                                            phi_1950_ = (1f / _e1341);
                                                         }
-                                                        let _e1346 = phi_1948_;
+                                                        let _e1346 = phi_1950_;
                                                         if (abs(_e1198) < _e1336) {
-                                                            phi_1955_ = _e1336;
+                                                            phi_1957_ = _e1336;
                                                         } else {
-                                                            phi_1955_ = abs(_e1198);
+                                                            phi_1957_ = abs(_e1198);
                                                         }
-                                                        let _e1351 = phi_1955_;
+                                                        let _e1351 = phi_1957_;
                                                         if (_e1198 < 0f) {
-                                                            phi_1962_ = (-1f / _e1351);
+                                                            phi_1964_ = (-1f / _e1351);
                                                         } else {
-                                                            phi_1962_ = (1f / _e1351);
+                                                            phi_1964_ = (1f / _e1351);
                                                         }
-                                                        let _e1356 = phi_1962_;
+                                                        let _e1356 = phi_1964_;
                                                         if (abs(_e1211) < _e1336) {
-                                                            phi_1969_ = _e1336;
+                                                            phi_1971_ = _e1336;
                                                         } else {
-                                                            phi_1969_ = abs(_e1211);
+                                                            phi_1971_ = abs(_e1211);
                                                         }
-                                                        let _e1361 = phi_1969_;
+                                                        let _e1361 = phi_1971_;
                                                         if (_e1211 < 0f) {
-                                                            phi_1976_ = (-1f / _e1361);
+                                                            phi_1978_ = (-1f / _e1361);
                                                         } else {
-                                                            phi_1976_ = (1f / _e1361);
+                                                            phi_1978_ = (1f / _e1361);
                                                         }
-                                                        let _e1366 = phi_1976_;
+                                                        let _e1366 = phi_1978_;
                                                         let _e1370 = abs((bitcast<f32>(_e1276) - _e1145));
                                                         let _e1371 = abs((bitcast<f32>(_e1280) - _e1158));
                                                         let _e1372 = abs((bitcast<f32>(_e1284) - _e1171));
@@ -1756,35 +1756,35 @@ fn function_() {
                                                         let _e1377 = abs(((bitcast<f32>(_e1292) + (bitcast<f32>((((_e1300 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1158));
                                                         let _e1378 = abs(((bitcast<f32>(_e1296) + (bitcast<f32>((((_e1300 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1171));
                                                         if (_e1370 > _e1376) {
-                                                            phi_1993_ = _e1370;
+                                                            phi_1995_ = _e1370;
                                                         } else {
-                                                            phi_1993_ = _e1376;
+                                                            phi_1995_ = _e1376;
                                                         }
-                                                        let _e1381 = phi_1993_;
+                                                        let _e1381 = phi_1995_;
                                                         if (_e1371 > _e1377) {
-                                                            phi_1998_ = _e1371;
+                                                            phi_2000_ = _e1371;
                                                         } else {
-                                                            phi_1998_ = _e1377;
+                                                            phi_2000_ = _e1377;
                                                         }
-                                                        let _e1384 = phi_1998_;
+                                                        let _e1384 = phi_2000_;
                                                         if (_e1372 > _e1378) {
-                                                            phi_2003_ = _e1372;
+                                                            phi_2005_ = _e1372;
                                                         } else {
-                                                            phi_2003_ = _e1378;
+                                                            phi_2005_ = _e1378;
                                                         }
-                                                        let _e1387 = phi_2003_;
+                                                        let _e1387 = phi_2005_;
                                                         if (_e1381 > _e1384) {
-                                                            phi_2008_ = _e1381;
+                                                            phi_2010_ = _e1381;
                                                         } else {
-                                                            phi_2008_ = _e1384;
+                                                            phi_2010_ = _e1384;
                                                         }
-                                                        let _e1390 = phi_2008_;
+                                                        let _e1390 = phi_2010_;
                                                         if (_e1390 > _e1387) {
-                                                            phi_2013_ = _e1390;
+                                                            phi_2015_ = _e1390;
                                                         } else {
-                                                            phi_2013_ = _e1387;
+                                                            phi_2015_ = _e1387;
                                                         }
-                                                        let _e1393 = phi_2013_;
+                                                        let _e1393 = phi_2015_;
                                                         let _e1397 = (_e1393 * 0.0000019073486f);
                                                         let _e1398 = (abs(_e1346) * _e1397);
                                                         let _e1399 = (abs(_e1356) * _e1397);
@@ -1798,60 +1798,60 @@ fn function_() {
                                                         let _e1410 = abs(_e1211);
                                                         if (_e1408 >= _e1409) {
                                                             if (_e1408 >= _e1410) {
-                                                                phi_2039_ = false;
+                                                                phi_2041_ = false;
                                                             } else {
-                                                                phi_2039_ = true;
+                                                                phi_2041_ = true;
                                                             }
-                                                            let _e1414 = phi_2039_;
-                                                            phi_2040_ = _e1414;
+                                                            let _e1414 = phi_2041_;
+                                                            phi_2042_ = _e1414;
                                                         } else {
-                                                            phi_2040_ = true;
+                                                            phi_2042_ = true;
                                                         }
-                                                        let _e1416 = phi_2040_;
+                                                        let _e1416 = phi_2042_;
                                                         if _e1416 {
                                                             if (_e1409 >= _e1410) {
-                                                                phi_2048_ = 1u;
+                                                                phi_2050_ = 1u;
                                                             } else {
-                                                                phi_2048_ = 2u;
+                                                                phi_2050_ = 2u;
                                                             }
-                                                            let _e1419 = phi_2048_;
-                                                            phi_2049_ = _e1419;
+                                                            let _e1419 = phi_2050_;
+                                                            phi_2051_ = _e1419;
                                                         } else {
-                                                            phi_2049_ = 0u;
+                                                            phi_2051_ = 0u;
                                                         }
-                                                        let _e1421 = phi_2049_;
+                                                        let _e1421 = phi_2051_;
                                                         if (_e1421 == 0u) {
-                                                            phi_2061_ = vec3<f32>(_e1198, _e1211, _e1185);
+                                                            phi_2063_ = vec3<f32>(_e1198, _e1211, _e1185);
                                                         } else {
                                                             if (_e1421 == 1u) {
-                                                                phi_2060_ = vec3<f32>(_e1211, _e1185, _e1198);
+                                                                phi_2062_ = vec3<f32>(_e1211, _e1185, _e1198);
                                                             } else {
-                                                                phi_2060_ = vec3<f32>(_e1185, _e1198, _e1211);
+                                                                phi_2062_ = vec3<f32>(_e1185, _e1198, _e1211);
                                                             }
-                                                            let _e1427 = phi_2060_;
-                                                            phi_2061_ = _e1427;
+                                                            let _e1427 = phi_2062_;
+                                                            phi_2063_ = _e1427;
                                                         }
-                                                        let _e1429 = phi_2061_;
+                                                        let _e1429 = phi_2063_;
                                                         let _e1432 = (_e1429.x / _e1429.z);
                                                         let _e1435 = (_e1429.y / _e1429.z);
                                                         if (_e1346 < 0f) {
-                                                            phi_2074_ = 0u;
+                                                            phi_2076_ = 0u;
                                                         } else {
-                                                            phi_2074_ = 1u;
+                                                            phi_2076_ = 1u;
                                                         }
-                                                        let _e1440 = phi_2074_;
+                                                        let _e1440 = phi_2076_;
                                                         if (_e1356 < 0f) {
-                                                            phi_2079_ = 0u;
+                                                            phi_2081_ = 0u;
                                                         } else {
-                                                            phi_2079_ = 2u;
+                                                            phi_2081_ = 2u;
                                                         }
-                                                        let _e1443 = phi_2079_;
+                                                        let _e1443 = phi_2081_;
                                                         if (_e1366 < 0f) {
-                                                            phi_2084_ = 0u;
+                                                            phi_2086_ = 0u;
                                                         } else {
-                                                            phi_2084_ = 4u;
+                                                            phi_2086_ = 4u;
                                                         }
-                                                        let _e1446 = phi_2084_;
+                                                        let _e1446 = phi_2086_;
                                                         let _e1448 = ((_e1440 | _e1443) | _e1446);
                                                         let _e1449 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1214, 2147483648u);
                                                         local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1449.first[0], _e1449.first[1], _e1449.first[2], _e1449.first[3], _e1449.first[4], _e1449.first[5], _e1449.first[6], _e1449.first[7], _e1449.first[8], _e1449.first[9], _e1449.first[10], _e1449.first[11], _e1449.first[12], _e1449.first[13], _e1449.first[14], _e1449.first[15], _e1449.first[16], _e1449.first[17], _e1449.first[18], _e1449.first[19], _e1449.first[20], _e1449.first[21], _e1449.first[22], _e1449.first[23], _e1449.first[24], _e1449.first[25], _e1449.first[26], _e1449.first[27], _e1449.first[28], _e1449.first[29], _e1449.first[30], _e1449.first[31]), array<u32, 32>(_e1449.mask[0], _e1449.mask[1], _e1449.mask[2], _e1449.mask[3], _e1449.mask[4], _e1449.mask[5], _e1449.mask[6], _e1449.mask[7], _e1449.mask[8], _e1449.mask[9], _e1449.mask[10], _e1449.mask[11], _e1449.mask[12], _e1449.mask[13], _e1449.mask[14], _e1449.mask[15], _e1449.mask[16], _e1449.mask[17], _e1449.mask[18], _e1449.mask[19], _e1449.mask[20], _e1449.mask[21], _e1449.mask[22], _e1449.mask[23], _e1449.mask[24], _e1449.mask[25], _e1449.mask[26], _e1449.mask[27], _e1449.mask[28], _e1449.mask[29], _e1449.mask[30], _e1449.mask[31]), _e1449.len, _e1449.group, _e1449.group_mask);
@@ -1859,7 +1859,7 @@ fn function_() {
                                                         if ((_e1523 & 4278190080u) == 0u) {
                                                             let _e1527 = local_1.len;
                                                             if (_e1527 == 0u) {
-                                                                phi_2198_ = false;
+                                                                phi_2200_ = false;
                                                             } else {
                                                                 let _e1531 = local_1.len;
                                                                 local_1.len = (_e1531 - 1u);
@@ -1877,14 +1877,14 @@ fn function_() {
                                                                 }
                                                                 let _e1547 = local_1.mask[(0u + _e1542)];
                                                                 local_1.group_mask = _e1547;
-                                                                phi_2198_ = true;
+                                                                phi_2200_ = true;
                                                             }
-                                                            let _e1550 = phi_2198_;
-                                                            phi_2199_ = _e1550;
+                                                            let _e1550 = phi_2200_;
+                                                            phi_2201_ = _e1550;
                                                         } else {
-                                                            phi_2199_ = true;
+                                                            phi_2201_ = true;
                                                         }
-                                                        let _e1552 = phi_2199_;
+                                                        let _e1552 = phi_2201_;
                                                         if _e1552 {
                                                             let _e1554 = local_1.group_mask;
                                                             let _e1560 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1554)), 32u, (_e1554 == 0u)));
@@ -1892,16 +1892,16 @@ fn function_() {
                                                             let _e1578 = local_1.group_mask;
                                                             local_1.group_mask = (_e1578 & ~((1u << bitcast<u32>((_e1560 & 31u)))));
                                                             let _e1581 = local_1.group;
-                                                            phi_2230_ = (_e1581 + countOneBits(((_e1564 & ~((4294967295u << bitcast<u32>((((_e1560 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                            phi_2232_ = (_e1581 + countOneBits(((_e1564 & ~((4294967295u << bitcast<u32>((((_e1560 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                         } else {
-                                                            phi_2230_ = 4294967295u;
+                                                            phi_2232_ = 4294967295u;
                                                         }
-                                                        let _e1584 = phi_2230_;
-                                                        phi_2232_ = _e1584;
-                                                        phi_2235_ = _e1065;
+                                                        let _e1584 = phi_2232_;
+                                                        phi_2234_ = _e1584;
+                                                        phi_2237_ = _e1065;
                                                         loop {
-                                                            let _e1586 = phi_2232_;
-                                                            let _e1588 = phi_2235_;
+                                                            let _e1586 = phi_2234_;
+                                                            let _e1588 = phi_2237_;
                                                             local_18 = _e1588;
                                                             if (_e1586 != 4294967295u) {
                                                                 if (_e1586 < _e79) {
@@ -1923,45 +1923,45 @@ fn function_() {
                                                                     let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1648.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                     let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1659.unnamed.word, _e1648.w), _e1659.unnamed_1);
                                                                     let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1665.unnamed, lt_mask_LightPlace(_e1648.x, _e1665.unnamed_1.shift));
-                                                                    phi_2315_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_mask_LightPlace(_e1671.unnamed_1.word, _e1648.y));
+                                                                    phi_2317_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_mask_LightPlace(_e1671.unnamed_1.word, _e1648.y));
                                                                 } else {
                                                                     let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1648.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                     let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1687.unnamed.word, _e1648.y), _e1687.unnamed_1);
                                                                     let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1693.unnamed, lt_mask_LightPlace(_e1648.z, _e1693.unnamed_1.shift));
-                                                                    phi_2315_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1699.unnamed, lt_mask_LightPlace(_e1699.unnamed_1.word, _e1648.w));
+                                                                    phi_2317_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1699.unnamed, lt_mask_LightPlace(_e1699.unnamed_1.word, _e1648.w));
                                                                 }
-                                                                let _e1707 = phi_2315_;
+                                                                let _e1707 = phi_2317_;
                                                                 let _e1717 = nodes.member[(0u + _e1586)].y;
                                                                 if (_e1356 < 0f) {
                                                                     let _e1728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1717.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                     let _e1734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1728.unnamed.word, _e1717.w), _e1728.unnamed_1);
                                                                     let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1734.unnamed, lt_mask_LightPlace(_e1717.x, _e1734.unnamed_1.shift));
-                                                                    phi_2342_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1740.unnamed, lt_mask_LightPlace(_e1740.unnamed_1.word, _e1717.y));
+                                                                    phi_2344_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1740.unnamed, lt_mask_LightPlace(_e1740.unnamed_1.word, _e1717.y));
                                                                 } else {
                                                                     let _e1756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1717.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                     let _e1762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1756.unnamed.word, _e1717.y), _e1756.unnamed_1);
                                                                     let _e1768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1762.unnamed, lt_mask_LightPlace(_e1717.z, _e1762.unnamed_1.shift));
-                                                                    phi_2342_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1768.unnamed, lt_mask_LightPlace(_e1768.unnamed_1.word, _e1717.w));
+                                                                    phi_2344_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1768.unnamed, lt_mask_LightPlace(_e1768.unnamed_1.word, _e1717.w));
                                                                 }
-                                                                let _e1776 = phi_2342_;
+                                                                let _e1776 = phi_2344_;
                                                                 let _e1786 = nodes.member[(0u + _e1586)].z;
                                                                 if (_e1366 < 0f) {
                                                                     let _e1797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1786.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                     let _e1803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1797.unnamed.word, _e1786.w), _e1797.unnamed_1);
                                                                     let _e1809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1803.unnamed, lt_mask_LightPlace(_e1786.x, _e1803.unnamed_1.shift));
-                                                                    phi_2369_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1809.unnamed, lt_mask_LightPlace(_e1809.unnamed_1.word, _e1786.y));
+                                                                    phi_2371_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1809.unnamed, lt_mask_LightPlace(_e1809.unnamed_1.word, _e1786.y));
                                                                 } else {
                                                                     let _e1825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1786.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                     let _e1831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1825.unnamed.word, _e1786.y), _e1825.unnamed_1);
                                                                     let _e1837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1831.unnamed, lt_mask_LightPlace(_e1786.z, _e1831.unnamed_1.shift));
-                                                                    phi_2369_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1837.unnamed, lt_mask_LightPlace(_e1837.unnamed_1.word, _e1786.w));
+                                                                    phi_2371_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1837.unnamed, lt_mask_LightPlace(_e1837.unnamed_1.word, _e1786.w));
                                                                 }
-                                                                let _e1845 = phi_2369_;
-                                                                phi_2375_ = 0u;
-                                                                phi_2378_ = 0u;
+                                                                let _e1845 = phi_2371_;
+                                                                phi_2377_ = 0u;
+                                                                phi_2380_ = 0u;
                                                                 loop {
-                                                                    let _e1855 = phi_2375_;
-                                                                    let _e1857 = phi_2378_;
+                                                                    let _e1855 = phi_2377_;
+                                                                    let _e1857 = phi_2380_;
                                                                     local_7 = _e1857;
                                                                     local_8 = _e1857;
                                                                     local_9 = _e1857;
@@ -1970,43 +1970,43 @@ fn function_() {
                                                                         let _e1860 = (_e1855 >> bitcast<u32>(2i));
                                                                         let _e1861 = (_e1855 & 3u);
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2392_ = _e1707.unnamed.word;
+                                                                            phi_2394_ = _e1707.unnamed.word;
                                                                         } else {
-                                                                            phi_2392_ = _e1707.unnamed.shift;
+                                                                            phi_2394_ = _e1707.unnamed.shift;
                                                                         }
-                                                                        let _e1864 = phi_2392_;
+                                                                        let _e1864 = phi_2394_;
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2402_ = _e1776.unnamed.word;
+                                                                            phi_2404_ = _e1776.unnamed.word;
                                                                         } else {
-                                                                            phi_2402_ = _e1776.unnamed.shift;
+                                                                            phi_2404_ = _e1776.unnamed.shift;
                                                                         }
-                                                                        let _e1873 = phi_2402_;
+                                                                        let _e1873 = phi_2404_;
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2412_ = _e1845.unnamed.word;
+                                                                            phi_2414_ = _e1845.unnamed.word;
                                                                         } else {
-                                                                            phi_2412_ = _e1845.unnamed.shift;
+                                                                            phi_2414_ = _e1845.unnamed.shift;
                                                                         }
-                                                                        let _e1882 = phi_2412_;
+                                                                        let _e1882 = phi_2414_;
                                                                         let _e1895 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1864 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1620) + (_e1638 - _e1398)), ((f32(((_e1873 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1621) + (_e1639 - _e1399)));
                                                                         let _e1896 = core_intrinsics_maximum_number_nsz_f32_(_e1895, ((f32(((_e1882 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1622) + (_e1640 - _e1400)));
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2430_ = _e1707.unnamed_1.word;
+                                                                            phi_2432_ = _e1707.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2430_ = _e1707.unnamed_1.shift;
+                                                                            phi_2432_ = _e1707.unnamed_1.shift;
                                                                         }
-                                                                        let _e1899 = phi_2430_;
+                                                                        let _e1899 = phi_2432_;
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2440_ = _e1776.unnamed_1.word;
+                                                                            phi_2442_ = _e1776.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2440_ = _e1776.unnamed_1.shift;
+                                                                            phi_2442_ = _e1776.unnamed_1.shift;
                                                                         }
-                                                                        let _e1908 = phi_2440_;
+                                                                        let _e1908 = phi_2442_;
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2450_ = _e1845.unnamed_1.word;
+                                                                            phi_2452_ = _e1845.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2450_ = _e1845.unnamed_1.shift;
+                                                                            phi_2452_ = _e1845.unnamed_1.shift;
                                                                         }
-                                                                        let _e1917 = phi_2450_;
+                                                                        let _e1917 = phi_2452_;
                                                                         let _e1930 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1899 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1620) + (_e1638 + _e1398)), ((f32(((_e1908 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1621) + (_e1639 + _e1399)));
                                                                         let _e1931 = core_intrinsics_minimum_number_nsz_f32_(_e1930, ((f32(((_e1917 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1622) + (_e1640 + _e1400)));
                                                                         if (_e1896 <= _e1931) {
@@ -2014,47 +2014,47 @@ fn function_() {
                                                                                 if (_e1931 >= 0f) {
                                                                                     if (_e1860 == 0u) {
                                                                                         let _e1938 = nodes.member[(0u + _e1586)].links[2u];
-                                                                                        phi_2486_ = _e1938;
+                                                                                        phi_2488_ = _e1938;
                                                                                     } else {
                                                                                         let _e1941 = nodes.member[(0u + _e1586)].links[3u];
-                                                                                        phi_2486_ = _e1941;
+                                                                                        phi_2488_ = _e1941;
                                                                                     }
-                                                                                    let _e1943 = phi_2486_;
+                                                                                    let _e1943 = phi_2488_;
                                                                                     let _e1948 = ((_e1943 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u);
                                                                                     let _e1949 = (_e1948 & 31u);
                                                                                     if (_e1949 >= 24u) {
-                                                                                        phi_2499_ = (24u + ((_e1949 - 24u) ^ _e1448));
+                                                                                        phi_2501_ = (24u + ((_e1949 - 24u) ^ _e1448));
                                                                                     } else {
-                                                                                        phi_2499_ = _e1949;
+                                                                                        phi_2501_ = _e1949;
                                                                                     }
-                                                                                    let _e1955 = phi_2499_;
-                                                                                    phi_2504_ = (_e1857 | ((_e1948 >> bitcast<u32>(5i)) << bitcast<u32>((_e1955 & 31u))));
+                                                                                    let _e1955 = phi_2501_;
+                                                                                    phi_2506_ = (_e1857 | ((_e1948 >> bitcast<u32>(5i)) << bitcast<u32>((_e1955 & 31u))));
                                                                                 } else {
-                                                                                    phi_2504_ = _e1857;
+                                                                                    phi_2506_ = _e1857;
                                                                                 }
-                                                                                let _e1963 = phi_2504_;
-                                                                                phi_2505_ = _e1963;
+                                                                                let _e1963 = phi_2506_;
+                                                                                phi_2507_ = _e1963;
                                                                             } else {
-                                                                                phi_2505_ = _e1857;
+                                                                                phi_2507_ = _e1857;
                                                                             }
-                                                                            let _e1965 = phi_2505_;
-                                                                            phi_2506_ = _e1965;
+                                                                            let _e1965 = phi_2507_;
+                                                                            phi_2508_ = _e1965;
                                                                         } else {
-                                                                            phi_2506_ = _e1857;
+                                                                            phi_2508_ = _e1857;
                                                                         }
-                                                                        let _e1967 = phi_2506_;
-                                                                        phi_2376_ = (_e1855 + 1u);
-                                                                        phi_2379_ = _e1967;
+                                                                        let _e1967 = phi_2508_;
+                                                                        phi_2378_ = (_e1855 + 1u);
+                                                                        phi_2381_ = _e1967;
                                                                     } else {
-                                                                        phi_2376_ = u32();
-                                                                        phi_2379_ = u32();
+                                                                        phi_2378_ = u32();
+                                                                        phi_2381_ = u32();
                                                                     }
-                                                                    let _e1970 = phi_2376_;
-                                                                    let _e1972 = phi_2379_;
+                                                                    let _e1970 = phi_2378_;
+                                                                    let _e1972 = phi_2381_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2375_ = _e1970;
-                                                                        phi_2378_ = _e1972;
+                                                                        phi_2377_ = _e1970;
+                                                                        phi_2380_ = _e1972;
                                                                         break if !(_e1858);
                                                                     }
                                                                 }
@@ -2091,20 +2091,20 @@ fn function_() {
                                                                     local_1.group_mask = ((_e2016 & 4278190080u) | (_e1980 >> bitcast<u32>(24i)));
                                                                 }
                                                                 let _e2021 = local_9;
-                                                                phi_2564_ = (_e2021 & 16777215u);
-                                                                phi_2567_ = _e1588;
+                                                                phi_2566_ = (_e2021 & 16777215u);
+                                                                phi_2569_ = _e1588;
                                                                 loop {
-                                                                    let _e2024 = phi_2564_;
-                                                                    let _e2026 = phi_2567_;
+                                                                    let _e2024 = phi_2566_;
+                                                                    let _e2026 = phi_2569_;
                                                                     local_14 = _e2026;
                                                                     let _e2027 = (_e2024 == 0u);
                                                                     local_10 = _e2027;
                                                                     local_16 = _e2027;
                                                                     if _e2027 {
-                                                                        phi_2565_ = u32();
-                                                                        phi_2568_ = bool();
-                                                                        phi_3371_ = bool();
-                                                                        phi_3372_ = false;
+                                                                        phi_2567_ = u32();
+                                                                        phi_2570_ = bool();
+                                                                        phi_3373_ = bool();
+                                                                        phi_3374_ = false;
                                                                     } else {
                                                                         let _e2030 = nodes.member[(0u + _e1586)].links[1u];
                                                                         let _e2035 = ((_e1216 + _e2030) + select(firstTrailingBit(_e2024), 32u, (_e2024 == 0u)));
@@ -2117,17 +2117,17 @@ fn function_() {
                                                                         let _e2046 = (_e2042.y - _e1158);
                                                                         let _e2048 = (_e2042.z - _e1171);
                                                                         if (_e1421 == 0u) {
-                                                                            phi_2612_ = vec3<f32>(_e2046, _e2048, _e2044);
+                                                                            phi_2614_ = vec3<f32>(_e2046, _e2048, _e2044);
                                                                         } else {
                                                                             if (_e1421 == 1u) {
-                                                                                phi_2611_ = vec3<f32>(_e2048, _e2044, _e2046);
+                                                                                phi_2613_ = vec3<f32>(_e2048, _e2044, _e2046);
                                                                             } else {
-                                                                                phi_2611_ = (_e2042 - vec3<f32>(_e1145, _e1158, _e1171));
+                                                                                phi_2613_ = (_e2042 - vec3<f32>(_e1145, _e1158, _e1171));
                                                                             }
-                                                                            let _e2056 = phi_2611_;
-                                                                            phi_2612_ = _e2056;
+                                                                            let _e2056 = phi_2613_;
+                                                                            phi_2614_ = _e2056;
                                                                         }
-                                                                        let _e2058 = phi_2612_;
+                                                                        let _e2058 = phi_2614_;
                                                                         let _e2062 = (_e2058.x - (_e1432 * _e2058.z));
                                                                         let _e2066 = (_e2058.y - (_e1435 * _e2058.z));
                                                                         let _e2068 = triangles.member[(0u + _e2035)].v1_;
@@ -2135,17 +2135,17 @@ fn function_() {
                                                                         let _e2072 = (_e2068.y - _e1158);
                                                                         let _e2074 = (_e2068.z - _e1171);
                                                                         if (_e1421 == 0u) {
-                                                                            phi_2642_ = vec3<f32>(_e2072, _e2074, _e2070);
+                                                                            phi_2644_ = vec3<f32>(_e2072, _e2074, _e2070);
                                                                         } else {
                                                                             if (_e1421 == 1u) {
-                                                                                phi_2641_ = vec3<f32>(_e2074, _e2070, _e2072);
+                                                                                phi_2643_ = vec3<f32>(_e2074, _e2070, _e2072);
                                                                             } else {
-                                                                                phi_2641_ = (_e2068 - vec3<f32>(_e1145, _e1158, _e1171));
+                                                                                phi_2643_ = (_e2068 - vec3<f32>(_e1145, _e1158, _e1171));
                                                                             }
-                                                                            let _e2082 = phi_2641_;
-                                                                            phi_2642_ = _e2082;
+                                                                            let _e2082 = phi_2643_;
+                                                                            phi_2644_ = _e2082;
                                                                         }
-                                                                        let _e2084 = phi_2642_;
+                                                                        let _e2084 = phi_2644_;
                                                                         let _e2088 = (_e2084.x - (_e1432 * _e2084.z));
                                                                         let _e2092 = (_e2084.y - (_e1435 * _e2084.z));
                                                                         let _e2094 = triangles.member[(0u + _e2035)].v2_;
@@ -2153,246 +2153,246 @@ fn function_() {
                                                                         let _e2098 = (_e2094.y - _e1158);
                                                                         let _e2100 = (_e2094.z - _e1171);
                                                                         if (_e1421 == 0u) {
-                                                                            phi_2672_ = vec3<f32>(_e2098, _e2100, _e2096);
+                                                                            phi_2674_ = vec3<f32>(_e2098, _e2100, _e2096);
                                                                         } else {
                                                                             if (_e1421 == 1u) {
-                                                                                phi_2671_ = vec3<f32>(_e2100, _e2096, _e2098);
+                                                                                phi_2673_ = vec3<f32>(_e2100, _e2096, _e2098);
                                                                             } else {
-                                                                                phi_2671_ = (_e2094 - vec3<f32>(_e1145, _e1158, _e1171));
+                                                                                phi_2673_ = (_e2094 - vec3<f32>(_e1145, _e1158, _e1171));
                                                                             }
-                                                                            let _e2108 = phi_2671_;
-                                                                            phi_2672_ = _e2108;
+                                                                            let _e2108 = phi_2673_;
+                                                                            phi_2674_ = _e2108;
                                                                         }
-                                                                        let _e2110 = phi_2672_;
+                                                                        let _e2110 = phi_2674_;
                                                                         let _e2114 = (_e2110.x - (_e1432 * _e2110.z));
                                                                         let _e2118 = (_e2110.y - (_e1435 * _e2110.z));
                                                                         if (_e2088 < _e2114) {
-                                                                            phi_2691_ = true;
+                                                                            phi_2693_ = true;
                                                                         } else {
                                                                             if (_e2088 == _e2114) {
-                                                                                phi_2690_ = (_e2092 < _e2118);
+                                                                                phi_2692_ = (_e2092 < _e2118);
                                                                             } else {
-                                                                                phi_2690_ = false;
+                                                                                phi_2692_ = false;
                                                                             }
-                                                                            let _e2123 = phi_2690_;
-                                                                            phi_2691_ = _e2123;
+                                                                            let _e2123 = phi_2692_;
+                                                                            phi_2693_ = _e2123;
                                                                         }
-                                                                        let _e2125 = phi_2691_;
+                                                                        let _e2125 = phi_2693_;
                                                                         if _e2125 {
-                                                                            phi_2695_ = _e2118;
-                                                                            phi_2696_ = _e2114;
-                                                                            phi_2697_ = _e2092;
-                                                                            phi_2698_ = _e2088;
-                                                                        } else {
-                                                                            phi_2695_ = _e2092;
-                                                                            phi_2696_ = _e2088;
                                                                             phi_2697_ = _e2118;
                                                                             phi_2698_ = _e2114;
+                                                                            phi_2699_ = _e2092;
+                                                                            phi_2700_ = _e2088;
+                                                                        } else {
+                                                                            phi_2697_ = _e2092;
+                                                                            phi_2698_ = _e2088;
+                                                                            phi_2699_ = _e2118;
+                                                                            phi_2700_ = _e2114;
                                                                         }
-                                                                        let _e2127 = phi_2695_;
-                                                                        let _e2129 = phi_2696_;
-                                                                        let _e2131 = phi_2697_;
-                                                                        let _e2133 = phi_2698_;
+                                                                        let _e2127 = phi_2697_;
+                                                                        let _e2129 = phi_2698_;
+                                                                        let _e2131 = phi_2699_;
+                                                                        let _e2133 = phi_2700_;
                                                                         let _e2136 = ((_e2133 * _e2127) - (_e2131 * _e2129));
                                                                         if _e2125 {
-                                                                            phi_2706_ = -(_e2136);
+                                                                            phi_2708_ = -(_e2136);
                                                                         } else {
-                                                                            phi_2706_ = _e2136;
+                                                                            phi_2708_ = _e2136;
                                                                         }
-                                                                        let _e2139 = phi_2706_;
+                                                                        let _e2139 = phi_2708_;
                                                                         if (_e2114 < _e2062) {
-                                                                            phi_2717_ = true;
+                                                                            phi_2719_ = true;
                                                                         } else {
                                                                             if (_e2114 == _e2062) {
-                                                                                phi_2716_ = (_e2118 < _e2066);
+                                                                                phi_2718_ = (_e2118 < _e2066);
                                                                             } else {
-                                                                                phi_2716_ = false;
+                                                                                phi_2718_ = false;
                                                                             }
-                                                                            let _e2144 = phi_2716_;
-                                                                            phi_2717_ = _e2144;
+                                                                            let _e2144 = phi_2718_;
+                                                                            phi_2719_ = _e2144;
                                                                         }
-                                                                        let _e2146 = phi_2717_;
+                                                                        let _e2146 = phi_2719_;
                                                                         if _e2146 {
-                                                                            phi_2721_ = _e2066;
-                                                                            phi_2722_ = _e2062;
-                                                                            phi_2723_ = _e2118;
-                                                                            phi_2724_ = _e2114;
-                                                                        } else {
-                                                                            phi_2721_ = _e2118;
-                                                                            phi_2722_ = _e2114;
                                                                             phi_2723_ = _e2066;
                                                                             phi_2724_ = _e2062;
+                                                                            phi_2725_ = _e2118;
+                                                                            phi_2726_ = _e2114;
+                                                                        } else {
+                                                                            phi_2723_ = _e2118;
+                                                                            phi_2724_ = _e2114;
+                                                                            phi_2725_ = _e2066;
+                                                                            phi_2726_ = _e2062;
                                                                         }
-                                                                        let _e2148 = phi_2721_;
-                                                                        let _e2150 = phi_2722_;
-                                                                        let _e2152 = phi_2723_;
-                                                                        let _e2154 = phi_2724_;
+                                                                        let _e2148 = phi_2723_;
+                                                                        let _e2150 = phi_2724_;
+                                                                        let _e2152 = phi_2725_;
+                                                                        let _e2154 = phi_2726_;
                                                                         let _e2157 = ((_e2154 * _e2148) - (_e2152 * _e2150));
                                                                         if _e2146 {
-                                                                            phi_2732_ = -(_e2157);
+                                                                            phi_2734_ = -(_e2157);
                                                                         } else {
-                                                                            phi_2732_ = _e2157;
+                                                                            phi_2734_ = _e2157;
                                                                         }
-                                                                        let _e2160 = phi_2732_;
+                                                                        let _e2160 = phi_2734_;
                                                                         if (_e2062 < _e2088) {
-                                                                            phi_2743_ = true;
+                                                                            phi_2745_ = true;
                                                                         } else {
                                                                             if (_e2062 == _e2088) {
-                                                                                phi_2742_ = (_e2066 < _e2092);
+                                                                                phi_2744_ = (_e2066 < _e2092);
                                                                             } else {
-                                                                                phi_2742_ = false;
+                                                                                phi_2744_ = false;
                                                                             }
-                                                                            let _e2165 = phi_2742_;
-                                                                            phi_2743_ = _e2165;
+                                                                            let _e2165 = phi_2744_;
+                                                                            phi_2745_ = _e2165;
                                                                         }
-                                                                        let _e2167 = phi_2743_;
+                                                                        let _e2167 = phi_2745_;
                                                                         if _e2167 {
-                                                                            phi_2747_ = _e2092;
-                                                                            phi_2748_ = _e2088;
-                                                                            phi_2749_ = _e2066;
-                                                                            phi_2750_ = _e2062;
-                                                                        } else {
-                                                                            phi_2747_ = _e2066;
-                                                                            phi_2748_ = _e2062;
                                                                             phi_2749_ = _e2092;
                                                                             phi_2750_ = _e2088;
+                                                                            phi_2751_ = _e2066;
+                                                                            phi_2752_ = _e2062;
+                                                                        } else {
+                                                                            phi_2749_ = _e2066;
+                                                                            phi_2750_ = _e2062;
+                                                                            phi_2751_ = _e2092;
+                                                                            phi_2752_ = _e2088;
                                                                         }
-                                                                        let _e2169 = phi_2747_;
-                                                                        let _e2171 = phi_2748_;
-                                                                        let _e2173 = phi_2749_;
-                                                                        let _e2175 = phi_2750_;
+                                                                        let _e2169 = phi_2749_;
+                                                                        let _e2171 = phi_2750_;
+                                                                        let _e2173 = phi_2751_;
+                                                                        let _e2175 = phi_2752_;
                                                                         let _e2178 = ((_e2175 * _e2169) - (_e2173 * _e2171));
                                                                         if _e2167 {
-                                                                            phi_2758_ = -(_e2178);
+                                                                            phi_2760_ = -(_e2178);
                                                                         } else {
-                                                                            phi_2758_ = _e2178;
+                                                                            phi_2760_ = _e2178;
                                                                         }
-                                                                        let _e2181 = phi_2758_;
+                                                                        let _e2181 = phi_2760_;
                                                                         if (_e2139 >= 0f) {
                                                                             if (_e2160 >= 0f) {
                                                                                 if (_e2181 >= 0f) {
-                                                                                    phi_2773_ = ((_e2139 + _e2160) + _e2181);
-                                                                                    phi_2774_ = false;
+                                                                                    phi_2775_ = ((_e2139 + _e2160) + _e2181);
+                                                                                    phi_2776_ = false;
                                                                                 } else {
-                                                                                    phi_2773_ = f32();
-                                                                                    phi_2774_ = true;
+                                                                                    phi_2775_ = f32();
+                                                                                    phi_2776_ = true;
                                                                                 }
-                                                                                let _e2188 = phi_2773_;
-                                                                                let _e2190 = phi_2774_;
-                                                                                phi_2775_ = _e2188;
-                                                                                phi_2776_ = _e2190;
+                                                                                let _e2188 = phi_2775_;
+                                                                                let _e2190 = phi_2776_;
+                                                                                phi_2777_ = _e2188;
+                                                                                phi_2778_ = _e2190;
                                                                             } else {
-                                                                                phi_2775_ = f32();
-                                                                                phi_2776_ = true;
+                                                                                phi_2777_ = f32();
+                                                                                phi_2778_ = true;
                                                                             }
-                                                                            let _e2192 = phi_2775_;
-                                                                            let _e2194 = phi_2776_;
-                                                                            phi_2777_ = _e2192;
-                                                                            phi_2778_ = _e2194;
+                                                                            let _e2192 = phi_2777_;
+                                                                            let _e2194 = phi_2778_;
+                                                                            phi_2779_ = _e2192;
+                                                                            phi_2780_ = _e2194;
                                                                         } else {
-                                                                            phi_2777_ = f32();
-                                                                            phi_2778_ = true;
+                                                                            phi_2779_ = f32();
+                                                                            phi_2780_ = true;
                                                                         }
-                                                                        let _e2196 = phi_2777_;
-                                                                        let _e2198 = phi_2778_;
+                                                                        let _e2196 = phi_2779_;
+                                                                        let _e2198 = phi_2780_;
                                                                         if _e2198 {
                                                                             if (_e2139 <= 0f) {
                                                                                 if (_e2160 <= 0f) {
                                                                                     let _e2201 = (_e2181 <= 0f);
                                                                                     if _e2201 {
                                                                                     }
-                                                                                    phi_2796_ = ((_e2139 + _e2160) + _e2181);
-                                                                                    phi_2797_ = false;
-                                                                                    phi_2798_ = _e2201;
+                                                                                    phi_2798_ = ((_e2139 + _e2160) + _e2181);
+                                                                                    phi_2799_ = false;
+                                                                                    phi_2800_ = _e2201;
                                                                                 } else {
-                                                                                    phi_2796_ = f32();
-                                                                                    phi_2797_ = true;
-                                                                                    phi_2798_ = false;
+                                                                                    phi_2798_ = f32();
+                                                                                    phi_2799_ = true;
+                                                                                    phi_2800_ = false;
                                                                                 }
-                                                                                let _e2205 = phi_2796_;
-                                                                                let _e2207 = phi_2797_;
-                                                                                let _e2209 = phi_2798_;
-                                                                                phi_2799_ = _e2205;
-                                                                                phi_2800_ = _e2207;
-                                                                                phi_2801_ = _e2209;
+                                                                                let _e2205 = phi_2798_;
+                                                                                let _e2207 = phi_2799_;
+                                                                                let _e2209 = phi_2800_;
+                                                                                phi_2801_ = _e2205;
+                                                                                phi_2802_ = _e2207;
+                                                                                phi_2803_ = _e2209;
                                                                             } else {
-                                                                                phi_2799_ = f32();
-                                                                                phi_2800_ = true;
-                                                                                phi_2801_ = false;
+                                                                                phi_2801_ = f32();
+                                                                                phi_2802_ = true;
+                                                                                phi_2803_ = false;
                                                                             }
-                                                                            let _e2211 = phi_2799_;
-                                                                            let _e2213 = phi_2800_;
-                                                                            let _e2215 = phi_2801_;
+                                                                            let _e2211 = phi_2801_;
+                                                                            let _e2213 = phi_2802_;
+                                                                            let _e2215 = phi_2803_;
                                                                             if _e2213 {
-                                                                                phi_2805_ = false;
+                                                                                phi_2807_ = false;
                                                                             } else {
-                                                                                phi_2805_ = _e2215;
+                                                                                phi_2807_ = _e2215;
                                                                             }
-                                                                            let _e2217 = phi_2805_;
-                                                                            phi_2806_ = _e2211;
-                                                                            phi_2807_ = _e2217;
+                                                                            let _e2217 = phi_2807_;
+                                                                            phi_2808_ = _e2211;
+                                                                            phi_2809_ = _e2217;
                                                                         } else {
-                                                                            phi_2806_ = _e2196;
-                                                                            phi_2807_ = true;
+                                                                            phi_2808_ = _e2196;
+                                                                            phi_2809_ = true;
                                                                         }
-                                                                        let _e2219 = phi_2806_;
-                                                                        let _e2221 = phi_2807_;
+                                                                        let _e2219 = phi_2808_;
+                                                                        let _e2221 = phi_2809_;
                                                                         if _e2221 {
                                                                             let _e2222 = (_e2219 == 0f);
                                                                             if _e2222 {
-                                                                                phi_3123_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3124_ = false;
+                                                                                phi_3125_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3126_ = false;
                                                                             } else {
                                                                                 let _e2224 = triangles.member[(0u + _e2035)].v0_;
                                                                                 let _e2226 = (_e2224.x - _e1145);
                                                                                 let _e2228 = (_e2224.y - _e1158);
                                                                                 let _e2230 = (_e2224.z - _e1171);
                                                                                 if (_e1421 == 0u) {
-                                                                                    phi_2836_ = vec3<f32>(_e2228, _e2230, _e2226);
+                                                                                    phi_2838_ = vec3<f32>(_e2228, _e2230, _e2226);
                                                                                 } else {
                                                                                     if (_e1421 == 1u) {
-                                                                                        phi_2835_ = vec3<f32>(_e2230, _e2226, _e2228);
+                                                                                        phi_2837_ = vec3<f32>(_e2230, _e2226, _e2228);
                                                                                     } else {
-                                                                                        phi_2835_ = (_e2224 - vec3<f32>(_e1145, _e1158, _e1171));
+                                                                                        phi_2837_ = (_e2224 - vec3<f32>(_e1145, _e1158, _e1171));
                                                                                     }
-                                                                                    let _e2238 = phi_2835_;
-                                                                                    phi_2836_ = _e2238;
+                                                                                    let _e2238 = phi_2837_;
+                                                                                    phi_2838_ = _e2238;
                                                                                 }
-                                                                                let _e2240 = phi_2836_;
+                                                                                let _e2240 = phi_2838_;
                                                                                 let _e2242 = triangles.member[(0u + _e2035)].v1_;
                                                                                 let _e2244 = triangles.member[(0u + _e2035)].v0_;
                                                                                 let _e2247 = (_e2242.x - _e2244.x);
                                                                                 let _e2250 = (_e2242.y - _e2244.y);
                                                                                 let _e2253 = (_e2242.z - _e2244.z);
                                                                                 if (_e1421 == 0u) {
-                                                                                    phi_2862_ = vec3<f32>(_e2250, _e2253, _e2247);
+                                                                                    phi_2864_ = vec3<f32>(_e2250, _e2253, _e2247);
                                                                                 } else {
                                                                                     if (_e1421 == 1u) {
-                                                                                        phi_2861_ = vec3<f32>(_e2253, _e2247, _e2250);
+                                                                                        phi_2863_ = vec3<f32>(_e2253, _e2247, _e2250);
                                                                                     } else {
-                                                                                        phi_2861_ = (_e2242 - _e2244);
+                                                                                        phi_2863_ = (_e2242 - _e2244);
                                                                                     }
-                                                                                    let _e2260 = phi_2861_;
-                                                                                    phi_2862_ = _e2260;
+                                                                                    let _e2260 = phi_2863_;
+                                                                                    phi_2864_ = _e2260;
                                                                                 }
-                                                                                let _e2262 = phi_2862_;
+                                                                                let _e2262 = phi_2864_;
                                                                                 let _e2264 = triangles.member[(0u + _e2035)].v2_;
                                                                                 let _e2266 = triangles.member[(0u + _e2035)].v0_;
                                                                                 let _e2269 = (_e2264.x - _e2266.x);
                                                                                 let _e2272 = (_e2264.y - _e2266.y);
                                                                                 let _e2275 = (_e2264.z - _e2266.z);
                                                                                 if (_e1421 == 0u) {
-                                                                                    phi_2888_ = vec3<f32>(_e2272, _e2275, _e2269);
+                                                                                    phi_2890_ = vec3<f32>(_e2272, _e2275, _e2269);
                                                                                 } else {
                                                                                     if (_e1421 == 1u) {
-                                                                                        phi_2887_ = vec3<f32>(_e2275, _e2269, _e2272);
+                                                                                        phi_2889_ = vec3<f32>(_e2275, _e2269, _e2272);
                                                                                     } else {
-                                                                                        phi_2887_ = (_e2264 - _e2266);
+                                                                                        phi_2889_ = (_e2264 - _e2266);
                                                                                     }
-                                                                                    let _e2282 = phi_2887_;
-                                                                                    phi_2888_ = _e2282;
+                                                                                    let _e2282 = phi_2889_;
+                                                                                    phi_2890_ = _e2282;
                                                                                 }
-                                                                                let _e2284 = phi_2888_;
+                                                                                let _e2284 = phi_2890_;
                                                                                 let _e2291 = ((_e2262.y * _e2284.z) - (_e2262.z * _e2284.y));
                                                                                 let _e2298 = ((_e2262.z * _e2284.x) - (_e2262.x * _e2284.z));
                                                                                 let _e2305 = ((_e2262.x * _e2284.y) - (_e2262.y * _e2284.x));
@@ -2402,81 +2402,81 @@ fn function_() {
                                                                                         let _e2323 = triangles.member[(0u + _e2035)].v0_;
                                                                                         let _e2325 = triangles.member[(0u + _e2035)].v1_;
                                                                                         if (_e2323.x < _e2325.x) {
-                                                                                            phi_2944_ = _e2323.x;
+                                                                                            phi_2946_ = _e2323.x;
                                                                                         } else {
-                                                                                            phi_2944_ = _e2325.x;
+                                                                                            phi_2946_ = _e2325.x;
                                                                                         }
-                                                                                        let _e2332 = phi_2944_;
+                                                                                        let _e2332 = phi_2946_;
                                                                                         if (_e2323.y < _e2325.y) {
-                                                                                            phi_2953_ = _e2323.y;
+                                                                                            phi_2955_ = _e2323.y;
                                                                                         } else {
-                                                                                            phi_2953_ = _e2325.y;
+                                                                                            phi_2955_ = _e2325.y;
                                                                                         }
-                                                                                        let _e2339 = phi_2953_;
+                                                                                        let _e2339 = phi_2955_;
                                                                                         if (_e2323.z < _e2325.z) {
-                                                                                            phi_2962_ = _e2323.z;
+                                                                                            phi_2964_ = _e2323.z;
                                                                                         } else {
-                                                                                            phi_2962_ = _e2325.z;
+                                                                                            phi_2964_ = _e2325.z;
                                                                                         }
-                                                                                        let _e2346 = phi_2962_;
+                                                                                        let _e2346 = phi_2964_;
                                                                                         let _e2348 = triangles.member[(0u + _e2035)].v2_;
                                                                                         if (_e2332 < _e2348.x) {
-                                                                                            phi_2971_ = _e2332;
+                                                                                            phi_2973_ = _e2332;
                                                                                         } else {
-                                                                                            phi_2971_ = _e2348.x;
+                                                                                            phi_2973_ = _e2348.x;
                                                                                         }
-                                                                                        let _e2353 = phi_2971_;
+                                                                                        let _e2353 = phi_2973_;
                                                                                         if (_e2339 < _e2348.y) {
-                                                                                            phi_2978_ = _e2339;
+                                                                                            phi_2980_ = _e2339;
                                                                                         } else {
-                                                                                            phi_2978_ = _e2348.y;
+                                                                                            phi_2980_ = _e2348.y;
                                                                                         }
-                                                                                        let _e2358 = phi_2978_;
+                                                                                        let _e2358 = phi_2980_;
                                                                                         if (_e2346 < _e2348.z) {
-                                                                                            phi_2985_ = _e2346;
+                                                                                            phi_2987_ = _e2346;
                                                                                         } else {
-                                                                                            phi_2985_ = _e2348.z;
+                                                                                            phi_2987_ = _e2348.z;
                                                                                         }
-                                                                                        let _e2363 = phi_2985_;
+                                                                                        let _e2363 = phi_2987_;
                                                                                         let _e2365 = triangles.member[(0u + _e2035)].v0_;
                                                                                         let _e2367 = triangles.member[(0u + _e2035)].v1_;
                                                                                         if (_e2365.x > _e2367.x) {
-                                                                                            phi_2998_ = _e2365.x;
+                                                                                            phi_3000_ = _e2365.x;
                                                                                         } else {
-                                                                                            phi_2998_ = _e2367.x;
+                                                                                            phi_3000_ = _e2367.x;
                                                                                         }
-                                                                                        let _e2374 = phi_2998_;
+                                                                                        let _e2374 = phi_3000_;
                                                                                         if (_e2365.y > _e2367.y) {
-                                                                                            phi_3007_ = _e2365.y;
+                                                                                            phi_3009_ = _e2365.y;
                                                                                         } else {
-                                                                                            phi_3007_ = _e2367.y;
+                                                                                            phi_3009_ = _e2367.y;
                                                                                         }
-                                                                                        let _e2381 = phi_3007_;
+                                                                                        let _e2381 = phi_3009_;
                                                                                         if (_e2365.z > _e2367.z) {
-                                                                                            phi_3016_ = _e2365.z;
+                                                                                            phi_3018_ = _e2365.z;
                                                                                         } else {
-                                                                                            phi_3016_ = _e2367.z;
+                                                                                            phi_3018_ = _e2367.z;
                                                                                         }
-                                                                                        let _e2388 = phi_3016_;
+                                                                                        let _e2388 = phi_3018_;
                                                                                         let _e2390 = triangles.member[(0u + _e2035)].v2_;
                                                                                         if (_e2374 > _e2390.x) {
-                                                                                            phi_3025_ = _e2374;
+                                                                                            phi_3027_ = _e2374;
                                                                                         } else {
-                                                                                            phi_3025_ = _e2390.x;
+                                                                                            phi_3027_ = _e2390.x;
                                                                                         }
-                                                                                        let _e2395 = phi_3025_;
+                                                                                        let _e2395 = phi_3027_;
                                                                                         if (_e2381 > _e2390.y) {
-                                                                                            phi_3032_ = _e2381;
+                                                                                            phi_3034_ = _e2381;
                                                                                         } else {
-                                                                                            phi_3032_ = _e2390.y;
+                                                                                            phi_3034_ = _e2390.y;
                                                                                         }
-                                                                                        let _e2400 = phi_3032_;
+                                                                                        let _e2400 = phi_3034_;
                                                                                         if (_e2388 > _e2390.z) {
-                                                                                            phi_3039_ = _e2388;
+                                                                                            phi_3041_ = _e2388;
                                                                                         } else {
-                                                                                            phi_3039_ = _e2390.z;
+                                                                                            phi_3041_ = _e2390.z;
                                                                                         }
-                                                                                        let _e2405 = phi_3039_;
+                                                                                        let _e2405 = phi_3041_;
                                                                                         let _e2409 = ((_e2353 - _e1145) * _e1346);
                                                                                         let _e2410 = ((_e2358 - _e1158) * _e1356);
                                                                                         let _e2411 = ((_e2363 - _e1171) * _e1366);
@@ -2484,121 +2484,121 @@ fn function_() {
                                                                                         let _e2416 = ((_e2400 - _e1158) * _e1356);
                                                                                         let _e2417 = ((_e2405 - _e1171) * _e1366);
                                                                                         if (_e2409 < _e2415) {
-                                                                                            phi_3056_ = _e2409;
+                                                                                            phi_3058_ = _e2409;
                                                                                         } else {
-                                                                                            phi_3056_ = _e2415;
+                                                                                            phi_3058_ = _e2415;
                                                                                         }
-                                                                                        let _e2420 = phi_3056_;
+                                                                                        let _e2420 = phi_3058_;
                                                                                         if (_e2410 < _e2416) {
-                                                                                            phi_3061_ = _e2410;
+                                                                                            phi_3063_ = _e2410;
                                                                                         } else {
-                                                                                            phi_3061_ = _e2416;
+                                                                                            phi_3063_ = _e2416;
                                                                                         }
-                                                                                        let _e2423 = phi_3061_;
+                                                                                        let _e2423 = phi_3063_;
                                                                                         if (_e2411 < _e2417) {
-                                                                                            phi_3066_ = _e2411;
+                                                                                            phi_3068_ = _e2411;
                                                                                         } else {
-                                                                                            phi_3066_ = _e2417;
+                                                                                            phi_3068_ = _e2417;
                                                                                         }
-                                                                                        let _e2426 = phi_3066_;
+                                                                                        let _e2426 = phi_3068_;
                                                                                         if (_e2409 > _e2415) {
-                                                                                            phi_3074_ = _e2409;
+                                                                                            phi_3076_ = _e2409;
                                                                                         } else {
-                                                                                            phi_3074_ = _e2415;
+                                                                                            phi_3076_ = _e2415;
                                                                                         }
-                                                                                        let _e2432 = phi_3074_;
+                                                                                        let _e2432 = phi_3076_;
                                                                                         if (_e2410 > _e2416) {
-                                                                                            phi_3079_ = _e2410;
+                                                                                            phi_3081_ = _e2410;
                                                                                         } else {
-                                                                                            phi_3079_ = _e2416;
+                                                                                            phi_3081_ = _e2416;
                                                                                         }
-                                                                                        let _e2435 = phi_3079_;
+                                                                                        let _e2435 = phi_3081_;
                                                                                         if (_e2411 > _e2417) {
-                                                                                            phi_3084_ = _e2411;
+                                                                                            phi_3086_ = _e2411;
                                                                                         } else {
-                                                                                            phi_3084_ = _e2417;
+                                                                                            phi_3086_ = _e2417;
                                                                                         }
-                                                                                        let _e2438 = phi_3084_;
+                                                                                        let _e2438 = phi_3086_;
                                                                                         let _e2442 = core_intrinsics_maximum_number_nsz_f32_((_e2420 - _e1405), (_e2423 - _e1406));
                                                                                         let _e2443 = core_intrinsics_maximum_number_nsz_f32_(_e2442, (_e2426 - _e1407));
                                                                                         let _e2444 = core_intrinsics_minimum_number_nsz_f32_((_e2432 + _e1405), (_e2435 + _e1406));
                                                                                         let _e2445 = core_intrinsics_minimum_number_nsz_f32_(_e2444, (_e2438 + _e1407));
                                                                                         if (_e2443 > _e1126) {
-                                                                                            phi_3096_ = _e2443;
+                                                                                            phi_3098_ = _e2443;
                                                                                         } else {
-                                                                                            phi_3096_ = _e1126;
+                                                                                            phi_3098_ = _e1126;
                                                                                         }
-                                                                                        let _e2448 = phi_3096_;
+                                                                                        let _e2448 = phi_3098_;
                                                                                         if (_e2445 < _e1128) {
-                                                                                            phi_3101_ = _e2445;
+                                                                                            phi_3103_ = _e2445;
                                                                                         } else {
-                                                                                            phi_3101_ = _e1128;
+                                                                                            phi_3103_ = _e1128;
                                                                                         }
-                                                                                        let _e2451 = phi_3101_;
+                                                                                        let _e2451 = phi_3103_;
                                                                                         if (_e2319 < _e2448) {
-                                                                                            phi_3106_ = _e2448;
+                                                                                            phi_3108_ = _e2448;
                                                                                         } else {
-                                                                                            phi_3106_ = _e2319;
+                                                                                            phi_3108_ = _e2319;
                                                                                         }
-                                                                                        let _e2454 = phi_3106_;
+                                                                                        let _e2454 = phi_3108_;
                                                                                         if (_e2454 > _e2451) {
-                                                                                            phi_3111_ = _e2451;
+                                                                                            phi_3113_ = _e2451;
                                                                                         } else {
-                                                                                            phi_3111_ = _e2454;
+                                                                                            phi_3113_ = _e2454;
                                                                                         }
-                                                                                        let _e2457 = phi_3111_;
-                                                                                        phi_3116_ = lt_bvh_triangle_Intersection(_e2457, (_e2160 / _e2219), (_e2181 / _e2219), (_e2448 <= _e2451));
-                                                                                        phi_3117_ = false;
+                                                                                        let _e2457 = phi_3113_;
+                                                                                        phi_3118_ = lt_bvh_triangle_Intersection(_e2457, (_e2160 / _e2219), (_e2181 / _e2219), (_e2448 <= _e2451));
+                                                                                        phi_3119_ = false;
                                                                                     } else {
-                                                                                        phi_3116_ = lt_bvh_triangle_Intersection();
-                                                                                        phi_3117_ = true;
+                                                                                        phi_3118_ = lt_bvh_triangle_Intersection();
+                                                                                        phi_3119_ = true;
                                                                                     }
-                                                                                    let _e2463 = phi_3116_;
-                                                                                    let _e2465 = phi_3117_;
-                                                                                    phi_3118_ = _e2463;
-                                                                                    phi_3119_ = _e2465;
+                                                                                    let _e2463 = phi_3118_;
+                                                                                    let _e2465 = phi_3119_;
+                                                                                    phi_3120_ = _e2463;
+                                                                                    phi_3121_ = _e2465;
                                                                                 } else {
-                                                                                    phi_3118_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_3119_ = true;
+                                                                                    phi_3120_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3121_ = true;
                                                                                 }
-                                                                                let _e2467 = phi_3118_;
-                                                                                let _e2469 = phi_3119_;
+                                                                                let _e2467 = phi_3120_;
+                                                                                let _e2469 = phi_3121_;
                                                                                 if _e2469 {
                                                                                 }
-                                                                                phi_3123_ = _e2467;
-                                                                                phi_3124_ = _e2469;
+                                                                                phi_3125_ = _e2467;
+                                                                                phi_3126_ = _e2469;
                                                                             }
-                                                                            let _e2471 = phi_3123_;
-                                                                            let _e2473 = phi_3124_;
-                                                                            phi_3125_ = _e2471;
-                                                                            phi_3126_ = _e2222;
-                                                                            phi_3127_ = _e2473;
+                                                                            let _e2471 = phi_3125_;
+                                                                            let _e2473 = phi_3126_;
+                                                                            phi_3127_ = _e2471;
+                                                                            phi_3128_ = _e2222;
+                                                                            phi_3129_ = _e2473;
                                                                         } else {
-                                                                            phi_3125_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3126_ = true;
-                                                                            phi_3127_ = false;
+                                                                            phi_3127_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3128_ = true;
+                                                                            phi_3129_ = false;
                                                                         }
-                                                                        let _e2475 = phi_3125_;
-                                                                        let _e2477 = phi_3126_;
-                                                                        let _e2479 = phi_3127_;
+                                                                        let _e2475 = phi_3127_;
+                                                                        let _e2477 = phi_3128_;
+                                                                        let _e2479 = phi_3129_;
                                                                         if _e2477 {
-                                                                            phi_3131_ = true;
+                                                                            phi_3133_ = true;
                                                                         } else {
-                                                                            phi_3131_ = _e2479;
+                                                                            phi_3133_ = _e2479;
                                                                         }
-                                                                        let _e2481 = phi_3131_;
+                                                                        let _e2481 = phi_3133_;
                                                                         if _e2481 {
-                                                                            phi_3135_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                            phi_3137_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                         } else {
-                                                                            phi_3135_ = _e2475;
+                                                                            phi_3137_ = _e2475;
                                                                         }
-                                                                        let _e2483 = phi_3135_;
+                                                                        let _e2483 = phi_3137_;
                                                                         if _e2483.is_hit {
                                                                             if (_e2483.t > 0f) {
                                                                                 if (_e2483.t < _e275) {
                                                                                     let _e2490 = triangles.member[(0u + _e2035)].i0_;
                                                                                     if ((_e2490 & 2147483648u) == 0u) {
-                                                                                        phi_3354_ = true;
+                                                                                        phi_3356_ = true;
                                                                                     } else {
                                                                                         if (_e2035 < _e82) {
                                                                                         } else {
@@ -2632,11 +2632,11 @@ fn function_() {
                                                                                         if ((_e2523.flags & 1u) == 1u) {
                                                                                             let _e2528 = ((1f - _e2483.u) - _e2483.v);
                                                                                             if (_e2523.cutoff <= 0f) {
-                                                                                                phi_3352_ = true;
+                                                                                                phi_3354_ = true;
                                                                                             } else {
                                                                                                 let _e2555 = (_e2523.base_color.w * ((((f32((_e2517[0].color >> bitcast<u32>(24i))) * _e2528) + (f32((_e2517[1].color >> bitcast<u32>(24i))) * _e2483.u)) + (f32((_e2517[2].color >> bitcast<u32>(24i))) * _e2483.v)) * (1f / 255f)));
                                                                                                 if (_e2523.alpha_size == 0u) {
-                                                                                                    phi_3349_ = _e2555;
+                                                                                                    phi_3351_ = _e2555;
                                                                                                 } else {
                                                                                                     local.offset = _e2523.alpha_offset;
                                                                                                     local.size = _e2523.alpha_size;
@@ -2666,75 +2666,75 @@ fn function_() {
                                                                                                         return;
                                                                                                     }
                                                                                                     let _e2656 = alpha_texels.member[(0u + _e2652)];
-                                                                                                    phi_3349_ = (_e2555 * (((((f32(((_e2594 >> bitcast<u32>((((_e2586.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.x) + ((f32(((_e2614 >> bitcast<u32>((((_e2586.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.y)) + ((f32(((_e2635 >> bitcast<u32>((((_e2586.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.z)) + ((f32(((_e2656 >> bitcast<u32>((((_e2586.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.w)));
+                                                                                                    phi_3351_ = (_e2555 * (((((f32(((_e2594 >> bitcast<u32>((((_e2586.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.x) + ((f32(((_e2614 >> bitcast<u32>((((_e2586.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.y)) + ((f32(((_e2635 >> bitcast<u32>((((_e2586.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.z)) + ((f32(((_e2656 >> bitcast<u32>((((_e2586.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.w)));
                                                                                                 }
-                                                                                                let _e2672 = phi_3349_;
-                                                                                                phi_3352_ = (_e2672 >= _e2523.cutoff);
+                                                                                                let _e2672 = phi_3351_;
+                                                                                                phi_3354_ = (_e2672 >= _e2523.cutoff);
                                                                                             }
-                                                                                            let _e2676 = phi_3352_;
-                                                                                            phi_3353_ = _e2676;
+                                                                                            let _e2676 = phi_3354_;
+                                                                                            phi_3355_ = _e2676;
                                                                                         } else {
-                                                                                            phi_3353_ = false;
+                                                                                            phi_3355_ = false;
                                                                                         }
-                                                                                        let _e2678 = phi_3353_;
-                                                                                        phi_3354_ = _e2678;
+                                                                                        let _e2678 = phi_3355_;
+                                                                                        phi_3356_ = _e2678;
                                                                                     }
-                                                                                    let _e2680 = phi_3354_;
+                                                                                    let _e2680 = phi_3356_;
                                                                                     if _e2680 {
-                                                                                        phi_3358_ = false;
+                                                                                        phi_3360_ = false;
                                                                                     } else {
-                                                                                        phi_3358_ = true;
+                                                                                        phi_3360_ = true;
                                                                                     }
-                                                                                    let _e2682 = phi_3358_;
-                                                                                    phi_3359_ = _e2680;
-                                                                                    phi_3360_ = _e2680;
-                                                                                    phi_3361_ = _e2682;
+                                                                                    let _e2682 = phi_3360_;
+                                                                                    phi_3361_ = _e2680;
+                                                                                    phi_3362_ = _e2680;
+                                                                                    phi_3363_ = _e2682;
                                                                                 } else {
-                                                                                    phi_3359_ = bool();
-                                                                                    phi_3360_ = _e2026;
-                                                                                    phi_3361_ = true;
+                                                                                    phi_3361_ = bool();
+                                                                                    phi_3362_ = _e2026;
+                                                                                    phi_3363_ = true;
                                                                                 }
-                                                                                let _e2684 = phi_3359_;
-                                                                                let _e2686 = phi_3360_;
-                                                                                let _e2688 = phi_3361_;
-                                                                                phi_3362_ = _e2684;
-                                                                                phi_3363_ = _e2686;
-                                                                                phi_3364_ = _e2688;
+                                                                                let _e2684 = phi_3361_;
+                                                                                let _e2686 = phi_3362_;
+                                                                                let _e2688 = phi_3363_;
+                                                                                phi_3364_ = _e2684;
+                                                                                phi_3365_ = _e2686;
+                                                                                phi_3366_ = _e2688;
                                                                             } else {
-                                                                                phi_3362_ = bool();
-                                                                                phi_3363_ = _e2026;
-                                                                                phi_3364_ = true;
+                                                                                phi_3364_ = bool();
+                                                                                phi_3365_ = _e2026;
+                                                                                phi_3366_ = true;
                                                                             }
-                                                                            let _e2690 = phi_3362_;
-                                                                            let _e2692 = phi_3363_;
-                                                                            let _e2694 = phi_3364_;
-                                                                            phi_3365_ = _e2690;
-                                                                            phi_3366_ = _e2692;
-                                                                            phi_3367_ = _e2694;
+                                                                            let _e2690 = phi_3364_;
+                                                                            let _e2692 = phi_3365_;
+                                                                            let _e2694 = phi_3366_;
+                                                                            phi_3367_ = _e2690;
+                                                                            phi_3368_ = _e2692;
+                                                                            phi_3369_ = _e2694;
                                                                         } else {
-                                                                            phi_3365_ = bool();
-                                                                            phi_3366_ = _e2026;
-                                                                            phi_3367_ = true;
+                                                                            phi_3367_ = bool();
+                                                                            phi_3368_ = _e2026;
+                                                                            phi_3369_ = true;
                                                                         }
-                                                                        let _e2696 = phi_3365_;
-                                                                        let _e2698 = phi_3366_;
-                                                                        let _e2700 = phi_3367_;
+                                                                        let _e2696 = phi_3367_;
+                                                                        let _e2698 = phi_3368_;
+                                                                        let _e2700 = phi_3369_;
                                                                         if _e2700 {
                                                                         }
-                                                                        phi_2565_ = (_e2024 & (_e2024 - 1u));
-                                                                        phi_2568_ = _e2698;
-                                                                        phi_3371_ = _e2696;
-                                                                        phi_3372_ = _e2700;
+                                                                        phi_2567_ = (_e2024 & (_e2024 - 1u));
+                                                                        phi_2570_ = _e2698;
+                                                                        phi_3373_ = _e2696;
+                                                                        phi_3374_ = _e2700;
                                                                     }
-                                                                    let _e2702 = phi_2565_;
-                                                                    let _e2704 = phi_2568_;
-                                                                    let _e2706 = phi_3371_;
-                                                                    let _e2708 = phi_3372_;
+                                                                    let _e2702 = phi_2567_;
+                                                                    let _e2704 = phi_2570_;
+                                                                    let _e2706 = phi_3373_;
+                                                                    let _e2708 = phi_3374_;
                                                                     local_15 = _e2706;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2564_ = _e2702;
-                                                                        phi_2567_ = _e2704;
+                                                                        phi_2566_ = _e2702;
+                                                                        phi_2569_ = _e2704;
                                                                         break if !(_e2708);
                                                                     }
                                                                 }
@@ -2744,7 +2744,7 @@ fn function_() {
                                                                     if ((_e2713 & 4278190080u) == 0u) {
                                                                         let _e2717 = local_1.len;
                                                                         if (_e2717 == 0u) {
-                                                                            phi_3414_ = false;
+                                                                            phi_3416_ = false;
                                                                         } else {
                                                                             let _e2721 = local_1.len;
                                                                             local_1.len = (_e2721 - 1u);
@@ -2762,14 +2762,14 @@ fn function_() {
                                                                             }
                                                                             let _e2737 = local_1.mask[(0u + _e2732)];
                                                                             local_1.group_mask = _e2737;
-                                                                            phi_3414_ = true;
+                                                                            phi_3416_ = true;
                                                                         }
-                                                                        let _e2740 = phi_3414_;
-                                                                        phi_3415_ = _e2740;
+                                                                        let _e2740 = phi_3416_;
+                                                                        phi_3417_ = _e2740;
                                                                     } else {
-                                                                        phi_3415_ = true;
+                                                                        phi_3417_ = true;
                                                                     }
-                                                                    let _e2742 = phi_3415_;
+                                                                    let _e2742 = phi_3417_;
                                                                     if _e2742 {
                                                                         let _e2744 = local_1.group_mask;
                                                                         let _e2750 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2744)), 32u, (_e2744 == 0u)));
@@ -2777,120 +2777,120 @@ fn function_() {
                                                                         let _e2768 = local_1.group_mask;
                                                                         local_1.group_mask = (_e2768 & ~((1u << bitcast<u32>((_e2750 & 31u)))));
                                                                         let _e2771 = local_1.group;
-                                                                        phi_3446_ = (_e2771 + countOneBits(((_e2754 & ~((4294967295u << bitcast<u32>((((_e2750 - 24u) ^ _e1448) & 31u))))) & 255u)));
+                                                                        phi_3448_ = (_e2771 + countOneBits(((_e2754 & ~((4294967295u << bitcast<u32>((((_e2750 - 24u) ^ _e1448) & 31u))))) & 255u)));
                                                                     } else {
-                                                                        phi_3446_ = 4294967295u;
+                                                                        phi_3448_ = 4294967295u;
                                                                     }
-                                                                    let _e2774 = phi_3446_;
-                                                                    phi_3447_ = _e2774;
+                                                                    let _e2774 = phi_3448_;
+                                                                    phi_3449_ = _e2774;
                                                                 } else {
-                                                                    phi_3447_ = u32();
+                                                                    phi_3449_ = u32();
                                                                 }
-                                                                let _e2776 = phi_3447_;
-                                                                phi_2233_ = _e2776;
+                                                                let _e2776 = phi_3449_;
+                                                                phi_2235_ = _e2776;
                                                                 let _e3172 = local_14;
-                                                                phi_2236_ = _e3172;
+                                                                phi_2238_ = _e3172;
                                                                 let _e3175 = local_15;
-                                                                phi_3448_ = _e3175;
+                                                                phi_3450_ = _e3175;
                                                                 let _e3178 = local_16;
-                                                                phi_3449_ = _e3178;
-                                                                phi_3450_ = false;
+                                                                phi_3451_ = _e3178;
+                                                                phi_3452_ = false;
                                                             } else {
-                                                                phi_2233_ = u32();
-                                                                phi_2236_ = bool();
-                                                                phi_3448_ = bool();
-                                                                phi_3449_ = false;
-                                                                phi_3450_ = true;
+                                                                phi_2235_ = u32();
+                                                                phi_2238_ = bool();
+                                                                phi_3450_ = bool();
+                                                                phi_3451_ = false;
+                                                                phi_3452_ = true;
                                                             }
-                                                            let _e2778 = phi_2233_;
-                                                            let _e2780 = phi_2236_;
-                                                            let _e2782 = phi_3448_;
-                                                            let _e2784 = phi_3449_;
-                                                            let _e2786 = phi_3450_;
+                                                            let _e2778 = phi_2235_;
+                                                            let _e2780 = phi_2238_;
+                                                            let _e2782 = phi_3450_;
+                                                            let _e2784 = phi_3451_;
+                                                            let _e2786 = phi_3452_;
                                                             local_11 = _e2786;
                                                             local_17 = _e2782;
                                                             continue;
                                                             continuing {
-                                                                phi_2232_ = _e2778;
-                                                                phi_2235_ = _e2780;
+                                                                phi_2234_ = _e2778;
+                                                                phi_2237_ = _e2780;
                                                                 break if !(_e2784);
                                                             }
                                                         }
                                                         let _e2789 = local_11;
                                                         if _e2789 {
-                                                            phi_3454_ = false;
+                                                            phi_3456_ = false;
                                                         } else {
-                                                            phi_3454_ = true;
+                                                            phi_3456_ = true;
                                                         }
-                                                        let _e2791 = phi_3454_;
+                                                        let _e2791 = phi_3456_;
                                                         if _e2791 {
                                                             let _e3184 = local_17;
-                                                            phi_3458_ = _e3184;
+                                                            phi_3460_ = _e3184;
                                                         } else {
                                                             let _e3186 = local_18;
-                                                            phi_3458_ = _e3186;
+                                                            phi_3460_ = _e3186;
                                                         }
-                                                        let _e2793 = phi_3458_;
-                                                        phi_3459_ = _e2793;
+                                                        let _e2793 = phi_3460_;
+                                                        phi_3461_ = _e2793;
                                                     }
-                                                    let _e2795 = phi_3459_;
-                                                    phi_3460_ = _e2795;
-                                                    phi_3461_ = _e1270;
+                                                    let _e2795 = phi_3461_;
+                                                    phi_3462_ = _e2795;
+                                                    phi_3463_ = _e1270;
                                                 } else {
-                                                    phi_3460_ = bool();
-                                                    phi_3461_ = true;
+                                                    phi_3462_ = bool();
+                                                    phi_3463_ = true;
                                                 }
-                                                let _e2797 = phi_3460_;
-                                                let _e2799 = phi_3461_;
+                                                let _e2797 = phi_3462_;
+                                                let _e2799 = phi_3463_;
                                                 if _e2799 {
-                                                    phi_3465_ = _e1065;
+                                                    phi_3467_ = _e1065;
                                                 } else {
-                                                    phi_3465_ = _e2797;
+                                                    phi_3467_ = _e2797;
                                                 }
-                                                let _e2801 = phi_3465_;
+                                                let _e2801 = phi_3467_;
                                                 if _e2801 {
-                                                    phi_3469_ = false;
+                                                    phi_3471_ = false;
                                                 } else {
-                                                    phi_3469_ = true;
+                                                    phi_3471_ = true;
                                                 }
-                                                let _e2803 = phi_3469_;
-                                                phi_3470_ = _e2801;
-                                                phi_3471_ = _e2803;
+                                                let _e2803 = phi_3471_;
+                                                phi_3472_ = _e2801;
+                                                phi_3473_ = _e2803;
                                             } else {
-                                                phi_3470_ = _e1065;
-                                                phi_3471_ = true;
+                                                phi_3472_ = _e1065;
+                                                phi_3473_ = true;
                                             }
-                                            let _e2805 = phi_3470_;
-                                            let _e2807 = phi_3471_;
-                                            phi_3472_ = _e2805;
-                                            phi_3473_ = _e2807;
+                                            let _e2805 = phi_3472_;
+                                            let _e2807 = phi_3473_;
+                                            phi_3474_ = _e2805;
+                                            phi_3475_ = _e2807;
                                         } else {
-                                            phi_3472_ = _e1065;
-                                            phi_3473_ = true;
+                                            phi_3474_ = _e1065;
+                                            phi_3475_ = true;
                                         }
-                                        let _e2809 = phi_3472_;
-                                        let _e2811 = phi_3473_;
-                                        phi_3474_ = _e2809;
-                                        phi_3475_ = _e2811;
+                                        let _e2809 = phi_3474_;
+                                        let _e2811 = phi_3475_;
+                                        phi_3476_ = _e2809;
+                                        phi_3477_ = _e2811;
                                     } else {
-                                        phi_3474_ = _e1065;
-                                        phi_3475_ = true;
+                                        phi_3476_ = _e1065;
+                                        phi_3477_ = true;
                                     }
-                                    let _e2813 = phi_3474_;
-                                    let _e2815 = phi_3475_;
+                                    let _e2813 = phi_3476_;
+                                    let _e2815 = phi_3477_;
                                     if _e2815 {
                                     }
-                                    phi_1618_ = (_e1063 & (_e1063 - 1u));
-                                    phi_1621_ = _e2813;
-                                    phi_3479_ = _e2815;
+                                    phi_1620_ = (_e1063 & (_e1063 - 1u));
+                                    phi_1623_ = _e2813;
+                                    phi_3481_ = _e2815;
                                 }
-                                let _e2817 = phi_1618_;
-                                let _e2819 = phi_1621_;
-                                let _e2821 = phi_3479_;
+                                let _e2817 = phi_1620_;
+                                let _e2819 = phi_1623_;
+                                let _e2821 = phi_3481_;
                                 continue;
                                 continuing {
-                                    phi_1617_ = _e2817;
-                                    phi_1620_ = _e2819;
+                                    phi_1619_ = _e2817;
+                                    phi_1622_ = _e2819;
                                     break if !(_e2821);
                                 }
                             }
@@ -2900,7 +2900,7 @@ fn function_() {
                                 if ((_e2826 & 4278190080u) == 0u) {
                                     let _e2830 = local_2.len;
                                     if (_e2830 == 0u) {
-                                        phi_3521_ = false;
+                                        phi_3523_ = false;
                                     } else {
                                         let _e2834 = local_2.len;
                                         local_2.len = (_e2834 - 1u);
@@ -2918,14 +2918,14 @@ fn function_() {
                                         }
                                         let _e2850 = local_2.mask[(0u + _e2845)];
                                         local_2.group_mask = _e2850;
-                                        phi_3521_ = true;
+                                        phi_3523_ = true;
                                     }
-                                    let _e2853 = phi_3521_;
-                                    phi_3522_ = _e2853;
+                                    let _e2853 = phi_3523_;
+                                    phi_3524_ = _e2853;
                                 } else {
-                                    phi_3522_ = true;
+                                    phi_3524_ = true;
                                 }
-                                let _e2855 = phi_3522_;
+                                let _e2855 = phi_3524_;
                                 if _e2855 {
                                     let _e2857 = local_2.group_mask;
                                     let _e2863 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2857)), 32u, (_e2857 == 0u)));
@@ -2933,84 +2933,84 @@ fn function_() {
                                     let _e2881 = local_2.group_mask;
                                     local_2.group_mask = (_e2881 & ~((1u << bitcast<u32>((_e2863 & 31u)))));
                                     let _e2884 = local_2.group;
-                                    phi_3553_ = (_e2884 + countOneBits(((_e2867 & ~((4294967295u << bitcast<u32>((((_e2863 - 24u) ^ _e487) & 31u))))) & 255u)));
+                                    phi_3555_ = (_e2884 + countOneBits(((_e2867 & ~((4294967295u << bitcast<u32>((((_e2863 - 24u) ^ _e487) & 31u))))) & 255u)));
                                 } else {
-                                    phi_3553_ = 4294967295u;
+                                    phi_3555_ = 4294967295u;
                                 }
-                                let _e2887 = phi_3553_;
-                                phi_3554_ = _e2887;
+                                let _e2887 = phi_3555_;
+                                phi_3556_ = _e2887;
                             } else {
-                                phi_3554_ = u32();
+                                phi_3556_ = u32();
                             }
-                            let _e2889 = phi_3554_;
-                            phi_1286_ = _e2889;
+                            let _e2889 = phi_3556_;
+                            phi_1288_ = _e2889;
                             let _e3209 = local_19;
-                            phi_1289_ = _e3209;
+                            phi_1291_ = _e3209;
                             let _e3212 = local_20;
-                            phi_3555_ = _e3212;
-                            phi_3556_ = false;
+                            phi_3557_ = _e3212;
+                            phi_3558_ = false;
                         } else {
-                            phi_1286_ = u32();
-                            phi_1289_ = bool();
-                            phi_3555_ = false;
-                            phi_3556_ = true;
+                            phi_1288_ = u32();
+                            phi_1291_ = bool();
+                            phi_3557_ = false;
+                            phi_3558_ = true;
                         }
-                        let _e2891 = phi_1286_;
-                        let _e2893 = phi_1289_;
-                        let _e2895 = phi_3555_;
-                        let _e2897 = phi_3556_;
+                        let _e2891 = phi_1288_;
+                        let _e2893 = phi_1291_;
+                        let _e2895 = phi_3557_;
+                        let _e2897 = phi_3558_;
                         local_13 = _e2897;
                         continue;
                         continuing {
-                            phi_1285_ = _e2891;
-                            phi_1288_ = _e2893;
+                            phi_1287_ = _e2891;
+                            phi_1290_ = _e2893;
                             break if !(_e2895);
                         }
                     }
                     let _e2900 = local_13;
                     if _e2900 {
-                        phi_3560_ = false;
+                        phi_3562_ = false;
                     } else {
-                        phi_3560_ = true;
+                        phi_3562_ = true;
                     }
-                    let _e2902 = phi_3560_;
+                    let _e2902 = phi_3562_;
                     if _e2902 {
                     }
-                    phi_3564_ = _e2902;
+                    phi_3566_ = _e2902;
                 }
-                let _e2904 = phi_3564_;
-                phi_3565_ = _e339;
-                phi_3566_ = _e2904;
+                let _e2904 = phi_3566_;
+                phi_3567_ = _e339;
+                phi_3568_ = _e2904;
             } else {
-                phi_3565_ = true;
-                phi_3566_ = false;
+                phi_3567_ = true;
+                phi_3568_ = false;
             }
-            let _e2906 = phi_3565_;
-            let _e2908 = phi_3566_;
+            let _e2906 = phi_3567_;
+            let _e2908 = phi_3568_;
             if _e2906 {
-                phi_3570_ = false;
-                phi_3571_ = true;
+                phi_3572_ = false;
+                phi_3573_ = true;
             } else {
-                phi_3570_ = true;
-                phi_3571_ = _e2908;
+                phi_3572_ = true;
+                phi_3573_ = _e2908;
             }
-            let _e2910 = phi_3570_;
-            let _e2912 = phi_3571_;
+            let _e2910 = phi_3572_;
+            let _e2912 = phi_3573_;
             if _e2912 {
-                phi_3575_ = _e2910;
+                phi_3577_ = _e2910;
             } else {
-                phi_3575_ = false;
+                phi_3577_ = false;
             }
-            let _e2914 = phi_3575_;
+            let _e2914 = phi_3577_;
             if _e2914 {
-                phi_3579_ = 0f;
+                phi_3581_ = 0f;
             } else {
-                phi_3579_ = 1f;
+                phi_3581_ = 1f;
             }
-            let _e2916 = phi_3579_;
-            phi_3580_ = _e2916;
+            let _e2916 = phi_3581_;
+            phi_3582_ = _e2916;
         }
-        let _e2918 = phi_3580_;
+        let _e2918 = phi_3582_;
         if (_e103.shift < arrayLength((&visibility.member))) {
         } else {
             return;

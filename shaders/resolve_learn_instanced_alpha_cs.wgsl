@@ -188,98 +188,98 @@ var<storage> materials: type_50;
 var<storage> alpha_texels: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_214_: bool;
-    var phi_218_: f32;
+    var phi_216_: bool;
+    var phi_220_: f32;
 
     if (param != param) {
-        phi_214_ = true;
+        phi_216_ = true;
     } else {
         let _e71 = (param_1 >= param);
         if _e71 {
         }
-        phi_214_ = _e71;
+        phi_216_ = _e71;
     }
-    let _e73 = phi_214_;
+    let _e73 = phi_216_;
     if _e73 {
-        phi_218_ = param_1;
+        phi_220_ = param_1;
     } else {
-        phi_218_ = param;
+        phi_220_ = param;
     }
-    let _e75 = phi_218_;
+    let _e75 = phi_220_;
     return _e75;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_230_: bool;
-    var phi_234_: f32;
+    var phi_232_: bool;
+    var phi_236_: f32;
 
     if (param_2 != param_2) {
-        phi_230_ = true;
+        phi_232_ = true;
     } else {
         let _e71 = (param_3 <= param_2);
         if _e71 {
         }
-        phi_230_ = _e71;
+        phi_232_ = _e71;
     }
-    let _e73 = phi_230_;
+    let _e73 = phi_232_;
     if _e73 {
-        phi_234_ = param_3;
+        phi_236_ = param_3;
     } else {
-        phi_234_ = param_2;
+        phi_236_ = param_2;
     }
-    let _e75 = phi_234_;
+    let _e75 = phi_236_;
     return _e75;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
-    var phi_276_: f32;
-    var phi_281_: f32;
-    var phi_282_: bool;
+    var phi_278_: f32;
     var phi_283_: f32;
     var phi_284_: bool;
-    var phi_288_: f32;
-    var phi_314_: f32;
-    var phi_319_: f32;
-    var phi_320_: bool;
+    var phi_285_: f32;
+    var phi_286_: bool;
+    var phi_290_: f32;
+    var phi_316_: f32;
     var phi_321_: f32;
     var phi_322_: bool;
-    var phi_326_: f32;
-    var phi_334_: f32;
-    var phi_335_: f32;
+    var phi_323_: f32;
+    var phi_324_: bool;
+    var phi_328_: f32;
     var phi_336_: f32;
-    var phi_345_: f32;
-    var phi_346_: f32;
-    var phi_364_: u32;
-    var phi_378_: u32;
-    var phi_385_: u32;
-    var phi_390_: u32;
-    var phi_396_: u32;
-    var phi_401_: u32;
-    var phi_403_: texture_Axis;
-    var phi_431_: f32;
-    var phi_436_: f32;
-    var phi_437_: bool;
+    var phi_337_: f32;
+    var phi_338_: f32;
+    var phi_347_: f32;
+    var phi_348_: f32;
+    var phi_366_: u32;
+    var phi_380_: u32;
+    var phi_387_: u32;
+    var phi_392_: u32;
+    var phi_398_: u32;
+    var phi_403_: u32;
+    var phi_405_: texture_Axis;
+    var phi_433_: f32;
     var phi_438_: f32;
     var phi_439_: bool;
-    var phi_443_: f32;
-    var phi_469_: f32;
-    var phi_474_: f32;
-    var phi_475_: bool;
+    var phi_440_: f32;
+    var phi_441_: bool;
+    var phi_445_: f32;
+    var phi_471_: f32;
     var phi_476_: f32;
     var phi_477_: bool;
-    var phi_481_: f32;
-    var phi_489_: f32;
-    var phi_490_: f32;
+    var phi_478_: f32;
+    var phi_479_: bool;
+    var phi_483_: f32;
     var phi_491_: f32;
-    var phi_500_: f32;
-    var phi_501_: f32;
-    var phi_519_: u32;
-    var phi_533_: u32;
-    var phi_540_: u32;
-    var phi_545_: u32;
-    var phi_551_: u32;
-    var phi_556_: u32;
-    var phi_558_: texture_Axis;
+    var phi_492_: f32;
+    var phi_493_: f32;
+    var phi_502_: f32;
+    var phi_503_: f32;
+    var phi_521_: u32;
+    var phi_535_: u32;
+    var phi_542_: u32;
+    var phi_547_: u32;
+    var phi_553_: u32;
+    var phi_558_: u32;
+    var phi_560_: texture_Axis;
 
     let _e72 = (*param_4).size;
     let _e73 = (_e72 & 65535u);
@@ -293,286 +293,286 @@ fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureVi
         if (param_5 > -8388608f) {
             let _e99 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
             if (_e99 > param_5) {
-                phi_276_ = 1f;
+                phi_278_ = 1f;
             } else {
-                phi_276_ = 0f;
+                phi_278_ = 0f;
             }
-            let _e102 = phi_276_;
+            let _e102 = phi_278_;
             if (param_5 < 8388608f) {
-                phi_281_ = (_e99 - _e102);
-                phi_282_ = false;
+                phi_283_ = (_e99 - _e102);
+                phi_284_ = false;
             } else {
-                phi_281_ = f32();
-                phi_282_ = true;
+                phi_283_ = f32();
+                phi_284_ = true;
             }
-            let _e105 = phi_281_;
-            let _e107 = phi_282_;
-            phi_283_ = _e105;
-            phi_284_ = _e107;
+            let _e105 = phi_283_;
+            let _e107 = phi_284_;
+            phi_285_ = _e105;
+            phi_286_ = _e107;
         } else {
-            phi_283_ = f32();
-            phi_284_ = true;
+            phi_285_ = f32();
+            phi_286_ = true;
         }
-        let _e109 = phi_283_;
-        let _e111 = phi_284_;
+        let _e109 = phi_285_;
+        let _e111 = phi_286_;
         if _e111 {
-            phi_288_ = param_5;
+            phi_290_ = param_5;
         } else {
-            phi_288_ = _e109;
+            phi_290_ = _e109;
         }
-        let _e113 = phi_288_;
-        phi_336_ = (param_5 - _e113);
+        let _e113 = phi_290_;
+        phi_338_ = (param_5 - _e113);
     } else {
         if (_e86 == 1u) {
             let _e116 = (param_5 * 0.5f);
             if (_e116 > -8388608f) {
                 let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
                 if (_e128 > _e116) {
-                    phi_314_ = 1f;
+                    phi_316_ = 1f;
                 } else {
-                    phi_314_ = 0f;
+                    phi_316_ = 0f;
                 }
-                let _e131 = phi_314_;
+                let _e131 = phi_316_;
                 if (_e116 < 8388608f) {
-                    phi_319_ = (_e128 - _e131);
-                    phi_320_ = false;
+                    phi_321_ = (_e128 - _e131);
+                    phi_322_ = false;
                 } else {
-                    phi_319_ = f32();
-                    phi_320_ = true;
+                    phi_321_ = f32();
+                    phi_322_ = true;
                 }
-                let _e134 = phi_319_;
-                let _e136 = phi_320_;
-                phi_321_ = _e134;
-                phi_322_ = _e136;
+                let _e134 = phi_321_;
+                let _e136 = phi_322_;
+                phi_323_ = _e134;
+                phi_324_ = _e136;
             } else {
-                phi_321_ = f32();
-                phi_322_ = true;
+                phi_323_ = f32();
+                phi_324_ = true;
             }
-            let _e138 = phi_321_;
-            let _e140 = phi_322_;
+            let _e138 = phi_323_;
+            let _e140 = phi_324_;
             if _e140 {
-                phi_326_ = _e116;
+                phi_328_ = _e116;
             } else {
-                phi_326_ = _e138;
+                phi_328_ = _e138;
             }
-            let _e142 = phi_326_;
+            let _e142 = phi_328_;
             let _e144 = (param_5 - (2f * _e142));
             if (_e144 > 1f) {
-                phi_334_ = (2f - _e144);
+                phi_336_ = (2f - _e144);
             } else {
-                phi_334_ = _e144;
+                phi_336_ = _e144;
             }
-            let _e148 = phi_334_;
-            phi_335_ = _e148;
+            let _e148 = phi_336_;
+            phi_337_ = _e148;
         } else {
-            phi_335_ = param_5;
+            phi_337_ = param_5;
         }
-        let _e150 = phi_335_;
-        phi_336_ = _e150;
+        let _e150 = phi_337_;
+        phi_338_ = _e150;
     }
-    let _e152 = phi_336_;
+    let _e152 = phi_338_;
     if (_e152 > 0f) {
         if (_e152 < 1f) {
-            phi_345_ = _e152;
+            phi_347_ = _e152;
         } else {
-            phi_345_ = 1f;
+            phi_347_ = 1f;
         }
-        let _e156 = phi_345_;
-        phi_346_ = _e156;
+        let _e156 = phi_347_;
+        phi_348_ = _e156;
     } else {
-        phi_346_ = 0f;
+        phi_348_ = 0f;
     }
-    let _e158 = phi_346_;
+    let _e158 = phi_348_;
     let _e159 = (_e73 - 1u);
     let _e161 = (_e158 * f32(_e73));
     if _e81 {
         let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
         if (_e159 < _e168) {
-            phi_364_ = _e159;
+            phi_366_ = _e159;
         } else {
-            phi_364_ = _e168;
+            phi_366_ = _e168;
         }
-        let _e171 = phi_364_;
-        phi_403_ = texture_Axis(_e171, _e171, 0f);
+        let _e171 = phi_366_;
+        phi_405_ = texture_Axis(_e171, _e171, 0f);
     } else {
         let _e173 = (_e161 + 0.5f);
         let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
         if (_e73 < _e180) {
-            phi_378_ = _e73;
+            phi_380_ = _e73;
         } else {
-            phi_378_ = _e180;
+            phi_380_ = _e180;
         }
-        let _e183 = phi_378_;
+        let _e183 = phi_380_;
         if (_e86 == 0u) {
-            phi_385_ = _e159;
+            phi_387_ = _e159;
         } else {
-            phi_385_ = 0u;
+            phi_387_ = 0u;
         }
-        let _e188 = phi_385_;
+        let _e188 = phi_387_;
         if (_e86 == 0u) {
-            phi_390_ = 0u;
+            phi_392_ = 0u;
         } else {
-            phi_390_ = _e159;
+            phi_392_ = _e159;
         }
-        let _e191 = phi_390_;
+        let _e191 = phi_392_;
         if (_e183 == 0u) {
-            phi_396_ = _e188;
+            phi_398_ = _e188;
         } else {
-            phi_396_ = (_e183 - 1u);
+            phi_398_ = (_e183 - 1u);
         }
-        let _e195 = phi_396_;
+        let _e195 = phi_398_;
         if (_e183 > _e159) {
-            phi_401_ = _e191;
+            phi_403_ = _e191;
         } else {
-            phi_401_ = _e183;
+            phi_403_ = _e183;
         }
-        let _e198 = phi_401_;
-        phi_403_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+        let _e198 = phi_403_;
+        phi_405_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e201 = phi_403_;
+    let _e201 = phi_405_;
     let _e203 = (*param_4).flags;
     let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
     if (_e206 == 0u) {
         if (param_6 > -8388608f) {
             let _e219 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
             if (_e219 > param_6) {
-                phi_431_ = 1f;
+                phi_433_ = 1f;
             } else {
-                phi_431_ = 0f;
+                phi_433_ = 0f;
             }
-            let _e222 = phi_431_;
+            let _e222 = phi_433_;
             if (param_6 < 8388608f) {
-                phi_436_ = (_e219 - _e222);
-                phi_437_ = false;
+                phi_438_ = (_e219 - _e222);
+                phi_439_ = false;
             } else {
-                phi_436_ = f32();
-                phi_437_ = true;
+                phi_438_ = f32();
+                phi_439_ = true;
             }
-            let _e225 = phi_436_;
-            let _e227 = phi_437_;
-            phi_438_ = _e225;
-            phi_439_ = _e227;
+            let _e225 = phi_438_;
+            let _e227 = phi_439_;
+            phi_440_ = _e225;
+            phi_441_ = _e227;
         } else {
-            phi_438_ = f32();
-            phi_439_ = true;
+            phi_440_ = f32();
+            phi_441_ = true;
         }
-        let _e229 = phi_438_;
-        let _e231 = phi_439_;
+        let _e229 = phi_440_;
+        let _e231 = phi_441_;
         if _e231 {
-            phi_443_ = param_6;
+            phi_445_ = param_6;
         } else {
-            phi_443_ = _e229;
+            phi_445_ = _e229;
         }
-        let _e233 = phi_443_;
-        phi_491_ = (param_6 - _e233);
+        let _e233 = phi_445_;
+        phi_493_ = (param_6 - _e233);
     } else {
         if (_e206 == 1u) {
             let _e236 = (param_6 * 0.5f);
             if (_e236 > -8388608f) {
                 let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
                 if (_e248 > _e236) {
-                    phi_469_ = 1f;
+                    phi_471_ = 1f;
                 } else {
-                    phi_469_ = 0f;
+                    phi_471_ = 0f;
                 }
-                let _e251 = phi_469_;
+                let _e251 = phi_471_;
                 if (_e236 < 8388608f) {
-                    phi_474_ = (_e248 - _e251);
-                    phi_475_ = false;
+                    phi_476_ = (_e248 - _e251);
+                    phi_477_ = false;
                 } else {
-                    phi_474_ = f32();
-                    phi_475_ = true;
+                    phi_476_ = f32();
+                    phi_477_ = true;
                 }
-                let _e254 = phi_474_;
-                let _e256 = phi_475_;
-                phi_476_ = _e254;
-                phi_477_ = _e256;
+                let _e254 = phi_476_;
+                let _e256 = phi_477_;
+                phi_478_ = _e254;
+                phi_479_ = _e256;
             } else {
-                phi_476_ = f32();
-                phi_477_ = true;
+                phi_478_ = f32();
+                phi_479_ = true;
             }
-            let _e258 = phi_476_;
-            let _e260 = phi_477_;
+            let _e258 = phi_478_;
+            let _e260 = phi_479_;
             if _e260 {
-                phi_481_ = _e236;
+                phi_483_ = _e236;
             } else {
-                phi_481_ = _e258;
+                phi_483_ = _e258;
             }
-            let _e262 = phi_481_;
+            let _e262 = phi_483_;
             let _e264 = (param_6 - (2f * _e262));
             if (_e264 > 1f) {
-                phi_489_ = (2f - _e264);
+                phi_491_ = (2f - _e264);
             } else {
-                phi_489_ = _e264;
+                phi_491_ = _e264;
             }
-            let _e268 = phi_489_;
-            phi_490_ = _e268;
+            let _e268 = phi_491_;
+            phi_492_ = _e268;
         } else {
-            phi_490_ = param_6;
+            phi_492_ = param_6;
         }
-        let _e270 = phi_490_;
-        phi_491_ = _e270;
+        let _e270 = phi_492_;
+        phi_493_ = _e270;
     }
-    let _e272 = phi_491_;
+    let _e272 = phi_493_;
     if (_e272 > 0f) {
         if (_e272 < 1f) {
-            phi_500_ = _e272;
+            phi_502_ = _e272;
         } else {
-            phi_500_ = 1f;
+            phi_502_ = 1f;
         }
-        let _e276 = phi_500_;
-        phi_501_ = _e276;
+        let _e276 = phi_502_;
+        phi_503_ = _e276;
     } else {
-        phi_501_ = 0f;
+        phi_503_ = 0f;
     }
-    let _e278 = phi_501_;
+    let _e278 = phi_503_;
     let _e279 = (_e77 - 1u);
     let _e281 = (_e278 * f32(_e77));
     if _e81 {
         let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
         if (_e279 < _e288) {
-            phi_519_ = _e279;
+            phi_521_ = _e279;
         } else {
-            phi_519_ = _e288;
+            phi_521_ = _e288;
         }
-        let _e291 = phi_519_;
-        phi_558_ = texture_Axis(_e291, _e291, 0f);
+        let _e291 = phi_521_;
+        phi_560_ = texture_Axis(_e291, _e291, 0f);
     } else {
         let _e293 = (_e281 + 0.5f);
         let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
         if (_e77 < _e300) {
-            phi_533_ = _e77;
+            phi_535_ = _e77;
         } else {
-            phi_533_ = _e300;
+            phi_535_ = _e300;
         }
-        let _e303 = phi_533_;
+        let _e303 = phi_535_;
         if (_e206 == 0u) {
-            phi_540_ = _e279;
+            phi_542_ = _e279;
         } else {
-            phi_540_ = 0u;
+            phi_542_ = 0u;
         }
-        let _e308 = phi_540_;
+        let _e308 = phi_542_;
         if (_e206 == 0u) {
-            phi_545_ = 0u;
+            phi_547_ = 0u;
         } else {
-            phi_545_ = _e279;
+            phi_547_ = _e279;
         }
-        let _e311 = phi_545_;
+        let _e311 = phi_547_;
         if (_e303 == 0u) {
-            phi_551_ = _e308;
+            phi_553_ = _e308;
         } else {
-            phi_551_ = (_e303 - 1u);
+            phi_553_ = (_e303 - 1u);
         }
-        let _e315 = phi_551_;
+        let _e315 = phi_553_;
         if (_e303 > _e279) {
-            phi_556_ = _e311;
+            phi_558_ = _e311;
         } else {
-            phi_556_ = _e303;
+            phi_558_ = _e303;
         }
-        let _e318 = phi_556_;
-        phi_558_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+        let _e318 = phi_558_;
+        phi_560_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e321 = phi_558_;
+    let _e321 = phi_560_;
     let _e325 = (*param_4).offset;
     let _e332 = (*param_4).offset;
     let _e339 = (*param_4).offset;
@@ -584,228 +584,226 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_706_: f32;
-    var phi_738_: bool;
-    var phi_739_: bool;
+    var phi_708_: f32;
     var phi_740_: bool;
     var phi_741_: bool;
-    var phi_745_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
+    var phi_742_: bool;
+    var phi_743_: bool;
+    var phi_747_: bool;
     var phi_760_: bool;
     var phi_761_: bool;
-    var phi_765_: bool;
-    var phi_778_: bool;
-    var phi_779_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_767_: bool;
     var phi_780_: bool;
-    var phi_784_: bool;
-    var phi_785_: bool;
+    var phi_781_: bool;
+    var phi_782_: bool;
     var phi_786_: bool;
     var phi_787_: bool;
     var phi_788_: bool;
-    var phi_792_: bool;
-    var phi_862_: f32;
-    var phi_869_: f32;
-    var phi_876_: f32;
-    var phi_883_: f32;
-    var phi_890_: f32;
-    var phi_897_: f32;
-    var phi_914_: f32;
-    var phi_919_: f32;
-    var phi_924_: f32;
-    var phi_929_: f32;
-    var phi_934_: f32;
-    var phi_953_: u32;
-    var phi_958_: u32;
-    var phi_963_: u32;
-    var phi_1077_: bool;
-    var phi_1078_: bool;
-    var phi_1109_: u32;
+    var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_794_: bool;
+    var phi_864_: f32;
+    var phi_871_: f32;
+    var phi_878_: f32;
+    var phi_885_: f32;
+    var phi_892_: f32;
+    var phi_899_: f32;
+    var phi_916_: f32;
+    var phi_921_: f32;
+    var phi_926_: f32;
+    var phi_931_: f32;
+    var phi_936_: f32;
+    var phi_955_: u32;
+    var phi_960_: u32;
+    var phi_965_: u32;
+    var phi_1079_: bool;
+    var phi_1080_: bool;
     var phi_1111_: u32;
-    var phi_1114_: bool;
-    var phi_1194_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1221_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1248_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1254_: u32;
-    var phi_1257_: u32;
-    var phi_1271_: u32;
-    var phi_1281_: u32;
-    var phi_1291_: u32;
-    var phi_1309_: u32;
-    var phi_1319_: u32;
-    var phi_1329_: u32;
-    var phi_1365_: u32;
-    var phi_1378_: u32;
-    var phi_1383_: u32;
-    var phi_1384_: u32;
+    var phi_1113_: u32;
+    var phi_1116_: bool;
+    var phi_1196_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1223_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1250_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1256_: u32;
+    var phi_1259_: u32;
+    var phi_1273_: u32;
+    var phi_1283_: u32;
+    var phi_1293_: u32;
+    var phi_1311_: u32;
+    var phi_1321_: u32;
+    var phi_1331_: u32;
+    var phi_1367_: u32;
+    var phi_1380_: u32;
     var phi_1385_: u32;
-    var phi_1255_: u32;
-    var phi_1258_: u32;
+    var phi_1386_: u32;
+    var phi_1387_: u32;
+    var phi_1257_: u32;
+    var phi_1260_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1443_: u32;
-    var phi_1446_: bool;
-    var phi_1495_: f32;
-    var phi_1500_: f32;
-    var phi_1505_: f32;
-    var phi_1513_: f32;
-    var phi_1518_: f32;
-    var phi_1523_: f32;
-    var phi_1643_: bool;
-    var phi_1644_: bool;
+    var phi_1445_: u32;
+    var phi_1448_: bool;
+    var phi_1497_: f32;
+    var phi_1502_: f32;
+    var phi_1507_: f32;
+    var phi_1515_: f32;
+    var phi_1520_: f32;
+    var phi_1525_: f32;
     var phi_1645_: bool;
     var phi_1646_: bool;
-    var phi_1650_: bool;
-    var phi_1663_: bool;
-    var phi_1664_: bool;
+    var phi_1647_: bool;
+    var phi_1648_: bool;
+    var phi_1652_: bool;
     var phi_1665_: bool;
     var phi_1666_: bool;
-    var phi_1670_: bool;
-    var phi_1683_: bool;
-    var phi_1684_: bool;
+    var phi_1667_: bool;
+    var phi_1668_: bool;
+    var phi_1672_: bool;
     var phi_1685_: bool;
-    var phi_1689_: bool;
-    var phi_1690_: bool;
+    var phi_1686_: bool;
+    var phi_1687_: bool;
     var phi_1691_: bool;
     var phi_1692_: bool;
     var phi_1693_: bool;
-    var phi_1697_: bool;
-    var phi_1767_: f32;
-    var phi_1774_: f32;
-    var phi_1781_: f32;
-    var phi_1788_: f32;
-    var phi_1795_: f32;
-    var phi_1802_: f32;
-    var phi_1819_: f32;
-    var phi_1824_: f32;
-    var phi_1829_: f32;
-    var phi_1834_: f32;
-    var phi_1839_: f32;
-    var phi_1865_: bool;
-    var phi_1866_: bool;
-    var phi_1874_: u32;
-    var phi_1875_: u32;
-    var phi_1886_: vec3<f32>;
-    var phi_1887_: vec3<f32>;
-    var phi_1900_: u32;
-    var phi_1905_: u32;
-    var phi_1910_: u32;
-    var phi_2024_: bool;
-    var phi_2025_: bool;
-    var phi_2056_: u32;
+    var phi_1694_: bool;
+    var phi_1695_: bool;
+    var phi_1699_: bool;
+    var phi_1769_: f32;
+    var phi_1776_: f32;
+    var phi_1783_: f32;
+    var phi_1790_: f32;
+    var phi_1797_: f32;
+    var phi_1804_: f32;
+    var phi_1821_: f32;
+    var phi_1826_: f32;
+    var phi_1831_: f32;
+    var phi_1836_: f32;
+    var phi_1841_: f32;
+    var phi_1867_: bool;
+    var phi_1868_: bool;
+    var phi_1876_: u32;
+    var phi_1877_: u32;
+    var phi_1888_: vec3<f32>;
+    var phi_1889_: vec3<f32>;
+    var phi_1902_: u32;
+    var phi_1907_: u32;
+    var phi_1912_: u32;
+    var phi_2026_: bool;
+    var phi_2027_: bool;
     var phi_2058_: u32;
-    var phi_2061_: bool;
-    var phi_2141_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2168_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2195_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2201_: u32;
-    var phi_2204_: u32;
-    var phi_2218_: u32;
-    var phi_2228_: u32;
-    var phi_2238_: u32;
-    var phi_2256_: u32;
-    var phi_2266_: u32;
-    var phi_2276_: u32;
-    var phi_2312_: u32;
-    var phi_2325_: u32;
-    var phi_2330_: u32;
-    var phi_2331_: u32;
+    var phi_2060_: u32;
+    var phi_2063_: bool;
+    var phi_2143_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2170_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2197_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2203_: u32;
+    var phi_2206_: u32;
+    var phi_2220_: u32;
+    var phi_2230_: u32;
+    var phi_2240_: u32;
+    var phi_2258_: u32;
+    var phi_2268_: u32;
+    var phi_2278_: u32;
+    var phi_2314_: u32;
+    var phi_2327_: u32;
     var phi_2332_: u32;
-    var phi_2202_: u32;
-    var phi_2205_: u32;
+    var phi_2333_: u32;
+    var phi_2334_: u32;
+    var phi_2204_: u32;
+    var phi_2207_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2390_: u32;
-    var phi_2393_: bool;
-    var phi_2437_: vec3<f32>;
-    var phi_2438_: vec3<f32>;
-    var phi_2467_: vec3<f32>;
-    var phi_2468_: vec3<f32>;
-    var phi_2497_: vec3<f32>;
-    var phi_2498_: vec3<f32>;
-    var phi_2516_: bool;
-    var phi_2517_: bool;
-    var phi_2521_: f32;
-    var phi_2522_: f32;
+    var phi_2392_: u32;
+    var phi_2395_: bool;
+    var phi_2439_: vec3<f32>;
+    var phi_2440_: vec3<f32>;
+    var phi_2469_: vec3<f32>;
+    var phi_2470_: vec3<f32>;
+    var phi_2499_: vec3<f32>;
+    var phi_2500_: vec3<f32>;
+    var phi_2518_: bool;
+    var phi_2519_: bool;
     var phi_2523_: f32;
     var phi_2524_: f32;
-    var phi_2532_: f32;
-    var phi_2542_: bool;
-    var phi_2543_: bool;
-    var phi_2547_: f32;
-    var phi_2548_: f32;
+    var phi_2525_: f32;
+    var phi_2526_: f32;
+    var phi_2534_: f32;
+    var phi_2544_: bool;
+    var phi_2545_: bool;
     var phi_2549_: f32;
     var phi_2550_: f32;
-    var phi_2558_: f32;
-    var phi_2568_: bool;
-    var phi_2569_: bool;
-    var phi_2573_: f32;
-    var phi_2574_: f32;
+    var phi_2551_: f32;
+    var phi_2552_: f32;
+    var phi_2560_: f32;
+    var phi_2570_: bool;
+    var phi_2571_: bool;
     var phi_2575_: f32;
     var phi_2576_: f32;
-    var phi_2584_: f32;
-    var phi_2599_: f32;
-    var phi_2600_: bool;
+    var phi_2577_: f32;
+    var phi_2578_: f32;
+    var phi_2586_: f32;
     var phi_2601_: f32;
     var phi_2602_: bool;
     var phi_2603_: f32;
     var phi_2604_: bool;
-    var phi_2622_: f32;
-    var phi_2623_: bool;
-    var phi_2624_: bool;
-    var phi_2625_: f32;
+    var phi_2605_: f32;
+    var phi_2606_: bool;
+    var phi_2624_: f32;
+    var phi_2625_: bool;
     var phi_2626_: bool;
-    var phi_2627_: bool;
-    var phi_2631_: bool;
-    var phi_2632_: f32;
+    var phi_2627_: f32;
+    var phi_2628_: bool;
+    var phi_2629_: bool;
     var phi_2633_: bool;
-    var phi_2661_: vec3<f32>;
-    var phi_2662_: vec3<f32>;
-    var phi_2687_: vec3<f32>;
-    var phi_2688_: vec3<f32>;
-    var phi_2713_: vec3<f32>;
-    var phi_2714_: vec3<f32>;
-    var phi_2770_: f32;
-    var phi_2779_: f32;
-    var phi_2788_: f32;
-    var phi_2797_: f32;
-    var phi_2804_: f32;
-    var phi_2811_: f32;
-    var phi_2824_: f32;
-    var phi_2833_: f32;
-    var phi_2842_: f32;
-    var phi_2851_: f32;
-    var phi_2858_: f32;
-    var phi_2865_: f32;
-    var phi_2882_: f32;
-    var phi_2887_: f32;
-    var phi_2892_: f32;
-    var phi_2900_: f32;
-    var phi_2905_: f32;
-    var phi_2910_: f32;
-    var phi_2922_: f32;
-    var phi_2927_: f32;
-    var phi_2932_: f32;
-    var phi_2937_: f32;
-    var phi_2942_: lt_bvh_triangle_Intersection;
-    var phi_2943_: bool;
+    var phi_2634_: f32;
+    var phi_2635_: bool;
+    var phi_2663_: vec3<f32>;
+    var phi_2664_: vec3<f32>;
+    var phi_2689_: vec3<f32>;
+    var phi_2690_: vec3<f32>;
+    var phi_2715_: vec3<f32>;
+    var phi_2716_: vec3<f32>;
+    var phi_2772_: f32;
+    var phi_2781_: f32;
+    var phi_2790_: f32;
+    var phi_2799_: f32;
+    var phi_2806_: f32;
+    var phi_2813_: f32;
+    var phi_2826_: f32;
+    var phi_2835_: f32;
+    var phi_2844_: f32;
+    var phi_2853_: f32;
+    var phi_2860_: f32;
+    var phi_2867_: f32;
+    var phi_2884_: f32;
+    var phi_2889_: f32;
+    var phi_2894_: f32;
+    var phi_2902_: f32;
+    var phi_2907_: f32;
+    var phi_2912_: f32;
+    var phi_2924_: f32;
+    var phi_2929_: f32;
+    var phi_2934_: f32;
+    var phi_2939_: f32;
     var phi_2944_: lt_bvh_triangle_Intersection;
     var phi_2945_: bool;
-    var phi_2949_: lt_bvh_triangle_Intersection;
-    var phi_2950_: bool;
+    var phi_2946_: lt_bvh_triangle_Intersection;
+    var phi_2947_: bool;
     var phi_2951_: lt_bvh_triangle_Intersection;
     var phi_2952_: bool;
-    var phi_2953_: bool;
-    var phi_2957_: bool;
-    var phi_2961_: lt_bvh_triangle_Intersection;
-    var phi_3175_: f32;
-    var phi_3178_: bool;
-    var phi_3179_: bool;
+    var phi_2953_: lt_bvh_triangle_Intersection;
+    var phi_2954_: bool;
+    var phi_2955_: bool;
+    var phi_2959_: bool;
+    var phi_2963_: lt_bvh_triangle_Intersection;
+    var phi_3177_: f32;
     var phi_3180_: bool;
-    var phi_3184_: bool;
-    var phi_3185_: bool;
+    var phi_3181_: bool;
+    var phi_3182_: bool;
     var phi_3186_: bool;
     var phi_3187_: bool;
     var phi_3188_: bool;
@@ -814,60 +812,62 @@ fn function_() {
     var phi_3191_: bool;
     var phi_3192_: bool;
     var phi_3193_: bool;
-    var phi_2391_: u32;
-    var phi_2394_: bool;
-    var phi_3197_: bool;
-    var phi_3198_: bool;
+    var phi_3194_: bool;
+    var phi_3195_: bool;
+    var phi_2393_: u32;
+    var phi_2396_: bool;
+    var phi_3199_: bool;
+    var phi_3200_: bool;
     var local_9: bool;
-    var phi_3240_: bool;
-    var phi_3241_: bool;
-    var phi_3272_: u32;
-    var phi_3273_: u32;
-    var phi_2059_: u32;
-    var phi_2062_: bool;
-    var phi_3274_: bool;
-    var phi_3275_: bool;
+    var phi_3242_: bool;
+    var phi_3243_: bool;
+    var phi_3274_: u32;
+    var phi_3275_: u32;
+    var phi_2061_: u32;
+    var phi_2064_: bool;
     var phi_3276_: bool;
+    var phi_3277_: bool;
+    var phi_3278_: bool;
     var local_10: bool;
-    var phi_3280_: bool;
-    var phi_3284_: bool;
-    var phi_3285_: bool;
+    var phi_3282_: bool;
     var phi_3286_: bool;
     var phi_3287_: bool;
-    var phi_3291_: bool;
-    var phi_3295_: bool;
-    var phi_3296_: bool;
+    var phi_3288_: bool;
+    var phi_3289_: bool;
+    var phi_3293_: bool;
     var phi_3297_: bool;
     var phi_3298_: bool;
     var phi_3299_: bool;
     var phi_3300_: bool;
     var phi_3301_: bool;
-    var phi_1444_: u32;
-    var phi_1447_: bool;
-    var phi_3305_: bool;
+    var phi_3302_: bool;
+    var phi_3303_: bool;
+    var phi_1446_: u32;
+    var phi_1449_: bool;
+    var phi_3307_: bool;
     var local_11: bool;
-    var phi_3347_: bool;
-    var phi_3348_: bool;
-    var phi_3379_: u32;
-    var phi_3380_: u32;
-    var phi_1112_: u32;
-    var phi_1115_: bool;
-    var phi_3381_: bool;
-    var phi_3382_: bool;
+    var phi_3349_: bool;
+    var phi_3350_: bool;
+    var phi_3381_: u32;
+    var phi_3382_: u32;
+    var phi_1114_: u32;
+    var phi_1117_: bool;
+    var phi_3383_: bool;
+    var phi_3384_: bool;
     var local_12: bool;
-    var phi_3386_: bool;
-    var phi_3390_: bool;
-    var phi_3391_: bool;
+    var phi_3388_: bool;
     var phi_3392_: bool;
-    var phi_3396_: bool;
-    var phi_3397_: bool;
-    var phi_3401_: bool;
-    var phi_3405_: f32;
-    var phi_3446_: u32;
-    var phi_3465_: u32;
-    var phi_3473_: u32;
-    var phi_3481_: u32;
-    var phi_3486_: u32;
+    var phi_3393_: bool;
+    var phi_3394_: bool;
+    var phi_3398_: bool;
+    var phi_3399_: bool;
+    var phi_3403_: bool;
+    var phi_3407_: f32;
+    var phi_3448_: u32;
+    var phi_3467_: u32;
+    var phi_3475_: u32;
+    var phi_3483_: u32;
+    var phi_3488_: u32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -911,11 +911,11 @@ fn function_() {
         let _e141 = (_e123.z + (_e125.z * _e129));
         let _e143 = p.member.light.place;
         if (_e143.w == 0f) {
-            phi_706_ = 300000000000000000000000000000000000000f;
+            phi_708_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_706_ = 1f;
+            phi_708_ = 1f;
         }
-        let _e147 = phi_706_;
+        let _e147 = phi_708_;
         let _e155 = (_e143.x - (_e137 * _e143.w));
         let _e156 = (_e143.y - (_e139 * _e143.w));
         let _e157 = (_e143.z - (_e141 * _e143.w));
@@ -924,102 +924,102 @@ fn function_() {
         let _e160 = abs(_e157);
         if (abs(_e137) < 1000000000000000f) {
             if (abs(_e139) < 1000000000000000f) {
-                phi_738_ = (abs(_e141) < 1000000000000000f);
-                phi_739_ = false;
+                phi_740_ = (abs(_e141) < 1000000000000000f);
+                phi_741_ = false;
             } else {
-                phi_738_ = bool();
-                phi_739_ = true;
+                phi_740_ = bool();
+                phi_741_ = true;
             }
-            let _e168 = phi_738_;
-            let _e170 = phi_739_;
-            phi_740_ = _e168;
-            phi_741_ = _e170;
+            let _e168 = phi_740_;
+            let _e170 = phi_741_;
+            phi_742_ = _e168;
+            phi_743_ = _e170;
         } else {
-            phi_740_ = bool();
-            phi_741_ = true;
+            phi_742_ = bool();
+            phi_743_ = true;
         }
-        let _e172 = phi_740_;
-        let _e174 = phi_741_;
+        let _e172 = phi_742_;
+        let _e174 = phi_743_;
         if _e174 {
-            phi_745_ = false;
+            phi_747_ = false;
         } else {
-            phi_745_ = _e172;
+            phi_747_ = _e172;
         }
-        let _e176 = phi_745_;
+        let _e176 = phi_747_;
         if _e176 {
             if (_e158 < 1000000000000000f) {
                 if (_e159 < 1000000000000000f) {
-                    phi_758_ = (_e160 < 1000000000000000f);
-                    phi_759_ = false;
+                    phi_760_ = (_e160 < 1000000000000000f);
+                    phi_761_ = false;
                 } else {
-                    phi_758_ = bool();
-                    phi_759_ = true;
+                    phi_760_ = bool();
+                    phi_761_ = true;
                 }
-                let _e181 = phi_758_;
-                let _e183 = phi_759_;
-                phi_760_ = _e181;
-                phi_761_ = _e183;
+                let _e181 = phi_760_;
+                let _e183 = phi_761_;
+                phi_762_ = _e181;
+                phi_763_ = _e183;
             } else {
-                phi_760_ = bool();
-                phi_761_ = true;
+                phi_762_ = bool();
+                phi_763_ = true;
             }
-            let _e185 = phi_760_;
-            let _e187 = phi_761_;
+            let _e185 = phi_762_;
+            let _e187 = phi_763_;
             if _e187 {
-                phi_765_ = false;
+                phi_767_ = false;
             } else {
-                phi_765_ = _e185;
+                phi_767_ = _e185;
             }
-            let _e189 = phi_765_;
+            let _e189 = phi_767_;
             if _e189 {
                 if (_e158 > 0f) {
-                    phi_779_ = bool();
-                    phi_780_ = true;
+                    phi_781_ = bool();
+                    phi_782_ = true;
                 } else {
                     let _e191 = (_e159 > 0f);
                     if _e191 {
-                        phi_778_ = bool();
+                        phi_780_ = bool();
                     } else {
-                        phi_778_ = (_e160 > 0f);
+                        phi_780_ = (_e160 > 0f);
                     }
-                    let _e194 = phi_778_;
-                    phi_779_ = _e194;
-                    phi_780_ = _e191;
+                    let _e194 = phi_780_;
+                    phi_781_ = _e194;
+                    phi_782_ = _e191;
                 }
-                let _e196 = phi_779_;
-                let _e198 = phi_780_;
+                let _e196 = phi_781_;
+                let _e198 = phi_782_;
                 if _e198 {
-                    phi_784_ = true;
+                    phi_786_ = true;
                 } else {
-                    phi_784_ = _e196;
+                    phi_786_ = _e196;
                 }
-                let _e200 = phi_784_;
-                phi_785_ = _e200;
-                phi_786_ = false;
+                let _e200 = phi_786_;
+                phi_787_ = _e200;
+                phi_788_ = false;
             } else {
-                phi_785_ = bool();
-                phi_786_ = true;
+                phi_787_ = bool();
+                phi_788_ = true;
             }
-            let _e202 = phi_785_;
-            let _e204 = phi_786_;
-            phi_787_ = _e202;
-            phi_788_ = _e204;
+            let _e202 = phi_787_;
+            let _e204 = phi_788_;
+            phi_789_ = _e202;
+            phi_790_ = _e204;
         } else {
-            phi_787_ = bool();
-            phi_788_ = true;
+            phi_789_ = bool();
+            phi_790_ = true;
         }
-        let _e206 = phi_787_;
-        let _e208 = phi_788_;
+        let _e206 = phi_789_;
+        let _e208 = phi_790_;
         if _e208 {
-            phi_792_ = false;
+            phi_794_ = false;
         } else {
-            phi_792_ = _e206;
+            phi_794_ = _e206;
         }
-        let _e210 = phi_792_;
+        let _e210 = phi_794_;
         if _e210 {
             let _e211 = (_e117 >= _e78);
             if _e211 {
-                phi_3390_ = false;
+                phi_3392_ = false;
             } else {
                 if (_e117 < _e78) {
                 } else {
@@ -1036,41 +1036,41 @@ fn function_() {
                 let _e276 = core_intrinsics_maximum_number_nsz_f32_(_e275, abs(_e157));
                 let _e277 = (_e276 * 0.0000000000009094947f);
                 if (abs(_e155) < _e277) {
-                    phi_862_ = _e277;
+                    phi_864_ = _e277;
                 } else {
-                    phi_862_ = abs(_e155);
+                    phi_864_ = abs(_e155);
                 }
-                let _e282 = phi_862_;
+                let _e282 = phi_864_;
                 if (_e155 < 0f) {
-                    phi_869_ = (-1f / _e282);
+                    phi_871_ = (-1f / _e282);
                 } else {
-                    phi_869_ = (1f / _e282);
+                    phi_871_ = (1f / _e282);
                 }
-                let _e287 = phi_869_;
+                let _e287 = phi_871_;
                 if (abs(_e156) < _e277) {
-                    phi_876_ = _e277;
+                    phi_878_ = _e277;
                 } else {
-                    phi_876_ = abs(_e156);
+                    phi_878_ = abs(_e156);
                 }
-                let _e292 = phi_876_;
+                let _e292 = phi_878_;
                 if (_e156 < 0f) {
-                    phi_883_ = (-1f / _e292);
+                    phi_885_ = (-1f / _e292);
                 } else {
-                    phi_883_ = (1f / _e292);
+                    phi_885_ = (1f / _e292);
                 }
-                let _e297 = phi_883_;
+                let _e297 = phi_885_;
                 if (abs(_e157) < _e277) {
-                    phi_890_ = _e277;
+                    phi_892_ = _e277;
                 } else {
-                    phi_890_ = abs(_e157);
+                    phi_892_ = abs(_e157);
                 }
-                let _e302 = phi_890_;
+                let _e302 = phi_892_;
                 if (_e157 < 0f) {
-                    phi_897_ = (-1f / _e302);
+                    phi_899_ = (-1f / _e302);
                 } else {
-                    phi_897_ = (1f / _e302);
+                    phi_899_ = (1f / _e302);
                 }
-                let _e307 = phi_897_;
+                let _e307 = phi_899_;
                 let _e311 = abs((bitcast<f32>(_e217) - _e137));
                 let _e312 = abs((bitcast<f32>(_e221) - _e139));
                 let _e313 = abs((bitcast<f32>(_e225) - _e141));
@@ -1078,35 +1078,35 @@ fn function_() {
                 let _e318 = abs(((bitcast<f32>(_e233) + (bitcast<f32>((((_e241 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e139));
                 let _e319 = abs(((bitcast<f32>(_e237) + (bitcast<f32>((((_e241 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e141));
                 if (_e311 > _e317) {
-                    phi_914_ = _e311;
+                    phi_916_ = _e311;
                 } else {
-                    phi_914_ = _e317;
+                    phi_916_ = _e317;
                 }
-                let _e322 = phi_914_;
+                let _e322 = phi_916_;
                 if (_e312 > _e318) {
-                    phi_919_ = _e312;
+                    phi_921_ = _e312;
                 } else {
-                    phi_919_ = _e318;
+                    phi_921_ = _e318;
                 }
-                let _e325 = phi_919_;
+                let _e325 = phi_921_;
                 if (_e313 > _e319) {
-                    phi_924_ = _e313;
+                    phi_926_ = _e313;
                 } else {
-                    phi_924_ = _e319;
+                    phi_926_ = _e319;
                 }
-                let _e328 = phi_924_;
+                let _e328 = phi_926_;
                 if (_e322 > _e325) {
-                    phi_929_ = _e322;
+                    phi_931_ = _e322;
                 } else {
-                    phi_929_ = _e325;
+                    phi_931_ = _e325;
                 }
-                let _e331 = phi_929_;
+                let _e331 = phi_931_;
                 if (_e331 > _e328) {
-                    phi_934_ = _e331;
+                    phi_936_ = _e331;
                 } else {
-                    phi_934_ = _e328;
+                    phi_936_ = _e328;
                 }
-                let _e334 = phi_934_;
+                let _e334 = phi_936_;
                 let _e338 = (_e334 * 0.0000019073486f);
                 let _e339 = (abs(_e287) * _e338);
                 let _e340 = (abs(_e297) * _e338);
@@ -1116,23 +1116,23 @@ fn function_() {
                 let _e347 = (abs(_e297) * _e345);
                 let _e348 = (abs(_e307) * _e345);
                 if (_e287 < 0f) {
-                    phi_953_ = 0u;
+                    phi_955_ = 0u;
                 } else {
-                    phi_953_ = 1u;
+                    phi_955_ = 1u;
                 }
-                let _e351 = phi_953_;
+                let _e351 = phi_955_;
                 if (_e297 < 0f) {
-                    phi_958_ = 0u;
+                    phi_960_ = 0u;
                 } else {
-                    phi_958_ = 2u;
+                    phi_960_ = 2u;
                 }
-                let _e354 = phi_958_;
+                let _e354 = phi_960_;
                 if (_e307 < 0f) {
-                    phi_963_ = 0u;
+                    phi_965_ = 0u;
                 } else {
-                    phi_963_ = 4u;
+                    phi_965_ = 4u;
                 }
-                let _e357 = phi_963_;
+                let _e357 = phi_965_;
                 let _e359 = ((_e351 | _e354) | _e357);
                 let _e360 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e117, 2147483648u);
                 local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e360.first[0], _e360.first[1], _e360.first[2], _e360.first[3], _e360.first[4], _e360.first[5], _e360.first[6], _e360.first[7], _e360.first[8], _e360.first[9], _e360.first[10], _e360.first[11], _e360.first[12], _e360.first[13], _e360.first[14], _e360.first[15], _e360.first[16], _e360.first[17], _e360.first[18], _e360.first[19], _e360.first[20], _e360.first[21], _e360.first[22], _e360.first[23], _e360.first[24], _e360.first[25], _e360.first[26], _e360.first[27], _e360.first[28], _e360.first[29], _e360.first[30], _e360.first[31]), array<u32, 32>(_e360.mask[0], _e360.mask[1], _e360.mask[2], _e360.mask[3], _e360.mask[4], _e360.mask[5], _e360.mask[6], _e360.mask[7], _e360.mask[8], _e360.mask[9], _e360.mask[10], _e360.mask[11], _e360.mask[12], _e360.mask[13], _e360.mask[14], _e360.mask[15], _e360.mask[16], _e360.mask[17], _e360.mask[18], _e360.mask[19], _e360.mask[20], _e360.mask[21], _e360.mask[22], _e360.mask[23], _e360.mask[24], _e360.mask[25], _e360.mask[26], _e360.mask[27], _e360.mask[28], _e360.mask[29], _e360.mask[30], _e360.mask[31]), _e360.len, _e360.group, _e360.group_mask);
@@ -1140,7 +1140,7 @@ fn function_() {
                 if ((_e434 & 4278190080u) == 0u) {
                     let _e438 = local_2.len;
                     if (_e438 == 0u) {
-                        phi_1077_ = false;
+                        phi_1079_ = false;
                     } else {
                         let _e442 = local_2.len;
                         local_2.len = (_e442 - 1u);
@@ -1158,14 +1158,14 @@ fn function_() {
                         }
                         let _e458 = local_2.mask[(0u + _e453)];
                         local_2.group_mask = _e458;
-                        phi_1077_ = true;
+                        phi_1079_ = true;
                     }
-                    let _e461 = phi_1077_;
-                    phi_1078_ = _e461;
+                    let _e461 = phi_1079_;
+                    phi_1080_ = _e461;
                 } else {
-                    phi_1078_ = true;
+                    phi_1080_ = true;
                 }
-                let _e463 = phi_1078_;
+                let _e463 = phi_1080_;
                 if _e463 {
                     let _e465 = local_2.group_mask;
                     let _e471 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e465)), 32u, (_e465 == 0u)));
@@ -1173,16 +1173,16 @@ fn function_() {
                     let _e489 = local_2.group_mask;
                     local_2.group_mask = (_e489 & ~((1u << bitcast<u32>((_e471 & 31u)))));
                     let _e492 = local_2.group;
-                    phi_1109_ = (_e492 + countOneBits(((_e475 & ~((4294967295u << bitcast<u32>((((_e471 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    phi_1111_ = (_e492 + countOneBits(((_e475 & ~((4294967295u << bitcast<u32>((((_e471 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1109_ = 4294967295u;
+                    phi_1111_ = 4294967295u;
                 }
-                let _e495 = phi_1109_;
-                phi_1111_ = _e495;
-                phi_1114_ = false;
+                let _e495 = phi_1111_;
+                phi_1113_ = _e495;
+                phi_1116_ = false;
                 loop {
-                    let _e497 = phi_1111_;
-                    let _e499 = phi_1114_;
+                    let _e497 = phi_1113_;
+                    let _e499 = phi_1116_;
                     if (_e497 != 4294967295u) {
                         if (_e497 < _e78) {
                         } else {
@@ -1203,45 +1203,45 @@ fn function_() {
                             let _e570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e559.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e570.unnamed.word, _e559.w), _e570.unnamed_1);
                             let _e582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e576.unnamed, lt_mask_LightPlace(_e559.x, _e576.unnamed_1.shift));
-                            phi_1194_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_mask_LightPlace(_e582.unnamed_1.word, _e559.y));
+                            phi_1196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_mask_LightPlace(_e582.unnamed_1.word, _e559.y));
                         } else {
                             let _e598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e559.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e598.unnamed.word, _e559.y), _e598.unnamed_1);
                             let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e604.unnamed, lt_mask_LightPlace(_e559.z, _e604.unnamed_1.shift));
-                            phi_1194_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_mask_LightPlace(_e610.unnamed_1.word, _e559.w));
+                            phi_1196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_mask_LightPlace(_e610.unnamed_1.word, _e559.w));
                         }
-                        let _e618 = phi_1194_;
+                        let _e618 = phi_1196_;
                         let _e628 = nodes.member[(0u + _e497)].y;
                         if (_e297 < 0f) {
                             let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e639.unnamed.word, _e628.w), _e639.unnamed_1);
                             let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e628.x, _e645.unnamed_1.shift));
-                            phi_1221_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_mask_LightPlace(_e651.unnamed_1.word, _e628.y));
+                            phi_1223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_mask_LightPlace(_e651.unnamed_1.word, _e628.y));
                         } else {
                             let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.unnamed.word, _e628.y), _e667.unnamed_1);
                             let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_mask_LightPlace(_e628.z, _e673.unnamed_1.shift));
-                            phi_1221_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e679.unnamed_1.word, _e628.w));
+                            phi_1223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e679.unnamed_1.word, _e628.w));
                         }
-                        let _e687 = phi_1221_;
+                        let _e687 = phi_1223_;
                         let _e697 = nodes.member[(0u + _e497)].z;
                         if (_e307 < 0f) {
                             let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e708.unnamed.word, _e697.w), _e708.unnamed_1);
                             let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e697.x, _e714.unnamed_1.shift));
-                            phi_1248_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_mask_LightPlace(_e720.unnamed_1.word, _e697.y));
+                            phi_1250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_mask_LightPlace(_e720.unnamed_1.word, _e697.y));
                         } else {
                             let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e736.unnamed.word, _e697.y), _e736.unnamed_1);
                             let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_mask_LightPlace(_e697.z, _e742.unnamed_1.shift));
-                            phi_1248_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e748.unnamed_1.word, _e697.w));
+                            phi_1250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e748.unnamed_1.word, _e697.w));
                         }
-                        let _e756 = phi_1248_;
-                        phi_1254_ = 0u;
-                        phi_1257_ = 0u;
+                        let _e756 = phi_1250_;
+                        phi_1256_ = 0u;
+                        phi_1259_ = 0u;
                         loop {
-                            let _e766 = phi_1254_;
-                            let _e768 = phi_1257_;
+                            let _e766 = phi_1256_;
+                            let _e768 = phi_1259_;
                             local_3 = _e768;
                             local_4 = _e768;
                             local_5 = _e768;
@@ -1250,43 +1250,43 @@ fn function_() {
                                 let _e771 = (_e766 >> bitcast<u32>(2i));
                                 let _e772 = (_e766 & 3u);
                                 if (_e771 == 0u) {
-                                    phi_1271_ = _e618.unnamed.word;
+                                    phi_1273_ = _e618.unnamed.word;
                                 } else {
-                                    phi_1271_ = _e618.unnamed.shift;
+                                    phi_1273_ = _e618.unnamed.shift;
                                 }
-                                let _e775 = phi_1271_;
+                                let _e775 = phi_1273_;
                                 if (_e771 == 0u) {
-                                    phi_1281_ = _e687.unnamed.word;
+                                    phi_1283_ = _e687.unnamed.word;
                                 } else {
-                                    phi_1281_ = _e687.unnamed.shift;
+                                    phi_1283_ = _e687.unnamed.shift;
                                 }
-                                let _e784 = phi_1281_;
+                                let _e784 = phi_1283_;
                                 if (_e771 == 0u) {
-                                    phi_1291_ = _e756.unnamed.word;
+                                    phi_1293_ = _e756.unnamed.word;
                                 } else {
-                                    phi_1291_ = _e756.unnamed.shift;
+                                    phi_1293_ = _e756.unnamed.shift;
                                 }
-                                let _e793 = phi_1291_;
+                                let _e793 = phi_1293_;
                                 let _e806 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e775 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e339)), ((f32(((_e784 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e340)));
                                 let _e807 = core_intrinsics_maximum_number_nsz_f32_(_e806, ((f32(((_e793 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e341)));
                                 if (_e771 == 0u) {
-                                    phi_1309_ = _e618.unnamed_1.word;
+                                    phi_1311_ = _e618.unnamed_1.word;
                                 } else {
-                                    phi_1309_ = _e618.unnamed_1.shift;
+                                    phi_1311_ = _e618.unnamed_1.shift;
                                 }
-                                let _e810 = phi_1309_;
+                                let _e810 = phi_1311_;
                                 if (_e771 == 0u) {
-                                    phi_1319_ = _e687.unnamed_1.word;
+                                    phi_1321_ = _e687.unnamed_1.word;
                                 } else {
-                                    phi_1319_ = _e687.unnamed_1.shift;
+                                    phi_1321_ = _e687.unnamed_1.shift;
                                 }
-                                let _e819 = phi_1319_;
+                                let _e819 = phi_1321_;
                                 if (_e771 == 0u) {
-                                    phi_1329_ = _e756.unnamed_1.word;
+                                    phi_1331_ = _e756.unnamed_1.word;
                                 } else {
-                                    phi_1329_ = _e756.unnamed_1.shift;
+                                    phi_1331_ = _e756.unnamed_1.shift;
                                 }
-                                let _e828 = phi_1329_;
+                                let _e828 = phi_1331_;
                                 let _e841 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e810 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e339)), ((f32(((_e819 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e340)));
                                 let _e842 = core_intrinsics_minimum_number_nsz_f32_(_e841, ((f32(((_e828 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e341)));
                                 if (_e807 <= _e842) {
@@ -1294,47 +1294,47 @@ fn function_() {
                                         if (_e842 >= 0f) {
                                             if (_e771 == 0u) {
                                                 let _e849 = nodes.member[(0u + _e497)].links[2u];
-                                                phi_1365_ = _e849;
+                                                phi_1367_ = _e849;
                                             } else {
                                                 let _e852 = nodes.member[(0u + _e497)].links[3u];
-                                                phi_1365_ = _e852;
+                                                phi_1367_ = _e852;
                                             }
-                                            let _e854 = phi_1365_;
+                                            let _e854 = phi_1367_;
                                             let _e859 = ((_e854 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u);
                                             let _e860 = (_e859 & 31u);
                                             if (_e860 >= 24u) {
-                                                phi_1378_ = (24u + ((_e860 - 24u) ^ _e359));
+                                                phi_1380_ = (24u + ((_e860 - 24u) ^ _e359));
                                             } else {
-                                                phi_1378_ = _e860;
+                                                phi_1380_ = _e860;
                                             }
-                                            let _e866 = phi_1378_;
-                                            phi_1383_ = (_e768 | ((_e859 >> bitcast<u32>(5i)) << bitcast<u32>((_e866 & 31u))));
+                                            let _e866 = phi_1380_;
+                                            phi_1385_ = (_e768 | ((_e859 >> bitcast<u32>(5i)) << bitcast<u32>((_e866 & 31u))));
                                         } else {
-                                            phi_1383_ = _e768;
+                                            phi_1385_ = _e768;
                                         }
-                                        let _e874 = phi_1383_;
-                                        phi_1384_ = _e874;
+                                        let _e874 = phi_1385_;
+                                        phi_1386_ = _e874;
                                     } else {
-                                        phi_1384_ = _e768;
+                                        phi_1386_ = _e768;
                                     }
-                                    let _e876 = phi_1384_;
-                                    phi_1385_ = _e876;
+                                    let _e876 = phi_1386_;
+                                    phi_1387_ = _e876;
                                 } else {
-                                    phi_1385_ = _e768;
+                                    phi_1387_ = _e768;
                                 }
-                                let _e878 = phi_1385_;
-                                phi_1255_ = (_e766 + 1u);
-                                phi_1258_ = _e878;
+                                let _e878 = phi_1387_;
+                                phi_1257_ = (_e766 + 1u);
+                                phi_1260_ = _e878;
                             } else {
-                                phi_1255_ = u32();
-                                phi_1258_ = u32();
+                                phi_1257_ = u32();
+                                phi_1260_ = u32();
                             }
-                            let _e881 = phi_1255_;
-                            let _e883 = phi_1258_;
+                            let _e881 = phi_1257_;
+                            let _e883 = phi_1260_;
                             continue;
                             continuing {
-                                phi_1254_ = _e881;
-                                phi_1257_ = _e883;
+                                phi_1256_ = _e881;
+                                phi_1259_ = _e883;
                                 break if !(_e769);
                             }
                         }
@@ -1371,19 +1371,19 @@ fn function_() {
                             local_2.group_mask = ((_e927 & 4278190080u) | (_e891 >> bitcast<u32>(24i)));
                         }
                         let _e932 = local_5;
-                        phi_1443_ = (_e932 & 16777215u);
-                        phi_1446_ = _e499;
+                        phi_1445_ = (_e932 & 16777215u);
+                        phi_1448_ = _e499;
                         loop {
-                            let _e935 = phi_1443_;
-                            let _e937 = phi_1446_;
+                            let _e935 = phi_1445_;
+                            let _e937 = phi_1448_;
                             local_18 = _e937;
                             let _e938 = (_e935 == 0u);
                             local_11 = _e938;
                             local_19 = _e938;
                             if _e938 {
-                                phi_1444_ = u32();
-                                phi_1447_ = bool();
-                                phi_3305_ = false;
+                                phi_1446_ = u32();
+                                phi_1449_ = bool();
+                                phi_3307_ = false;
                             } else {
                                 let _e941 = nodes.member[(0u + _e497)].links[1u];
                                 let _e945 = (_e941 + select(firstTrailingBit(_e935), 32u, (_e935 == 0u)));
@@ -1400,41 +1400,41 @@ fn function_() {
                                 let _e971 = ((_e954.y - _e139) * _e297);
                                 let _e972 = ((_e954.z - _e141) * _e307);
                                 if (_e961 < _e970) {
-                                    phi_1495_ = _e961;
+                                    phi_1497_ = _e961;
                                 } else {
-                                    phi_1495_ = _e970;
+                                    phi_1497_ = _e970;
                                 }
-                                let _e975 = phi_1495_;
+                                let _e975 = phi_1497_;
                                 if (_e962 < _e971) {
-                                    phi_1500_ = _e962;
+                                    phi_1502_ = _e962;
                                 } else {
-                                    phi_1500_ = _e971;
+                                    phi_1502_ = _e971;
                                 }
-                                let _e978 = phi_1500_;
+                                let _e978 = phi_1502_;
                                 if (_e963 < _e972) {
-                                    phi_1505_ = _e963;
+                                    phi_1507_ = _e963;
                                 } else {
-                                    phi_1505_ = _e972;
+                                    phi_1507_ = _e972;
                                 }
-                                let _e981 = phi_1505_;
+                                let _e981 = phi_1507_;
                                 if (_e961 > _e970) {
-                                    phi_1513_ = _e961;
+                                    phi_1515_ = _e961;
                                 } else {
-                                    phi_1513_ = _e970;
+                                    phi_1515_ = _e970;
                                 }
-                                let _e987 = phi_1513_;
+                                let _e987 = phi_1515_;
                                 if (_e962 > _e971) {
-                                    phi_1518_ = _e962;
+                                    phi_1520_ = _e962;
                                 } else {
-                                    phi_1518_ = _e971;
+                                    phi_1520_ = _e971;
                                 }
-                                let _e990 = phi_1518_;
+                                let _e990 = phi_1520_;
                                 if (_e963 > _e972) {
-                                    phi_1523_ = _e963;
+                                    phi_1525_ = _e963;
                                 } else {
-                                    phi_1523_ = _e972;
+                                    phi_1525_ = _e972;
                                 }
-                                let _e993 = phi_1523_;
+                                let _e993 = phi_1525_;
                                 let _e997 = core_intrinsics_maximum_number_nsz_f32_((_e975 - _e346), (_e978 - _e347));
                                 let _e998 = core_intrinsics_maximum_number_nsz_f32_(_e997, (_e981 - _e348));
                                 let _e999 = core_intrinsics_minimum_number_nsz_f32_((_e987 + _e346), (_e990 + _e347));
@@ -1461,102 +1461,102 @@ fn function_() {
                                             let _e1091 = abs(_e1083);
                                             if (abs(_e1017) < 1000000000000000f) {
                                                 if (abs(_e1030) < 1000000000000000f) {
-                                                    phi_1643_ = (abs(_e1043) < 1000000000000000f);
-                                                    phi_1644_ = false;
+                                                    phi_1645_ = (abs(_e1043) < 1000000000000000f);
+                                                    phi_1646_ = false;
                                                 } else {
-                                                    phi_1643_ = bool();
-                                                    phi_1644_ = true;
+                                                    phi_1645_ = bool();
+                                                    phi_1646_ = true;
                                                 }
-                                                let _e1099 = phi_1643_;
-                                                let _e1101 = phi_1644_;
-                                                phi_1645_ = _e1099;
-                                                phi_1646_ = _e1101;
+                                                let _e1099 = phi_1645_;
+                                                let _e1101 = phi_1646_;
+                                                phi_1647_ = _e1099;
+                                                phi_1648_ = _e1101;
                                             } else {
-                                                phi_1645_ = bool();
-                                                phi_1646_ = true;
+                                                phi_1647_ = bool();
+                                                phi_1648_ = true;
                                             }
-                                            let _e1103 = phi_1645_;
-                                            let _e1105 = phi_1646_;
+                                            let _e1103 = phi_1647_;
+                                            let _e1105 = phi_1648_;
                                             if _e1105 {
-                                                phi_1650_ = false;
+                                                phi_1652_ = false;
                                             } else {
-                                                phi_1650_ = _e1103;
+                                                phi_1652_ = _e1103;
                                             }
-                                            let _e1107 = phi_1650_;
+                                            let _e1107 = phi_1652_;
                                             if _e1107 {
                                                 if (_e1089 < 1000000000000000f) {
                                                     if (_e1090 < 1000000000000000f) {
-                                                        phi_1663_ = (_e1091 < 1000000000000000f);
-                                                        phi_1664_ = false;
+                                                        phi_1665_ = (_e1091 < 1000000000000000f);
+                                                        phi_1666_ = false;
                                                     } else {
-                                                        phi_1663_ = bool();
-                                                        phi_1664_ = true;
+                                                        phi_1665_ = bool();
+                                                        phi_1666_ = true;
                                                     }
-                                                    let _e1112 = phi_1663_;
-                                                    let _e1114 = phi_1664_;
-                                                    phi_1665_ = _e1112;
-                                                    phi_1666_ = _e1114;
+                                                    let _e1112 = phi_1665_;
+                                                    let _e1114 = phi_1666_;
+                                                    phi_1667_ = _e1112;
+                                                    phi_1668_ = _e1114;
                                                 } else {
-                                                    phi_1665_ = bool();
-                                                    phi_1666_ = true;
+                                                    phi_1667_ = bool();
+                                                    phi_1668_ = true;
                                                 }
-                                                let _e1116 = phi_1665_;
-                                                let _e1118 = phi_1666_;
+                                                let _e1116 = phi_1667_;
+                                                let _e1118 = phi_1668_;
                                                 if _e1118 {
-                                                    phi_1670_ = false;
+                                                    phi_1672_ = false;
                                                 } else {
-                                                    phi_1670_ = _e1116;
+                                                    phi_1672_ = _e1116;
                                                 }
-                                                let _e1120 = phi_1670_;
+                                                let _e1120 = phi_1672_;
                                                 if _e1120 {
                                                     if (_e1089 > 0f) {
-                                                        phi_1684_ = bool();
-                                                        phi_1685_ = true;
+                                                        phi_1686_ = bool();
+                                                        phi_1687_ = true;
                                                     } else {
                                                         let _e1122 = (_e1090 > 0f);
                                                         if _e1122 {
-                                                            phi_1683_ = bool();
+                                                            phi_1685_ = bool();
                                                         } else {
-                                                            phi_1683_ = (_e1091 > 0f);
+                                                            phi_1685_ = (_e1091 > 0f);
                                                         }
-                                                        let _e1125 = phi_1683_;
-                                                        phi_1684_ = _e1125;
-                                                        phi_1685_ = _e1122;
+                                                        let _e1125 = phi_1685_;
+                                                        phi_1686_ = _e1125;
+                                                        phi_1687_ = _e1122;
                                                     }
-                                                    let _e1127 = phi_1684_;
-                                                    let _e1129 = phi_1685_;
+                                                    let _e1127 = phi_1686_;
+                                                    let _e1129 = phi_1687_;
                                                     if _e1129 {
-                                                        phi_1689_ = true;
+                                                        phi_1691_ = true;
                                                     } else {
-                                                        phi_1689_ = _e1127;
+                                                        phi_1691_ = _e1127;
                                                     }
-                                                    let _e1131 = phi_1689_;
-                                                    phi_1690_ = _e1131;
-                                                    phi_1691_ = false;
+                                                    let _e1131 = phi_1691_;
+                                                    phi_1692_ = _e1131;
+                                                    phi_1693_ = false;
                                                 } else {
-                                                    phi_1690_ = bool();
-                                                    phi_1691_ = true;
+                                                    phi_1692_ = bool();
+                                                    phi_1693_ = true;
                                                 }
-                                                let _e1133 = phi_1690_;
-                                                let _e1135 = phi_1691_;
-                                                phi_1692_ = _e1133;
-                                                phi_1693_ = _e1135;
+                                                let _e1133 = phi_1692_;
+                                                let _e1135 = phi_1693_;
+                                                phi_1694_ = _e1133;
+                                                phi_1695_ = _e1135;
                                             } else {
-                                                phi_1692_ = bool();
-                                                phi_1693_ = true;
+                                                phi_1694_ = bool();
+                                                phi_1695_ = true;
                                             }
-                                            let _e1137 = phi_1692_;
-                                            let _e1139 = phi_1693_;
+                                            let _e1137 = phi_1694_;
+                                            let _e1139 = phi_1695_;
                                             if _e1139 {
-                                                phi_1697_ = false;
+                                                phi_1699_ = false;
                                             } else {
-                                                phi_1697_ = _e1137;
+                                                phi_1699_ = _e1137;
                                             }
-                                            let _e1141 = phi_1697_;
+                                            let _e1141 = phi_1699_;
                                             if _e1141 {
                                                 let _e1142 = (_e1086 >= _e78);
                                                 if _e1142 {
-                                                    phi_3285_ = bool();
+                                                    phi_3287_ = bool();
                                                 } else {
                                                     if (_e1086 < _e78) {
                                                     } else {
@@ -1573,41 +1573,41 @@ fn function_() {
                                                     let _e1207 = core_intrinsics_maximum_number_nsz_f32_(_e1206, abs(_e1083));
                                                     let _e1208 = (_e1207 * 0.0000000000009094947f);
                                                     if (abs(_e1057) < _e1208) {
-                                                        phi_1767_ = _e1208;
+                                                        phi_1769_ = _e1208;
                                                     } else {
-                                                        phi_1767_ = abs(_e1057);
+                                                        phi_1769_ = abs(_e1057);
                                                     }
-                                                    let _e1213 = phi_1767_;
+                                                    let _e1213 = phi_1769_;
                                                     if (_e1057 < 0f) {
-                                                        phi_1774_ = (-1f / _e1213);
+                                                        phi_1776_ = (-1f / _e1213);
                                                     } else {
-                                                        phi_1774_ = (1f / _e1213);
+                                                        phi_1776_ = (1f / _e1213);
                                                     }
-                                                    let _e1218 = phi_1774_;
+                                                    let _e1218 = phi_1776_;
                                                     if (abs(_e1070) < _e1208) {
-                                                        phi_1781_ = _e1208;
+                                                        phi_1783_ = _e1208;
                                                     } else {
-                                                        phi_1781_ = abs(_e1070);
+                                                        phi_1783_ = abs(_e1070);
                                                     }
-                                                    let _e1223 = phi_1781_;
+                                                    let _e1223 = phi_1783_;
                                                     if (_e1070 < 0f) {
-                                                        phi_1788_ = (-1f / _e1223);
+                                                        phi_1790_ = (-1f / _e1223);
                                                     } else {
-                                                        phi_1788_ = (1f / _e1223);
+                                                        phi_1790_ = (1f / _e1223);
                                                     }
-                                                    let _e1228 = phi_1788_;
+                                                    let _e1228 = phi_1790_;
                                                     if (abs(_e1083) < _e1208) {
-                                                        phi_1795_ = _e1208;
+                                                        phi_1797_ = _e1208;
                                                     } else {
-                                                        phi_1795_ = abs(_e1083);
+                                                        phi_1797_ = abs(_e1083);
                                                     }
-                                                    let _e1233 = phi_1795_;
+                                                    let _e1233 = phi_1797_;
                                                     if (_e1083 < 0f) {
-                                                        phi_1802_ = (-1f / _e1233);
+                                                        phi_1804_ = (-1f / _e1233);
                                                     } else {
-                                                        phi_1802_ = (1f / _e1233);
+                                                        phi_1804_ = (1f / _e1233);
                                                     }
-                                                    let _e1238 = phi_1802_;
+                                                    let _e1238 = phi_1804_;
                                                     let _e1242 = abs((bitcast<f32>(_e1148) - _e1017));
                                                     let _e1243 = abs((bitcast<f32>(_e1152) - _e1030));
                                                     let _e1244 = abs((bitcast<f32>(_e1156) - _e1043));
@@ -1615,35 +1615,35 @@ fn function_() {
                                                     let _e1249 = abs(((bitcast<f32>(_e1164) + (bitcast<f32>((((_e1172 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1030));
                                                     let _e1250 = abs(((bitcast<f32>(_e1168) + (bitcast<f32>((((_e1172 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1043));
                                                     if (_e1242 > _e1248) {
-                                                        phi_1819_ = _e1242;
+                                                        phi_1821_ = _e1242;
                                                     } else {
-                                                        phi_1819_ = _e1248;
+                                                        phi_1821_ = _e1248;
                                                     }
-                                                    let _e1253 = phi_1819_;
+                                                    let _e1253 = phi_1821_;
                                                     if (_e1243 > _e1249) {
-                                                        phi_1824_ = _e1243;
+                                                        phi_1826_ = _e1243;
                                                     } else {
-                                                        phi_1824_ = _e1249;
+                                                        phi_1826_ = _e1249;
                                                     }
-                                                    let _e1256 = phi_1824_;
+                                                    let _e1256 = phi_1826_;
                                                     if (_e1244 > _e1250) {
-                                                        phi_1829_ = _e1244;
+                                                        phi_1831_ = _e1244;
                                                     } else {
-                                                        phi_1829_ = _e1250;
+                                                        phi_1831_ = _e1250;
                                                     }
-                                                    let _e1259 = phi_1829_;
+                                                    let _e1259 = phi_1831_;
                                                     if (_e1253 > _e1256) {
-                                                        phi_1834_ = _e1253;
+                                                        phi_1836_ = _e1253;
                                                     } else {
-                                                        phi_1834_ = _e1256;
+                                                        phi_1836_ = _e1256;
                                                     }
-                                                    let _e1262 = phi_1834_;
+                                                    let _e1262 = phi_1836_;
                                                     if (_e1262 > _e1259) {
-                                                        phi_1839_ = _e1262;
+                                                        phi_1841_ = _e1262;
                                                     } else {
-                                                        phi_1839_ = _e1259;
+                                                        phi_1841_ = _e1259;
                                                     }
-                                                    let _e1265 = phi_1839_;
+                                                    let _e1265 = phi_1841_;
                                                     let _e1269 = (_e1265 * 0.0000019073486f);
                                                     let _e1270 = (abs(_e1218) * _e1269);
                                                     let _e1271 = (abs(_e1228) * _e1269);
@@ -1657,60 +1657,60 @@ fn function_() {
                                                     let _e1282 = abs(_e1083);
                                                     if (_e1280 >= _e1281) {
                                                         if (_e1280 >= _e1282) {
-                                                            phi_1865_ = false;
+                                                            phi_1867_ = false;
                                                         } else {
-                                                            phi_1865_ = true;
+                                                            phi_1867_ = true;
                                                         }
-                                                        let _e1286 = phi_1865_;
-                                                        phi_1866_ = _e1286;
+                                                        let _e1286 = phi_1867_;
+                                                        phi_1868_ = _e1286;
                                                     } else {
-                                                        phi_1866_ = true;
+                                                        phi_1868_ = true;
                                                     }
-                                                    let _e1288 = phi_1866_;
+                                                    let _e1288 = phi_1868_;
                                                     if _e1288 {
                                                         if (_e1281 >= _e1282) {
-                                                            phi_1874_ = 1u;
+                                                            phi_1876_ = 1u;
                                                         } else {
-                                                            phi_1874_ = 2u;
+                                                            phi_1876_ = 2u;
                                                         }
-                                                        let _e1291 = phi_1874_;
-                                                        phi_1875_ = _e1291;
+                                                        let _e1291 = phi_1876_;
+                                                        phi_1877_ = _e1291;
                                                     } else {
-                                                        phi_1875_ = 0u;
+                                                        phi_1877_ = 0u;
                                                     }
-                                                    let _e1293 = phi_1875_;
+                                                    let _e1293 = phi_1877_;
                                                     if (_e1293 == 0u) {
-                                                        phi_1887_ = vec3<f32>(_e1070, _e1083, _e1057);
+                                                        phi_1889_ = vec3<f32>(_e1070, _e1083, _e1057);
                                                     } else {
                                                         if (_e1293 == 1u) {
-                                                            phi_1886_ = vec3<f32>(_e1083, _e1057, _e1070);
+                                                            phi_1888_ = vec3<f32>(_e1083, _e1057, _e1070);
                                                         } else {
-                                                            phi_1886_ = vec3<f32>(_e1057, _e1070, _e1083);
+                                                            phi_1888_ = vec3<f32>(_e1057, _e1070, _e1083);
                                                         }
-                                                        let _e1299 = phi_1886_;
-                                                        phi_1887_ = _e1299;
+                                                        let _e1299 = phi_1888_;
+                                                        phi_1889_ = _e1299;
                                                     }
-                                                    let _e1301 = phi_1887_;
+                                                    let _e1301 = phi_1889_;
                                                     let _e1304 = (_e1301.x / _e1301.z);
                                                     let _e1307 = (_e1301.y / _e1301.z);
                                                     if (_e1218 < 0f) {
-                                                        phi_1900_ = 0u;
+                                                        phi_1902_ = 0u;
                                                     } else {
-                                                        phi_1900_ = 1u;
+                                                        phi_1902_ = 1u;
                                                     }
-                                                    let _e1312 = phi_1900_;
+                                                    let _e1312 = phi_1902_;
                                                     if (_e1228 < 0f) {
-                                                        phi_1905_ = 0u;
+                                                        phi_1907_ = 0u;
                                                     } else {
-                                                        phi_1905_ = 2u;
+                                                        phi_1907_ = 2u;
                                                     }
-                                                    let _e1315 = phi_1905_;
+                                                    let _e1315 = phi_1907_;
                                                     if (_e1238 < 0f) {
-                                                        phi_1910_ = 0u;
+                                                        phi_1912_ = 0u;
                                                     } else {
-                                                        phi_1910_ = 4u;
+                                                        phi_1912_ = 4u;
                                                     }
-                                                    let _e1318 = phi_1910_;
+                                                    let _e1318 = phi_1912_;
                                                     let _e1320 = ((_e1312 | _e1315) | _e1318);
                                                     let _e1321 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1086, 2147483648u);
                                                     local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1321.first[0], _e1321.first[1], _e1321.first[2], _e1321.first[3], _e1321.first[4], _e1321.first[5], _e1321.first[6], _e1321.first[7], _e1321.first[8], _e1321.first[9], _e1321.first[10], _e1321.first[11], _e1321.first[12], _e1321.first[13], _e1321.first[14], _e1321.first[15], _e1321.first[16], _e1321.first[17], _e1321.first[18], _e1321.first[19], _e1321.first[20], _e1321.first[21], _e1321.first[22], _e1321.first[23], _e1321.first[24], _e1321.first[25], _e1321.first[26], _e1321.first[27], _e1321.first[28], _e1321.first[29], _e1321.first[30], _e1321.first[31]), array<u32, 32>(_e1321.mask[0], _e1321.mask[1], _e1321.mask[2], _e1321.mask[3], _e1321.mask[4], _e1321.mask[5], _e1321.mask[6], _e1321.mask[7], _e1321.mask[8], _e1321.mask[9], _e1321.mask[10], _e1321.mask[11], _e1321.mask[12], _e1321.mask[13], _e1321.mask[14], _e1321.mask[15], _e1321.mask[16], _e1321.mask[17], _e1321.mask[18], _e1321.mask[19], _e1321.mask[20], _e1321.mask[21], _e1321.mask[22], _e1321.mask[23], _e1321.mask[24], _e1321.mask[25], _e1321.mask[26], _e1321.mask[27], _e1321.mask[28], _e1321.mask[29], _e1321.mask[30], _e1321.mask[31]), _e1321.len, _e1321.group, _e1321.group_mask);
@@ -1718,7 +1718,7 @@ fn function_() {
                                                     if ((_e1395 & 4278190080u) == 0u) {
                                                         let _e1399 = local_1.len;
                                                         if (_e1399 == 0u) {
-                                                            phi_2024_ = false;
+                                                            phi_2026_ = false;
                                                         } else {
                                                             let _e1403 = local_1.len;
                                                             local_1.len = (_e1403 - 1u);
@@ -1736,14 +1736,14 @@ fn function_() {
                                                             }
                                                             let _e1419 = local_1.mask[(0u + _e1414)];
                                                             local_1.group_mask = _e1419;
-                                                            phi_2024_ = true;
+                                                            phi_2026_ = true;
                                                         }
-                                                        let _e1422 = phi_2024_;
-                                                        phi_2025_ = _e1422;
+                                                        let _e1422 = phi_2026_;
+                                                        phi_2027_ = _e1422;
                                                     } else {
-                                                        phi_2025_ = true;
+                                                        phi_2027_ = true;
                                                     }
-                                                    let _e1424 = phi_2025_;
+                                                    let _e1424 = phi_2027_;
                                                     if _e1424 {
                                                         let _e1426 = local_1.group_mask;
                                                         let _e1432 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1426)), 32u, (_e1426 == 0u)));
@@ -1751,16 +1751,16 @@ fn function_() {
                                                         let _e1450 = local_1.group_mask;
                                                         local_1.group_mask = (_e1450 & ~((1u << bitcast<u32>((_e1432 & 31u)))));
                                                         let _e1453 = local_1.group;
-                                                        phi_2056_ = (_e1453 + countOneBits(((_e1436 & ~((4294967295u << bitcast<u32>((((_e1432 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                        phi_2058_ = (_e1453 + countOneBits(((_e1436 & ~((4294967295u << bitcast<u32>((((_e1432 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2056_ = 4294967295u;
+                                                        phi_2058_ = 4294967295u;
                                                     }
-                                                    let _e1456 = phi_2056_;
-                                                    phi_2058_ = _e1456;
-                                                    phi_2061_ = _e937;
+                                                    let _e1456 = phi_2058_;
+                                                    phi_2060_ = _e1456;
+                                                    phi_2063_ = _e937;
                                                     loop {
-                                                        let _e1458 = phi_2058_;
-                                                        let _e1460 = phi_2061_;
+                                                        let _e1458 = phi_2060_;
+                                                        let _e1460 = phi_2063_;
                                                         local_17 = _e1460;
                                                         if (_e1458 != 4294967295u) {
                                                             if (_e1458 < _e78) {
@@ -1782,45 +1782,45 @@ fn function_() {
                                                                 let _e1531 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1520.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1537 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1531.unnamed.word, _e1520.w), _e1531.unnamed_1);
                                                                 let _e1543 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1537.unnamed, lt_mask_LightPlace(_e1520.x, _e1537.unnamed_1.shift));
-                                                                phi_2141_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_mask_LightPlace(_e1543.unnamed_1.word, _e1520.y));
+                                                                phi_2143_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_mask_LightPlace(_e1543.unnamed_1.word, _e1520.y));
                                                             } else {
                                                                 let _e1559 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1520.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1559.unnamed.word, _e1520.y), _e1559.unnamed_1);
                                                                 let _e1571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1565.unnamed, lt_mask_LightPlace(_e1520.z, _e1565.unnamed_1.shift));
-                                                                phi_2141_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1571.unnamed, lt_mask_LightPlace(_e1571.unnamed_1.word, _e1520.w));
+                                                                phi_2143_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1571.unnamed, lt_mask_LightPlace(_e1571.unnamed_1.word, _e1520.w));
                                                             }
-                                                            let _e1579 = phi_2141_;
+                                                            let _e1579 = phi_2143_;
                                                             let _e1589 = nodes.member[(0u + _e1458)].y;
                                                             if (_e1228 < 0f) {
                                                                 let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1600.unnamed.word, _e1589.w), _e1600.unnamed_1);
                                                                 let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_mask_LightPlace(_e1589.x, _e1606.unnamed_1.shift));
-                                                                phi_2168_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_mask_LightPlace(_e1612.unnamed_1.word, _e1589.y));
+                                                                phi_2170_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_mask_LightPlace(_e1612.unnamed_1.word, _e1589.y));
                                                             } else {
                                                                 let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.unnamed.word, _e1589.y), _e1628.unnamed_1);
                                                                 let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_mask_LightPlace(_e1589.z, _e1634.unnamed_1.shift));
-                                                                phi_2168_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_mask_LightPlace(_e1640.unnamed_1.word, _e1589.w));
+                                                                phi_2170_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_mask_LightPlace(_e1640.unnamed_1.word, _e1589.w));
                                                             }
-                                                            let _e1648 = phi_2168_;
+                                                            let _e1648 = phi_2170_;
                                                             let _e1658 = nodes.member[(0u + _e1458)].z;
                                                             if (_e1238 < 0f) {
                                                                 let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1669.unnamed.word, _e1658.w), _e1669.unnamed_1);
                                                                 let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_mask_LightPlace(_e1658.x, _e1675.unnamed_1.shift));
-                                                                phi_2195_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_mask_LightPlace(_e1681.unnamed_1.word, _e1658.y));
+                                                                phi_2197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_mask_LightPlace(_e1681.unnamed_1.word, _e1658.y));
                                                             } else {
                                                                 let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1697.unnamed.word, _e1658.y), _e1697.unnamed_1);
                                                                 let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_mask_LightPlace(_e1658.z, _e1703.unnamed_1.shift));
-                                                                phi_2195_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_mask_LightPlace(_e1709.unnamed_1.word, _e1658.w));
+                                                                phi_2197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_mask_LightPlace(_e1709.unnamed_1.word, _e1658.w));
                                                             }
-                                                            let _e1717 = phi_2195_;
-                                                            phi_2201_ = 0u;
-                                                            phi_2204_ = 0u;
+                                                            let _e1717 = phi_2197_;
+                                                            phi_2203_ = 0u;
+                                                            phi_2206_ = 0u;
                                                             loop {
-                                                                let _e1727 = phi_2201_;
-                                                                let _e1729 = phi_2204_;
+                                                                let _e1727 = phi_2203_;
+                                                                let _e1729 = phi_2206_;
                                                                 local_6 = _e1729;
                                                                 local_7 = _e1729;
                                                                 local_8 = _e1729;
@@ -1829,43 +1829,43 @@ fn function_() {
                                                                     let _e1732 = (_e1727 >> bitcast<u32>(2i));
                                                                     let _e1733 = (_e1727 & 3u);
                                                                     if (_e1732 == 0u) {
-                                                                        phi_2218_ = _e1579.unnamed.word;
+                                                                        phi_2220_ = _e1579.unnamed.word;
                                                                     } else {
-                                                                        phi_2218_ = _e1579.unnamed.shift;
+                                                                        phi_2220_ = _e1579.unnamed.shift;
                                                                     }
-                                                                    let _e1736 = phi_2218_;
+                                                                    let _e1736 = phi_2220_;
                                                                     if (_e1732 == 0u) {
-                                                                        phi_2228_ = _e1648.unnamed.word;
+                                                                        phi_2230_ = _e1648.unnamed.word;
                                                                     } else {
-                                                                        phi_2228_ = _e1648.unnamed.shift;
+                                                                        phi_2230_ = _e1648.unnamed.shift;
                                                                     }
-                                                                    let _e1745 = phi_2228_;
+                                                                    let _e1745 = phi_2230_;
                                                                     if (_e1732 == 0u) {
-                                                                        phi_2238_ = _e1717.unnamed.word;
+                                                                        phi_2240_ = _e1717.unnamed.word;
                                                                     } else {
-                                                                        phi_2238_ = _e1717.unnamed.shift;
+                                                                        phi_2240_ = _e1717.unnamed.shift;
                                                                     }
-                                                                    let _e1754 = phi_2238_;
+                                                                    let _e1754 = phi_2240_;
                                                                     let _e1767 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1736 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 - _e1270)), ((f32(((_e1745 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 - _e1271)));
                                                                     let _e1768 = core_intrinsics_maximum_number_nsz_f32_(_e1767, ((f32(((_e1754 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 - _e1272)));
                                                                     if (_e1732 == 0u) {
-                                                                        phi_2256_ = _e1579.unnamed_1.word;
+                                                                        phi_2258_ = _e1579.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2256_ = _e1579.unnamed_1.shift;
+                                                                        phi_2258_ = _e1579.unnamed_1.shift;
                                                                     }
-                                                                    let _e1771 = phi_2256_;
+                                                                    let _e1771 = phi_2258_;
                                                                     if (_e1732 == 0u) {
-                                                                        phi_2266_ = _e1648.unnamed_1.word;
+                                                                        phi_2268_ = _e1648.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2266_ = _e1648.unnamed_1.shift;
+                                                                        phi_2268_ = _e1648.unnamed_1.shift;
                                                                     }
-                                                                    let _e1780 = phi_2266_;
+                                                                    let _e1780 = phi_2268_;
                                                                     if (_e1732 == 0u) {
-                                                                        phi_2276_ = _e1717.unnamed_1.word;
+                                                                        phi_2278_ = _e1717.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2276_ = _e1717.unnamed_1.shift;
+                                                                        phi_2278_ = _e1717.unnamed_1.shift;
                                                                     }
-                                                                    let _e1789 = phi_2276_;
+                                                                    let _e1789 = phi_2278_;
                                                                     let _e1802 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1771 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 + _e1270)), ((f32(((_e1780 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 + _e1271)));
                                                                     let _e1803 = core_intrinsics_minimum_number_nsz_f32_(_e1802, ((f32(((_e1789 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 + _e1272)));
                                                                     if (_e1768 <= _e1803) {
@@ -1873,47 +1873,47 @@ fn function_() {
                                                                             if (_e1803 >= 0f) {
                                                                                 if (_e1732 == 0u) {
                                                                                     let _e1810 = nodes.member[(0u + _e1458)].links[2u];
-                                                                                    phi_2312_ = _e1810;
+                                                                                    phi_2314_ = _e1810;
                                                                                 } else {
                                                                                     let _e1813 = nodes.member[(0u + _e1458)].links[3u];
-                                                                                    phi_2312_ = _e1813;
+                                                                                    phi_2314_ = _e1813;
                                                                                 }
-                                                                                let _e1815 = phi_2312_;
+                                                                                let _e1815 = phi_2314_;
                                                                                 let _e1820 = ((_e1815 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u);
                                                                                 let _e1821 = (_e1820 & 31u);
                                                                                 if (_e1821 >= 24u) {
-                                                                                    phi_2325_ = (24u + ((_e1821 - 24u) ^ _e1320));
+                                                                                    phi_2327_ = (24u + ((_e1821 - 24u) ^ _e1320));
                                                                                 } else {
-                                                                                    phi_2325_ = _e1821;
+                                                                                    phi_2327_ = _e1821;
                                                                                 }
-                                                                                let _e1827 = phi_2325_;
-                                                                                phi_2330_ = (_e1729 | ((_e1820 >> bitcast<u32>(5i)) << bitcast<u32>((_e1827 & 31u))));
+                                                                                let _e1827 = phi_2327_;
+                                                                                phi_2332_ = (_e1729 | ((_e1820 >> bitcast<u32>(5i)) << bitcast<u32>((_e1827 & 31u))));
                                                                             } else {
-                                                                                phi_2330_ = _e1729;
+                                                                                phi_2332_ = _e1729;
                                                                             }
-                                                                            let _e1835 = phi_2330_;
-                                                                            phi_2331_ = _e1835;
+                                                                            let _e1835 = phi_2332_;
+                                                                            phi_2333_ = _e1835;
                                                                         } else {
-                                                                            phi_2331_ = _e1729;
+                                                                            phi_2333_ = _e1729;
                                                                         }
-                                                                        let _e1837 = phi_2331_;
-                                                                        phi_2332_ = _e1837;
+                                                                        let _e1837 = phi_2333_;
+                                                                        phi_2334_ = _e1837;
                                                                     } else {
-                                                                        phi_2332_ = _e1729;
+                                                                        phi_2334_ = _e1729;
                                                                     }
-                                                                    let _e1839 = phi_2332_;
-                                                                    phi_2202_ = (_e1727 + 1u);
-                                                                    phi_2205_ = _e1839;
+                                                                    let _e1839 = phi_2334_;
+                                                                    phi_2204_ = (_e1727 + 1u);
+                                                                    phi_2207_ = _e1839;
                                                                 } else {
-                                                                    phi_2202_ = u32();
-                                                                    phi_2205_ = u32();
+                                                                    phi_2204_ = u32();
+                                                                    phi_2207_ = u32();
                                                                 }
-                                                                let _e1842 = phi_2202_;
-                                                                let _e1844 = phi_2205_;
+                                                                let _e1842 = phi_2204_;
+                                                                let _e1844 = phi_2207_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2201_ = _e1842;
-                                                                    phi_2204_ = _e1844;
+                                                                    phi_2203_ = _e1842;
+                                                                    phi_2206_ = _e1844;
                                                                     break if !(_e1730);
                                                                 }
                                                             }
@@ -1950,20 +1950,20 @@ fn function_() {
                                                                 local_1.group_mask = ((_e1888 & 4278190080u) | (_e1852 >> bitcast<u32>(24i)));
                                                             }
                                                             let _e1893 = local_8;
-                                                            phi_2390_ = (_e1893 & 16777215u);
-                                                            phi_2393_ = _e1460;
+                                                            phi_2392_ = (_e1893 & 16777215u);
+                                                            phi_2395_ = _e1460;
                                                             loop {
-                                                                let _e1896 = phi_2390_;
-                                                                let _e1898 = phi_2393_;
+                                                                let _e1896 = phi_2392_;
+                                                                let _e1898 = phi_2395_;
                                                                 local_13 = _e1898;
                                                                 let _e1899 = (_e1896 == 0u);
                                                                 local_9 = _e1899;
                                                                 local_15 = _e1899;
                                                                 if _e1899 {
-                                                                    phi_2391_ = u32();
-                                                                    phi_2394_ = bool();
-                                                                    phi_3197_ = bool();
-                                                                    phi_3198_ = false;
+                                                                    phi_2393_ = u32();
+                                                                    phi_2396_ = bool();
+                                                                    phi_3199_ = bool();
+                                                                    phi_3200_ = false;
                                                                 } else {
                                                                     let _e1902 = nodes.member[(0u + _e1458)].links[1u];
                                                                     let _e1907 = ((_e1088 + _e1902) + select(firstTrailingBit(_e1896), 32u, (_e1896 == 0u)));
@@ -1976,17 +1976,17 @@ fn function_() {
                                                                     let _e1918 = (_e1914.y - _e1030);
                                                                     let _e1920 = (_e1914.z - _e1043);
                                                                     if (_e1293 == 0u) {
-                                                                        phi_2438_ = vec3<f32>(_e1918, _e1920, _e1916);
+                                                                        phi_2440_ = vec3<f32>(_e1918, _e1920, _e1916);
                                                                     } else {
                                                                         if (_e1293 == 1u) {
-                                                                            phi_2437_ = vec3<f32>(_e1920, _e1916, _e1918);
+                                                                            phi_2439_ = vec3<f32>(_e1920, _e1916, _e1918);
                                                                         } else {
-                                                                            phi_2437_ = (_e1914 - vec3<f32>(_e1017, _e1030, _e1043));
+                                                                            phi_2439_ = (_e1914 - vec3<f32>(_e1017, _e1030, _e1043));
                                                                         }
-                                                                        let _e1928 = phi_2437_;
-                                                                        phi_2438_ = _e1928;
+                                                                        let _e1928 = phi_2439_;
+                                                                        phi_2440_ = _e1928;
                                                                     }
-                                                                    let _e1930 = phi_2438_;
+                                                                    let _e1930 = phi_2440_;
                                                                     let _e1934 = (_e1930.x - (_e1304 * _e1930.z));
                                                                     let _e1938 = (_e1930.y - (_e1307 * _e1930.z));
                                                                     let _e1940 = triangles.member[(0u + _e1907)].v1_;
@@ -1994,17 +1994,17 @@ fn function_() {
                                                                     let _e1944 = (_e1940.y - _e1030);
                                                                     let _e1946 = (_e1940.z - _e1043);
                                                                     if (_e1293 == 0u) {
-                                                                        phi_2468_ = vec3<f32>(_e1944, _e1946, _e1942);
+                                                                        phi_2470_ = vec3<f32>(_e1944, _e1946, _e1942);
                                                                     } else {
                                                                         if (_e1293 == 1u) {
-                                                                            phi_2467_ = vec3<f32>(_e1946, _e1942, _e1944);
+                                                                            phi_2469_ = vec3<f32>(_e1946, _e1942, _e1944);
                                                                         } else {
-                                                                            phi_2467_ = (_e1940 - vec3<f32>(_e1017, _e1030, _e1043));
+                                                                            phi_2469_ = (_e1940 - vec3<f32>(_e1017, _e1030, _e1043));
                                                                         }
-                                                                        let _e1954 = phi_2467_;
-                                                                        phi_2468_ = _e1954;
+                                                                        let _e1954 = phi_2469_;
+                                                                        phi_2470_ = _e1954;
                                                                     }
-                                                                    let _e1956 = phi_2468_;
+                                                                    let _e1956 = phi_2470_;
                                                                     let _e1960 = (_e1956.x - (_e1304 * _e1956.z));
                                                                     let _e1964 = (_e1956.y - (_e1307 * _e1956.z));
                                                                     let _e1966 = triangles.member[(0u + _e1907)].v2_;
@@ -2012,246 +2012,246 @@ fn function_() {
                                                                     let _e1970 = (_e1966.y - _e1030);
                                                                     let _e1972 = (_e1966.z - _e1043);
                                                                     if (_e1293 == 0u) {
-                                                                        phi_2498_ = vec3<f32>(_e1970, _e1972, _e1968);
+                                                                        phi_2500_ = vec3<f32>(_e1970, _e1972, _e1968);
                                                                     } else {
                                                                         if (_e1293 == 1u) {
-                                                                            phi_2497_ = vec3<f32>(_e1972, _e1968, _e1970);
+                                                                            phi_2499_ = vec3<f32>(_e1972, _e1968, _e1970);
                                                                         } else {
-                                                                            phi_2497_ = (_e1966 - vec3<f32>(_e1017, _e1030, _e1043));
+                                                                            phi_2499_ = (_e1966 - vec3<f32>(_e1017, _e1030, _e1043));
                                                                         }
-                                                                        let _e1980 = phi_2497_;
-                                                                        phi_2498_ = _e1980;
+                                                                        let _e1980 = phi_2499_;
+                                                                        phi_2500_ = _e1980;
                                                                     }
-                                                                    let _e1982 = phi_2498_;
+                                                                    let _e1982 = phi_2500_;
                                                                     let _e1986 = (_e1982.x - (_e1304 * _e1982.z));
                                                                     let _e1990 = (_e1982.y - (_e1307 * _e1982.z));
                                                                     if (_e1960 < _e1986) {
-                                                                        phi_2517_ = true;
+                                                                        phi_2519_ = true;
                                                                     } else {
                                                                         if (_e1960 == _e1986) {
-                                                                            phi_2516_ = (_e1964 < _e1990);
+                                                                            phi_2518_ = (_e1964 < _e1990);
                                                                         } else {
-                                                                            phi_2516_ = false;
+                                                                            phi_2518_ = false;
                                                                         }
-                                                                        let _e1995 = phi_2516_;
-                                                                        phi_2517_ = _e1995;
+                                                                        let _e1995 = phi_2518_;
+                                                                        phi_2519_ = _e1995;
                                                                     }
-                                                                    let _e1997 = phi_2517_;
+                                                                    let _e1997 = phi_2519_;
                                                                     if _e1997 {
-                                                                        phi_2521_ = _e1990;
-                                                                        phi_2522_ = _e1986;
-                                                                        phi_2523_ = _e1964;
-                                                                        phi_2524_ = _e1960;
-                                                                    } else {
-                                                                        phi_2521_ = _e1964;
-                                                                        phi_2522_ = _e1960;
                                                                         phi_2523_ = _e1990;
                                                                         phi_2524_ = _e1986;
+                                                                        phi_2525_ = _e1964;
+                                                                        phi_2526_ = _e1960;
+                                                                    } else {
+                                                                        phi_2523_ = _e1964;
+                                                                        phi_2524_ = _e1960;
+                                                                        phi_2525_ = _e1990;
+                                                                        phi_2526_ = _e1986;
                                                                     }
-                                                                    let _e1999 = phi_2521_;
-                                                                    let _e2001 = phi_2522_;
-                                                                    let _e2003 = phi_2523_;
-                                                                    let _e2005 = phi_2524_;
+                                                                    let _e1999 = phi_2523_;
+                                                                    let _e2001 = phi_2524_;
+                                                                    let _e2003 = phi_2525_;
+                                                                    let _e2005 = phi_2526_;
                                                                     let _e2008 = ((_e2005 * _e1999) - (_e2003 * _e2001));
                                                                     if _e1997 {
-                                                                        phi_2532_ = -(_e2008);
+                                                                        phi_2534_ = -(_e2008);
                                                                     } else {
-                                                                        phi_2532_ = _e2008;
+                                                                        phi_2534_ = _e2008;
                                                                     }
-                                                                    let _e2011 = phi_2532_;
+                                                                    let _e2011 = phi_2534_;
                                                                     if (_e1986 < _e1934) {
-                                                                        phi_2543_ = true;
+                                                                        phi_2545_ = true;
                                                                     } else {
                                                                         if (_e1986 == _e1934) {
-                                                                            phi_2542_ = (_e1990 < _e1938);
+                                                                            phi_2544_ = (_e1990 < _e1938);
                                                                         } else {
-                                                                            phi_2542_ = false;
+                                                                            phi_2544_ = false;
                                                                         }
-                                                                        let _e2016 = phi_2542_;
-                                                                        phi_2543_ = _e2016;
+                                                                        let _e2016 = phi_2544_;
+                                                                        phi_2545_ = _e2016;
                                                                     }
-                                                                    let _e2018 = phi_2543_;
+                                                                    let _e2018 = phi_2545_;
                                                                     if _e2018 {
-                                                                        phi_2547_ = _e1938;
-                                                                        phi_2548_ = _e1934;
-                                                                        phi_2549_ = _e1990;
-                                                                        phi_2550_ = _e1986;
-                                                                    } else {
-                                                                        phi_2547_ = _e1990;
-                                                                        phi_2548_ = _e1986;
                                                                         phi_2549_ = _e1938;
                                                                         phi_2550_ = _e1934;
+                                                                        phi_2551_ = _e1990;
+                                                                        phi_2552_ = _e1986;
+                                                                    } else {
+                                                                        phi_2549_ = _e1990;
+                                                                        phi_2550_ = _e1986;
+                                                                        phi_2551_ = _e1938;
+                                                                        phi_2552_ = _e1934;
                                                                     }
-                                                                    let _e2020 = phi_2547_;
-                                                                    let _e2022 = phi_2548_;
-                                                                    let _e2024 = phi_2549_;
-                                                                    let _e2026 = phi_2550_;
+                                                                    let _e2020 = phi_2549_;
+                                                                    let _e2022 = phi_2550_;
+                                                                    let _e2024 = phi_2551_;
+                                                                    let _e2026 = phi_2552_;
                                                                     let _e2029 = ((_e2026 * _e2020) - (_e2024 * _e2022));
                                                                     if _e2018 {
-                                                                        phi_2558_ = -(_e2029);
+                                                                        phi_2560_ = -(_e2029);
                                                                     } else {
-                                                                        phi_2558_ = _e2029;
+                                                                        phi_2560_ = _e2029;
                                                                     }
-                                                                    let _e2032 = phi_2558_;
+                                                                    let _e2032 = phi_2560_;
                                                                     if (_e1934 < _e1960) {
-                                                                        phi_2569_ = true;
+                                                                        phi_2571_ = true;
                                                                     } else {
                                                                         if (_e1934 == _e1960) {
-                                                                            phi_2568_ = (_e1938 < _e1964);
+                                                                            phi_2570_ = (_e1938 < _e1964);
                                                                         } else {
-                                                                            phi_2568_ = false;
+                                                                            phi_2570_ = false;
                                                                         }
-                                                                        let _e2037 = phi_2568_;
-                                                                        phi_2569_ = _e2037;
+                                                                        let _e2037 = phi_2570_;
+                                                                        phi_2571_ = _e2037;
                                                                     }
-                                                                    let _e2039 = phi_2569_;
+                                                                    let _e2039 = phi_2571_;
                                                                     if _e2039 {
-                                                                        phi_2573_ = _e1964;
-                                                                        phi_2574_ = _e1960;
-                                                                        phi_2575_ = _e1938;
-                                                                        phi_2576_ = _e1934;
-                                                                    } else {
-                                                                        phi_2573_ = _e1938;
-                                                                        phi_2574_ = _e1934;
                                                                         phi_2575_ = _e1964;
                                                                         phi_2576_ = _e1960;
+                                                                        phi_2577_ = _e1938;
+                                                                        phi_2578_ = _e1934;
+                                                                    } else {
+                                                                        phi_2575_ = _e1938;
+                                                                        phi_2576_ = _e1934;
+                                                                        phi_2577_ = _e1964;
+                                                                        phi_2578_ = _e1960;
                                                                     }
-                                                                    let _e2041 = phi_2573_;
-                                                                    let _e2043 = phi_2574_;
-                                                                    let _e2045 = phi_2575_;
-                                                                    let _e2047 = phi_2576_;
+                                                                    let _e2041 = phi_2575_;
+                                                                    let _e2043 = phi_2576_;
+                                                                    let _e2045 = phi_2577_;
+                                                                    let _e2047 = phi_2578_;
                                                                     let _e2050 = ((_e2047 * _e2041) - (_e2045 * _e2043));
                                                                     if _e2039 {
-                                                                        phi_2584_ = -(_e2050);
+                                                                        phi_2586_ = -(_e2050);
                                                                     } else {
-                                                                        phi_2584_ = _e2050;
+                                                                        phi_2586_ = _e2050;
                                                                     }
-                                                                    let _e2053 = phi_2584_;
+                                                                    let _e2053 = phi_2586_;
                                                                     if (_e2011 >= 0f) {
                                                                         if (_e2032 >= 0f) {
                                                                             if (_e2053 >= 0f) {
-                                                                                phi_2599_ = ((_e2011 + _e2032) + _e2053);
-                                                                                phi_2600_ = false;
+                                                                                phi_2601_ = ((_e2011 + _e2032) + _e2053);
+                                                                                phi_2602_ = false;
                                                                             } else {
-                                                                                phi_2599_ = f32();
-                                                                                phi_2600_ = true;
+                                                                                phi_2601_ = f32();
+                                                                                phi_2602_ = true;
                                                                             }
-                                                                            let _e2060 = phi_2599_;
-                                                                            let _e2062 = phi_2600_;
-                                                                            phi_2601_ = _e2060;
-                                                                            phi_2602_ = _e2062;
+                                                                            let _e2060 = phi_2601_;
+                                                                            let _e2062 = phi_2602_;
+                                                                            phi_2603_ = _e2060;
+                                                                            phi_2604_ = _e2062;
                                                                         } else {
-                                                                            phi_2601_ = f32();
-                                                                            phi_2602_ = true;
+                                                                            phi_2603_ = f32();
+                                                                            phi_2604_ = true;
                                                                         }
-                                                                        let _e2064 = phi_2601_;
-                                                                        let _e2066 = phi_2602_;
-                                                                        phi_2603_ = _e2064;
-                                                                        phi_2604_ = _e2066;
+                                                                        let _e2064 = phi_2603_;
+                                                                        let _e2066 = phi_2604_;
+                                                                        phi_2605_ = _e2064;
+                                                                        phi_2606_ = _e2066;
                                                                     } else {
-                                                                        phi_2603_ = f32();
-                                                                        phi_2604_ = true;
+                                                                        phi_2605_ = f32();
+                                                                        phi_2606_ = true;
                                                                     }
-                                                                    let _e2068 = phi_2603_;
-                                                                    let _e2070 = phi_2604_;
+                                                                    let _e2068 = phi_2605_;
+                                                                    let _e2070 = phi_2606_;
                                                                     if _e2070 {
                                                                         if (_e2011 <= 0f) {
                                                                             if (_e2032 <= 0f) {
                                                                                 let _e2073 = (_e2053 <= 0f);
                                                                                 if _e2073 {
                                                                                 }
-                                                                                phi_2622_ = ((_e2011 + _e2032) + _e2053);
-                                                                                phi_2623_ = false;
-                                                                                phi_2624_ = _e2073;
+                                                                                phi_2624_ = ((_e2011 + _e2032) + _e2053);
+                                                                                phi_2625_ = false;
+                                                                                phi_2626_ = _e2073;
                                                                             } else {
-                                                                                phi_2622_ = f32();
-                                                                                phi_2623_ = true;
-                                                                                phi_2624_ = false;
+                                                                                phi_2624_ = f32();
+                                                                                phi_2625_ = true;
+                                                                                phi_2626_ = false;
                                                                             }
-                                                                            let _e2077 = phi_2622_;
-                                                                            let _e2079 = phi_2623_;
-                                                                            let _e2081 = phi_2624_;
-                                                                            phi_2625_ = _e2077;
-                                                                            phi_2626_ = _e2079;
-                                                                            phi_2627_ = _e2081;
+                                                                            let _e2077 = phi_2624_;
+                                                                            let _e2079 = phi_2625_;
+                                                                            let _e2081 = phi_2626_;
+                                                                            phi_2627_ = _e2077;
+                                                                            phi_2628_ = _e2079;
+                                                                            phi_2629_ = _e2081;
                                                                         } else {
-                                                                            phi_2625_ = f32();
-                                                                            phi_2626_ = true;
-                                                                            phi_2627_ = false;
+                                                                            phi_2627_ = f32();
+                                                                            phi_2628_ = true;
+                                                                            phi_2629_ = false;
                                                                         }
-                                                                        let _e2083 = phi_2625_;
-                                                                        let _e2085 = phi_2626_;
-                                                                        let _e2087 = phi_2627_;
+                                                                        let _e2083 = phi_2627_;
+                                                                        let _e2085 = phi_2628_;
+                                                                        let _e2087 = phi_2629_;
                                                                         if _e2085 {
-                                                                            phi_2631_ = false;
+                                                                            phi_2633_ = false;
                                                                         } else {
-                                                                            phi_2631_ = _e2087;
+                                                                            phi_2633_ = _e2087;
                                                                         }
-                                                                        let _e2089 = phi_2631_;
-                                                                        phi_2632_ = _e2083;
-                                                                        phi_2633_ = _e2089;
+                                                                        let _e2089 = phi_2633_;
+                                                                        phi_2634_ = _e2083;
+                                                                        phi_2635_ = _e2089;
                                                                     } else {
-                                                                        phi_2632_ = _e2068;
-                                                                        phi_2633_ = true;
+                                                                        phi_2634_ = _e2068;
+                                                                        phi_2635_ = true;
                                                                     }
-                                                                    let _e2091 = phi_2632_;
-                                                                    let _e2093 = phi_2633_;
+                                                                    let _e2091 = phi_2634_;
+                                                                    let _e2093 = phi_2635_;
                                                                     if _e2093 {
                                                                         let _e2094 = (_e2091 == 0f);
                                                                         if _e2094 {
-                                                                            phi_2949_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2950_ = false;
+                                                                            phi_2951_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2952_ = false;
                                                                         } else {
                                                                             let _e2096 = triangles.member[(0u + _e1907)].v0_;
                                                                             let _e2098 = (_e2096.x - _e1017);
                                                                             let _e2100 = (_e2096.y - _e1030);
                                                                             let _e2102 = (_e2096.z - _e1043);
                                                                             if (_e1293 == 0u) {
-                                                                                phi_2662_ = vec3<f32>(_e2100, _e2102, _e2098);
+                                                                                phi_2664_ = vec3<f32>(_e2100, _e2102, _e2098);
                                                                             } else {
                                                                                 if (_e1293 == 1u) {
-                                                                                    phi_2661_ = vec3<f32>(_e2102, _e2098, _e2100);
+                                                                                    phi_2663_ = vec3<f32>(_e2102, _e2098, _e2100);
                                                                                 } else {
-                                                                                    phi_2661_ = (_e2096 - vec3<f32>(_e1017, _e1030, _e1043));
+                                                                                    phi_2663_ = (_e2096 - vec3<f32>(_e1017, _e1030, _e1043));
                                                                                 }
-                                                                                let _e2110 = phi_2661_;
-                                                                                phi_2662_ = _e2110;
+                                                                                let _e2110 = phi_2663_;
+                                                                                phi_2664_ = _e2110;
                                                                             }
-                                                                            let _e2112 = phi_2662_;
+                                                                            let _e2112 = phi_2664_;
                                                                             let _e2114 = triangles.member[(0u + _e1907)].v1_;
                                                                             let _e2116 = triangles.member[(0u + _e1907)].v0_;
                                                                             let _e2119 = (_e2114.x - _e2116.x);
                                                                             let _e2122 = (_e2114.y - _e2116.y);
                                                                             let _e2125 = (_e2114.z - _e2116.z);
                                                                             if (_e1293 == 0u) {
-                                                                                phi_2688_ = vec3<f32>(_e2122, _e2125, _e2119);
+                                                                                phi_2690_ = vec3<f32>(_e2122, _e2125, _e2119);
                                                                             } else {
                                                                                 if (_e1293 == 1u) {
-                                                                                    phi_2687_ = vec3<f32>(_e2125, _e2119, _e2122);
+                                                                                    phi_2689_ = vec3<f32>(_e2125, _e2119, _e2122);
                                                                                 } else {
-                                                                                    phi_2687_ = (_e2114 - _e2116);
+                                                                                    phi_2689_ = (_e2114 - _e2116);
                                                                                 }
-                                                                                let _e2132 = phi_2687_;
-                                                                                phi_2688_ = _e2132;
+                                                                                let _e2132 = phi_2689_;
+                                                                                phi_2690_ = _e2132;
                                                                             }
-                                                                            let _e2134 = phi_2688_;
+                                                                            let _e2134 = phi_2690_;
                                                                             let _e2136 = triangles.member[(0u + _e1907)].v2_;
                                                                             let _e2138 = triangles.member[(0u + _e1907)].v0_;
                                                                             let _e2141 = (_e2136.x - _e2138.x);
                                                                             let _e2144 = (_e2136.y - _e2138.y);
                                                                             let _e2147 = (_e2136.z - _e2138.z);
                                                                             if (_e1293 == 0u) {
-                                                                                phi_2714_ = vec3<f32>(_e2144, _e2147, _e2141);
+                                                                                phi_2716_ = vec3<f32>(_e2144, _e2147, _e2141);
                                                                             } else {
                                                                                 if (_e1293 == 1u) {
-                                                                                    phi_2713_ = vec3<f32>(_e2147, _e2141, _e2144);
+                                                                                    phi_2715_ = vec3<f32>(_e2147, _e2141, _e2144);
                                                                                 } else {
-                                                                                    phi_2713_ = (_e2136 - _e2138);
+                                                                                    phi_2715_ = (_e2136 - _e2138);
                                                                                 }
-                                                                                let _e2154 = phi_2713_;
-                                                                                phi_2714_ = _e2154;
+                                                                                let _e2154 = phi_2715_;
+                                                                                phi_2716_ = _e2154;
                                                                             }
-                                                                            let _e2156 = phi_2714_;
+                                                                            let _e2156 = phi_2716_;
                                                                             let _e2163 = ((_e2134.y * _e2156.z) - (_e2134.z * _e2156.y));
                                                                             let _e2170 = ((_e2134.z * _e2156.x) - (_e2134.x * _e2156.z));
                                                                             let _e2177 = ((_e2134.x * _e2156.y) - (_e2134.y * _e2156.x));
@@ -2261,81 +2261,81 @@ fn function_() {
                                                                                     let _e2195 = triangles.member[(0u + _e1907)].v0_;
                                                                                     let _e2197 = triangles.member[(0u + _e1907)].v1_;
                                                                                     if (_e2195.x < _e2197.x) {
-                                                                                        phi_2770_ = _e2195.x;
+                                                                                        phi_2772_ = _e2195.x;
                                                                                     } else {
-                                                                                        phi_2770_ = _e2197.x;
+                                                                                        phi_2772_ = _e2197.x;
                                                                                     }
-                                                                                    let _e2204 = phi_2770_;
+                                                                                    let _e2204 = phi_2772_;
                                                                                     if (_e2195.y < _e2197.y) {
-                                                                                        phi_2779_ = _e2195.y;
+                                                                                        phi_2781_ = _e2195.y;
                                                                                     } else {
-                                                                                        phi_2779_ = _e2197.y;
+                                                                                        phi_2781_ = _e2197.y;
                                                                                     }
-                                                                                    let _e2211 = phi_2779_;
+                                                                                    let _e2211 = phi_2781_;
                                                                                     if (_e2195.z < _e2197.z) {
-                                                                                        phi_2788_ = _e2195.z;
+                                                                                        phi_2790_ = _e2195.z;
                                                                                     } else {
-                                                                                        phi_2788_ = _e2197.z;
+                                                                                        phi_2790_ = _e2197.z;
                                                                                     }
-                                                                                    let _e2218 = phi_2788_;
+                                                                                    let _e2218 = phi_2790_;
                                                                                     let _e2220 = triangles.member[(0u + _e1907)].v2_;
                                                                                     if (_e2204 < _e2220.x) {
-                                                                                        phi_2797_ = _e2204;
+                                                                                        phi_2799_ = _e2204;
                                                                                     } else {
-                                                                                        phi_2797_ = _e2220.x;
+                                                                                        phi_2799_ = _e2220.x;
                                                                                     }
-                                                                                    let _e2225 = phi_2797_;
+                                                                                    let _e2225 = phi_2799_;
                                                                                     if (_e2211 < _e2220.y) {
-                                                                                        phi_2804_ = _e2211;
+                                                                                        phi_2806_ = _e2211;
                                                                                     } else {
-                                                                                        phi_2804_ = _e2220.y;
+                                                                                        phi_2806_ = _e2220.y;
                                                                                     }
-                                                                                    let _e2230 = phi_2804_;
+                                                                                    let _e2230 = phi_2806_;
                                                                                     if (_e2218 < _e2220.z) {
-                                                                                        phi_2811_ = _e2218;
+                                                                                        phi_2813_ = _e2218;
                                                                                     } else {
-                                                                                        phi_2811_ = _e2220.z;
+                                                                                        phi_2813_ = _e2220.z;
                                                                                     }
-                                                                                    let _e2235 = phi_2811_;
+                                                                                    let _e2235 = phi_2813_;
                                                                                     let _e2237 = triangles.member[(0u + _e1907)].v0_;
                                                                                     let _e2239 = triangles.member[(0u + _e1907)].v1_;
                                                                                     if (_e2237.x > _e2239.x) {
-                                                                                        phi_2824_ = _e2237.x;
+                                                                                        phi_2826_ = _e2237.x;
                                                                                     } else {
-                                                                                        phi_2824_ = _e2239.x;
+                                                                                        phi_2826_ = _e2239.x;
                                                                                     }
-                                                                                    let _e2246 = phi_2824_;
+                                                                                    let _e2246 = phi_2826_;
                                                                                     if (_e2237.y > _e2239.y) {
-                                                                                        phi_2833_ = _e2237.y;
+                                                                                        phi_2835_ = _e2237.y;
                                                                                     } else {
-                                                                                        phi_2833_ = _e2239.y;
+                                                                                        phi_2835_ = _e2239.y;
                                                                                     }
-                                                                                    let _e2253 = phi_2833_;
+                                                                                    let _e2253 = phi_2835_;
                                                                                     if (_e2237.z > _e2239.z) {
-                                                                                        phi_2842_ = _e2237.z;
+                                                                                        phi_2844_ = _e2237.z;
                                                                                     } else {
-                                                                                        phi_2842_ = _e2239.z;
+                                                                                        phi_2844_ = _e2239.z;
                                                                                     }
-                                                                                    let _e2260 = phi_2842_;
+                                                                                    let _e2260 = phi_2844_;
                                                                                     let _e2262 = triangles.member[(0u + _e1907)].v2_;
                                                                                     if (_e2246 > _e2262.x) {
-                                                                                        phi_2851_ = _e2246;
+                                                                                        phi_2853_ = _e2246;
                                                                                     } else {
-                                                                                        phi_2851_ = _e2262.x;
+                                                                                        phi_2853_ = _e2262.x;
                                                                                     }
-                                                                                    let _e2267 = phi_2851_;
+                                                                                    let _e2267 = phi_2853_;
                                                                                     if (_e2253 > _e2262.y) {
-                                                                                        phi_2858_ = _e2253;
+                                                                                        phi_2860_ = _e2253;
                                                                                     } else {
-                                                                                        phi_2858_ = _e2262.y;
+                                                                                        phi_2860_ = _e2262.y;
                                                                                     }
-                                                                                    let _e2272 = phi_2858_;
+                                                                                    let _e2272 = phi_2860_;
                                                                                     if (_e2260 > _e2262.z) {
-                                                                                        phi_2865_ = _e2260;
+                                                                                        phi_2867_ = _e2260;
                                                                                     } else {
-                                                                                        phi_2865_ = _e2262.z;
+                                                                                        phi_2867_ = _e2262.z;
                                                                                     }
-                                                                                    let _e2277 = phi_2865_;
+                                                                                    let _e2277 = phi_2867_;
                                                                                     let _e2281 = ((_e2225 - _e1017) * _e1218);
                                                                                     let _e2282 = ((_e2230 - _e1030) * _e1228);
                                                                                     let _e2283 = ((_e2235 - _e1043) * _e1238);
@@ -2343,121 +2343,121 @@ fn function_() {
                                                                                     let _e2288 = ((_e2272 - _e1030) * _e1228);
                                                                                     let _e2289 = ((_e2277 - _e1043) * _e1238);
                                                                                     if (_e2281 < _e2287) {
-                                                                                        phi_2882_ = _e2281;
+                                                                                        phi_2884_ = _e2281;
                                                                                     } else {
-                                                                                        phi_2882_ = _e2287;
+                                                                                        phi_2884_ = _e2287;
                                                                                     }
-                                                                                    let _e2292 = phi_2882_;
+                                                                                    let _e2292 = phi_2884_;
                                                                                     if (_e2282 < _e2288) {
-                                                                                        phi_2887_ = _e2282;
+                                                                                        phi_2889_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2887_ = _e2288;
+                                                                                        phi_2889_ = _e2288;
                                                                                     }
-                                                                                    let _e2295 = phi_2887_;
+                                                                                    let _e2295 = phi_2889_;
                                                                                     if (_e2283 < _e2289) {
-                                                                                        phi_2892_ = _e2283;
+                                                                                        phi_2894_ = _e2283;
                                                                                     } else {
-                                                                                        phi_2892_ = _e2289;
+                                                                                        phi_2894_ = _e2289;
                                                                                     }
-                                                                                    let _e2298 = phi_2892_;
+                                                                                    let _e2298 = phi_2894_;
                                                                                     if (_e2281 > _e2287) {
-                                                                                        phi_2900_ = _e2281;
+                                                                                        phi_2902_ = _e2281;
                                                                                     } else {
-                                                                                        phi_2900_ = _e2287;
+                                                                                        phi_2902_ = _e2287;
                                                                                     }
-                                                                                    let _e2304 = phi_2900_;
+                                                                                    let _e2304 = phi_2902_;
                                                                                     if (_e2282 > _e2288) {
-                                                                                        phi_2905_ = _e2282;
+                                                                                        phi_2907_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2905_ = _e2288;
+                                                                                        phi_2907_ = _e2288;
                                                                                     }
-                                                                                    let _e2307 = phi_2905_;
+                                                                                    let _e2307 = phi_2907_;
                                                                                     if (_e2283 > _e2289) {
-                                                                                        phi_2910_ = _e2283;
+                                                                                        phi_2912_ = _e2283;
                                                                                     } else {
-                                                                                        phi_2910_ = _e2289;
+                                                                                        phi_2912_ = _e2289;
                                                                                     }
-                                                                                    let _e2310 = phi_2910_;
+                                                                                    let _e2310 = phi_2912_;
                                                                                     let _e2314 = core_intrinsics_maximum_number_nsz_f32_((_e2292 - _e1277), (_e2295 - _e1278));
                                                                                     let _e2315 = core_intrinsics_maximum_number_nsz_f32_(_e2314, (_e2298 - _e1279));
                                                                                     let _e2316 = core_intrinsics_minimum_number_nsz_f32_((_e2304 + _e1277), (_e2307 + _e1278));
                                                                                     let _e2317 = core_intrinsics_minimum_number_nsz_f32_(_e2316, (_e2310 + _e1279));
                                                                                     if (_e2315 > _e998) {
-                                                                                        phi_2922_ = _e2315;
+                                                                                        phi_2924_ = _e2315;
                                                                                     } else {
-                                                                                        phi_2922_ = _e998;
+                                                                                        phi_2924_ = _e998;
                                                                                     }
-                                                                                    let _e2320 = phi_2922_;
+                                                                                    let _e2320 = phi_2924_;
                                                                                     if (_e2317 < _e1000) {
-                                                                                        phi_2927_ = _e2317;
+                                                                                        phi_2929_ = _e2317;
                                                                                     } else {
-                                                                                        phi_2927_ = _e1000;
+                                                                                        phi_2929_ = _e1000;
                                                                                     }
-                                                                                    let _e2323 = phi_2927_;
+                                                                                    let _e2323 = phi_2929_;
                                                                                     if (_e2191 < _e2320) {
-                                                                                        phi_2932_ = _e2320;
+                                                                                        phi_2934_ = _e2320;
                                                                                     } else {
-                                                                                        phi_2932_ = _e2191;
+                                                                                        phi_2934_ = _e2191;
                                                                                     }
-                                                                                    let _e2326 = phi_2932_;
+                                                                                    let _e2326 = phi_2934_;
                                                                                     if (_e2326 > _e2323) {
-                                                                                        phi_2937_ = _e2323;
+                                                                                        phi_2939_ = _e2323;
                                                                                     } else {
-                                                                                        phi_2937_ = _e2326;
+                                                                                        phi_2939_ = _e2326;
                                                                                     }
-                                                                                    let _e2329 = phi_2937_;
-                                                                                    phi_2942_ = lt_bvh_triangle_Intersection(_e2329, (_e2032 / _e2091), (_e2053 / _e2091), (_e2320 <= _e2323));
-                                                                                    phi_2943_ = false;
+                                                                                    let _e2329 = phi_2939_;
+                                                                                    phi_2944_ = lt_bvh_triangle_Intersection(_e2329, (_e2032 / _e2091), (_e2053 / _e2091), (_e2320 <= _e2323));
+                                                                                    phi_2945_ = false;
                                                                                 } else {
-                                                                                    phi_2942_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2943_ = true;
+                                                                                    phi_2944_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2945_ = true;
                                                                                 }
-                                                                                let _e2335 = phi_2942_;
-                                                                                let _e2337 = phi_2943_;
-                                                                                phi_2944_ = _e2335;
-                                                                                phi_2945_ = _e2337;
+                                                                                let _e2335 = phi_2944_;
+                                                                                let _e2337 = phi_2945_;
+                                                                                phi_2946_ = _e2335;
+                                                                                phi_2947_ = _e2337;
                                                                             } else {
-                                                                                phi_2944_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2945_ = true;
+                                                                                phi_2946_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2947_ = true;
                                                                             }
-                                                                            let _e2339 = phi_2944_;
-                                                                            let _e2341 = phi_2945_;
+                                                                            let _e2339 = phi_2946_;
+                                                                            let _e2341 = phi_2947_;
                                                                             if _e2341 {
                                                                             }
-                                                                            phi_2949_ = _e2339;
-                                                                            phi_2950_ = _e2341;
+                                                                            phi_2951_ = _e2339;
+                                                                            phi_2952_ = _e2341;
                                                                         }
-                                                                        let _e2343 = phi_2949_;
-                                                                        let _e2345 = phi_2950_;
-                                                                        phi_2951_ = _e2343;
-                                                                        phi_2952_ = _e2094;
-                                                                        phi_2953_ = _e2345;
+                                                                        let _e2343 = phi_2951_;
+                                                                        let _e2345 = phi_2952_;
+                                                                        phi_2953_ = _e2343;
+                                                                        phi_2954_ = _e2094;
+                                                                        phi_2955_ = _e2345;
                                                                     } else {
-                                                                        phi_2951_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2952_ = true;
-                                                                        phi_2953_ = false;
+                                                                        phi_2953_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2954_ = true;
+                                                                        phi_2955_ = false;
                                                                     }
-                                                                    let _e2347 = phi_2951_;
-                                                                    let _e2349 = phi_2952_;
-                                                                    let _e2351 = phi_2953_;
+                                                                    let _e2347 = phi_2953_;
+                                                                    let _e2349 = phi_2954_;
+                                                                    let _e2351 = phi_2955_;
                                                                     if _e2349 {
-                                                                        phi_2957_ = true;
+                                                                        phi_2959_ = true;
                                                                     } else {
-                                                                        phi_2957_ = _e2351;
+                                                                        phi_2959_ = _e2351;
                                                                     }
-                                                                    let _e2353 = phi_2957_;
+                                                                    let _e2353 = phi_2959_;
                                                                     if _e2353 {
-                                                                        phi_2961_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        phi_2963_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2961_ = _e2347;
+                                                                        phi_2963_ = _e2347;
                                                                     }
-                                                                    let _e2355 = phi_2961_;
+                                                                    let _e2355 = phi_2963_;
                                                                     if _e2355.is_hit {
                                                                         if (_e2355.t > 0f) {
                                                                             if (_e2355.t < _e147) {
                                                                                 let _e2362 = triangles.member[(0u + _e1907)].i0_;
                                                                                 if ((_e2362 & 2147483648u) == 0u) {
-                                                                                    phi_3180_ = true;
+                                                                                    phi_3182_ = true;
                                                                                 } else {
                                                                                     if (_e1907 < _e81) {
                                                                                     } else {
@@ -2491,11 +2491,11 @@ fn function_() {
                                                                                     if ((_e2395.flags & 1u) == 1u) {
                                                                                         let _e2400 = ((1f - _e2355.u) - _e2355.v);
                                                                                         if (_e2395.cutoff <= 0f) {
-                                                                                            phi_3178_ = true;
+                                                                                            phi_3180_ = true;
                                                                                         } else {
                                                                                             let _e2427 = (_e2395.base_color.w * ((((f32((_e2389[0].color >> bitcast<u32>(24i))) * _e2400) + (f32((_e2389[1].color >> bitcast<u32>(24i))) * _e2355.u)) + (f32((_e2389[2].color >> bitcast<u32>(24i))) * _e2355.v)) * (1f / 255f)));
                                                                                             if (_e2395.alpha_size == 0u) {
-                                                                                                phi_3175_ = _e2427;
+                                                                                                phi_3177_ = _e2427;
                                                                                             } else {
                                                                                                 local.offset = _e2395.alpha_offset;
                                                                                                 local.size = _e2395.alpha_size;
@@ -2525,75 +2525,75 @@ fn function_() {
                                                                                                     return;
                                                                                                 }
                                                                                                 let _e2528 = alpha_texels.member[(0u + _e2524)];
-                                                                                                phi_3175_ = (_e2427 * (((((f32(((_e2466 >> bitcast<u32>((((_e2458.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.x) + ((f32(((_e2486 >> bitcast<u32>((((_e2458.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.y)) + ((f32(((_e2507 >> bitcast<u32>((((_e2458.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.z)) + ((f32(((_e2528 >> bitcast<u32>((((_e2458.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.w)));
+                                                                                                phi_3177_ = (_e2427 * (((((f32(((_e2466 >> bitcast<u32>((((_e2458.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.x) + ((f32(((_e2486 >> bitcast<u32>((((_e2458.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.y)) + ((f32(((_e2507 >> bitcast<u32>((((_e2458.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.z)) + ((f32(((_e2528 >> bitcast<u32>((((_e2458.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.w)));
                                                                                             }
-                                                                                            let _e2544 = phi_3175_;
-                                                                                            phi_3178_ = (_e2544 >= _e2395.cutoff);
+                                                                                            let _e2544 = phi_3177_;
+                                                                                            phi_3180_ = (_e2544 >= _e2395.cutoff);
                                                                                         }
-                                                                                        let _e2548 = phi_3178_;
-                                                                                        phi_3179_ = _e2548;
+                                                                                        let _e2548 = phi_3180_;
+                                                                                        phi_3181_ = _e2548;
                                                                                     } else {
-                                                                                        phi_3179_ = false;
+                                                                                        phi_3181_ = false;
                                                                                     }
-                                                                                    let _e2550 = phi_3179_;
-                                                                                    phi_3180_ = _e2550;
+                                                                                    let _e2550 = phi_3181_;
+                                                                                    phi_3182_ = _e2550;
                                                                                 }
-                                                                                let _e2552 = phi_3180_;
+                                                                                let _e2552 = phi_3182_;
                                                                                 if _e2552 {
-                                                                                    phi_3184_ = false;
+                                                                                    phi_3186_ = false;
                                                                                 } else {
-                                                                                    phi_3184_ = true;
+                                                                                    phi_3186_ = true;
                                                                                 }
-                                                                                let _e2554 = phi_3184_;
-                                                                                phi_3185_ = _e2552;
-                                                                                phi_3186_ = _e2552;
-                                                                                phi_3187_ = _e2554;
+                                                                                let _e2554 = phi_3186_;
+                                                                                phi_3187_ = _e2552;
+                                                                                phi_3188_ = _e2552;
+                                                                                phi_3189_ = _e2554;
                                                                             } else {
-                                                                                phi_3185_ = bool();
-                                                                                phi_3186_ = _e1898;
-                                                                                phi_3187_ = true;
+                                                                                phi_3187_ = bool();
+                                                                                phi_3188_ = _e1898;
+                                                                                phi_3189_ = true;
                                                                             }
-                                                                            let _e2556 = phi_3185_;
-                                                                            let _e2558 = phi_3186_;
-                                                                            let _e2560 = phi_3187_;
-                                                                            phi_3188_ = _e2556;
-                                                                            phi_3189_ = _e2558;
-                                                                            phi_3190_ = _e2560;
+                                                                            let _e2556 = phi_3187_;
+                                                                            let _e2558 = phi_3188_;
+                                                                            let _e2560 = phi_3189_;
+                                                                            phi_3190_ = _e2556;
+                                                                            phi_3191_ = _e2558;
+                                                                            phi_3192_ = _e2560;
                                                                         } else {
-                                                                            phi_3188_ = bool();
-                                                                            phi_3189_ = _e1898;
-                                                                            phi_3190_ = true;
+                                                                            phi_3190_ = bool();
+                                                                            phi_3191_ = _e1898;
+                                                                            phi_3192_ = true;
                                                                         }
-                                                                        let _e2562 = phi_3188_;
-                                                                        let _e2564 = phi_3189_;
-                                                                        let _e2566 = phi_3190_;
-                                                                        phi_3191_ = _e2562;
-                                                                        phi_3192_ = _e2564;
-                                                                        phi_3193_ = _e2566;
+                                                                        let _e2562 = phi_3190_;
+                                                                        let _e2564 = phi_3191_;
+                                                                        let _e2566 = phi_3192_;
+                                                                        phi_3193_ = _e2562;
+                                                                        phi_3194_ = _e2564;
+                                                                        phi_3195_ = _e2566;
                                                                     } else {
-                                                                        phi_3191_ = bool();
-                                                                        phi_3192_ = _e1898;
-                                                                        phi_3193_ = true;
+                                                                        phi_3193_ = bool();
+                                                                        phi_3194_ = _e1898;
+                                                                        phi_3195_ = true;
                                                                     }
-                                                                    let _e2568 = phi_3191_;
-                                                                    let _e2570 = phi_3192_;
-                                                                    let _e2572 = phi_3193_;
+                                                                    let _e2568 = phi_3193_;
+                                                                    let _e2570 = phi_3194_;
+                                                                    let _e2572 = phi_3195_;
                                                                     if _e2572 {
                                                                     }
-                                                                    phi_2391_ = (_e1896 & (_e1896 - 1u));
-                                                                    phi_2394_ = _e2570;
-                                                                    phi_3197_ = _e2568;
-                                                                    phi_3198_ = _e2572;
+                                                                    phi_2393_ = (_e1896 & (_e1896 - 1u));
+                                                                    phi_2396_ = _e2570;
+                                                                    phi_3199_ = _e2568;
+                                                                    phi_3200_ = _e2572;
                                                                 }
-                                                                let _e2574 = phi_2391_;
-                                                                let _e2576 = phi_2394_;
-                                                                let _e2578 = phi_3197_;
-                                                                let _e2580 = phi_3198_;
+                                                                let _e2574 = phi_2393_;
+                                                                let _e2576 = phi_2396_;
+                                                                let _e2578 = phi_3199_;
+                                                                let _e2580 = phi_3200_;
                                                                 local_14 = _e2578;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2390_ = _e2574;
-                                                                    phi_2393_ = _e2576;
+                                                                    phi_2392_ = _e2574;
+                                                                    phi_2395_ = _e2576;
                                                                     break if !(_e2580);
                                                                 }
                                                             }
@@ -2603,7 +2603,7 @@ fn function_() {
                                                                 if ((_e2585 & 4278190080u) == 0u) {
                                                                     let _e2589 = local_1.len;
                                                                     if (_e2589 == 0u) {
-                                                                        phi_3240_ = false;
+                                                                        phi_3242_ = false;
                                                                     } else {
                                                                         let _e2593 = local_1.len;
                                                                         local_1.len = (_e2593 - 1u);
@@ -2621,14 +2621,14 @@ fn function_() {
                                                                         }
                                                                         let _e2609 = local_1.mask[(0u + _e2604)];
                                                                         local_1.group_mask = _e2609;
-                                                                        phi_3240_ = true;
+                                                                        phi_3242_ = true;
                                                                     }
-                                                                    let _e2612 = phi_3240_;
-                                                                    phi_3241_ = _e2612;
+                                                                    let _e2612 = phi_3242_;
+                                                                    phi_3243_ = _e2612;
                                                                 } else {
-                                                                    phi_3241_ = true;
+                                                                    phi_3243_ = true;
                                                                 }
-                                                                let _e2614 = phi_3241_;
+                                                                let _e2614 = phi_3243_;
                                                                 if _e2614 {
                                                                     let _e2616 = local_1.group_mask;
                                                                     let _e2622 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2616)), 32u, (_e2616 == 0u)));
@@ -2636,120 +2636,120 @@ fn function_() {
                                                                     let _e2640 = local_1.group_mask;
                                                                     local_1.group_mask = (_e2640 & ~((1u << bitcast<u32>((_e2622 & 31u)))));
                                                                     let _e2643 = local_1.group;
-                                                                    phi_3272_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1320) & 31u))))) & 255u)));
+                                                                    phi_3274_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1320) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3272_ = 4294967295u;
+                                                                    phi_3274_ = 4294967295u;
                                                                 }
-                                                                let _e2646 = phi_3272_;
-                                                                phi_3273_ = _e2646;
+                                                                let _e2646 = phi_3274_;
+                                                                phi_3275_ = _e2646;
                                                             } else {
-                                                                phi_3273_ = u32();
+                                                                phi_3275_ = u32();
                                                             }
-                                                            let _e2648 = phi_3273_;
-                                                            phi_2059_ = _e2648;
+                                                            let _e2648 = phi_3275_;
+                                                            phi_2061_ = _e2648;
                                                             let _e3124 = local_13;
-                                                            phi_2062_ = _e3124;
+                                                            phi_2064_ = _e3124;
                                                             let _e3127 = local_14;
-                                                            phi_3274_ = _e3127;
+                                                            phi_3276_ = _e3127;
                                                             let _e3130 = local_15;
-                                                            phi_3275_ = _e3130;
-                                                            phi_3276_ = false;
+                                                            phi_3277_ = _e3130;
+                                                            phi_3278_ = false;
                                                         } else {
-                                                            phi_2059_ = u32();
-                                                            phi_2062_ = bool();
-                                                            phi_3274_ = bool();
-                                                            phi_3275_ = false;
-                                                            phi_3276_ = true;
+                                                            phi_2061_ = u32();
+                                                            phi_2064_ = bool();
+                                                            phi_3276_ = bool();
+                                                            phi_3277_ = false;
+                                                            phi_3278_ = true;
                                                         }
-                                                        let _e2650 = phi_2059_;
-                                                        let _e2652 = phi_2062_;
-                                                        let _e2654 = phi_3274_;
-                                                        let _e2656 = phi_3275_;
-                                                        let _e2658 = phi_3276_;
+                                                        let _e2650 = phi_2061_;
+                                                        let _e2652 = phi_2064_;
+                                                        let _e2654 = phi_3276_;
+                                                        let _e2656 = phi_3277_;
+                                                        let _e2658 = phi_3278_;
                                                         local_10 = _e2658;
                                                         local_16 = _e2654;
                                                         continue;
                                                         continuing {
-                                                            phi_2058_ = _e2650;
-                                                            phi_2061_ = _e2652;
+                                                            phi_2060_ = _e2650;
+                                                            phi_2063_ = _e2652;
                                                             break if !(_e2656);
                                                         }
                                                     }
                                                     let _e2661 = local_10;
                                                     if _e2661 {
-                                                        phi_3280_ = false;
+                                                        phi_3282_ = false;
                                                     } else {
-                                                        phi_3280_ = true;
+                                                        phi_3282_ = true;
                                                     }
-                                                    let _e2663 = phi_3280_;
+                                                    let _e2663 = phi_3282_;
                                                     if _e2663 {
                                                         let _e3136 = local_16;
-                                                        phi_3284_ = _e3136;
+                                                        phi_3286_ = _e3136;
                                                     } else {
                                                         let _e3138 = local_17;
-                                                        phi_3284_ = _e3138;
+                                                        phi_3286_ = _e3138;
                                                     }
-                                                    let _e2665 = phi_3284_;
-                                                    phi_3285_ = _e2665;
+                                                    let _e2665 = phi_3286_;
+                                                    phi_3287_ = _e2665;
                                                 }
-                                                let _e2667 = phi_3285_;
-                                                phi_3286_ = _e2667;
-                                                phi_3287_ = _e1142;
+                                                let _e2667 = phi_3287_;
+                                                phi_3288_ = _e2667;
+                                                phi_3289_ = _e1142;
                                             } else {
-                                                phi_3286_ = bool();
-                                                phi_3287_ = true;
+                                                phi_3288_ = bool();
+                                                phi_3289_ = true;
                                             }
-                                            let _e2669 = phi_3286_;
-                                            let _e2671 = phi_3287_;
+                                            let _e2669 = phi_3288_;
+                                            let _e2671 = phi_3289_;
                                             if _e2671 {
-                                                phi_3291_ = _e937;
+                                                phi_3293_ = _e937;
                                             } else {
-                                                phi_3291_ = _e2669;
+                                                phi_3293_ = _e2669;
                                             }
-                                            let _e2673 = phi_3291_;
+                                            let _e2673 = phi_3293_;
                                             if _e2673 {
-                                                phi_3295_ = false;
+                                                phi_3297_ = false;
                                             } else {
-                                                phi_3295_ = true;
+                                                phi_3297_ = true;
                                             }
-                                            let _e2675 = phi_3295_;
-                                            phi_3296_ = _e2673;
-                                            phi_3297_ = _e2675;
+                                            let _e2675 = phi_3297_;
+                                            phi_3298_ = _e2673;
+                                            phi_3299_ = _e2675;
                                         } else {
-                                            phi_3296_ = _e937;
-                                            phi_3297_ = true;
+                                            phi_3298_ = _e937;
+                                            phi_3299_ = true;
                                         }
-                                        let _e2677 = phi_3296_;
-                                        let _e2679 = phi_3297_;
-                                        phi_3298_ = _e2677;
-                                        phi_3299_ = _e2679;
+                                        let _e2677 = phi_3298_;
+                                        let _e2679 = phi_3299_;
+                                        phi_3300_ = _e2677;
+                                        phi_3301_ = _e2679;
                                     } else {
-                                        phi_3298_ = _e937;
-                                        phi_3299_ = true;
+                                        phi_3300_ = _e937;
+                                        phi_3301_ = true;
                                     }
-                                    let _e2681 = phi_3298_;
-                                    let _e2683 = phi_3299_;
-                                    phi_3300_ = _e2681;
-                                    phi_3301_ = _e2683;
+                                    let _e2681 = phi_3300_;
+                                    let _e2683 = phi_3301_;
+                                    phi_3302_ = _e2681;
+                                    phi_3303_ = _e2683;
                                 } else {
-                                    phi_3300_ = _e937;
-                                    phi_3301_ = true;
+                                    phi_3302_ = _e937;
+                                    phi_3303_ = true;
                                 }
-                                let _e2685 = phi_3300_;
-                                let _e2687 = phi_3301_;
+                                let _e2685 = phi_3302_;
+                                let _e2687 = phi_3303_;
                                 if _e2687 {
                                 }
-                                phi_1444_ = (_e935 & (_e935 - 1u));
-                                phi_1447_ = _e2685;
-                                phi_3305_ = _e2687;
+                                phi_1446_ = (_e935 & (_e935 - 1u));
+                                phi_1449_ = _e2685;
+                                phi_3307_ = _e2687;
                             }
-                            let _e2689 = phi_1444_;
-                            let _e2691 = phi_1447_;
-                            let _e2693 = phi_3305_;
+                            let _e2689 = phi_1446_;
+                            let _e2691 = phi_1449_;
+                            let _e2693 = phi_3307_;
                             continue;
                             continuing {
-                                phi_1443_ = _e2689;
-                                phi_1446_ = _e2691;
+                                phi_1445_ = _e2689;
+                                phi_1448_ = _e2691;
                                 break if !(_e2693);
                             }
                         }
@@ -2759,7 +2759,7 @@ fn function_() {
                             if ((_e2698 & 4278190080u) == 0u) {
                                 let _e2702 = local_2.len;
                                 if (_e2702 == 0u) {
-                                    phi_3347_ = false;
+                                    phi_3349_ = false;
                                 } else {
                                     let _e2706 = local_2.len;
                                     local_2.len = (_e2706 - 1u);
@@ -2777,14 +2777,14 @@ fn function_() {
                                     }
                                     let _e2722 = local_2.mask[(0u + _e2717)];
                                     local_2.group_mask = _e2722;
-                                    phi_3347_ = true;
+                                    phi_3349_ = true;
                                 }
-                                let _e2725 = phi_3347_;
-                                phi_3348_ = _e2725;
+                                let _e2725 = phi_3349_;
+                                phi_3350_ = _e2725;
                             } else {
-                                phi_3348_ = true;
+                                phi_3350_ = true;
                             }
-                            let _e2727 = phi_3348_;
+                            let _e2727 = phi_3350_;
                             if _e2727 {
                                 let _e2729 = local_2.group_mask;
                                 let _e2735 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2729)), 32u, (_e2729 == 0u)));
@@ -2792,81 +2792,81 @@ fn function_() {
                                 let _e2753 = local_2.group_mask;
                                 local_2.group_mask = (_e2753 & ~((1u << bitcast<u32>((_e2735 & 31u)))));
                                 let _e2756 = local_2.group;
-                                phi_3379_ = (_e2756 + countOneBits(((_e2739 & ~((4294967295u << bitcast<u32>((((_e2735 - 24u) ^ _e359) & 31u))))) & 255u)));
+                                phi_3381_ = (_e2756 + countOneBits(((_e2739 & ~((4294967295u << bitcast<u32>((((_e2735 - 24u) ^ _e359) & 31u))))) & 255u)));
                             } else {
-                                phi_3379_ = 4294967295u;
+                                phi_3381_ = 4294967295u;
                             }
-                            let _e2759 = phi_3379_;
-                            phi_3380_ = _e2759;
+                            let _e2759 = phi_3381_;
+                            phi_3382_ = _e2759;
                         } else {
-                            phi_3380_ = u32();
+                            phi_3382_ = u32();
                         }
-                        let _e2761 = phi_3380_;
-                        phi_1112_ = _e2761;
+                        let _e2761 = phi_3382_;
+                        phi_1114_ = _e2761;
                         let _e3161 = local_18;
-                        phi_1115_ = _e3161;
+                        phi_1117_ = _e3161;
                         let _e3164 = local_19;
-                        phi_3381_ = _e3164;
-                        phi_3382_ = false;
+                        phi_3383_ = _e3164;
+                        phi_3384_ = false;
                     } else {
-                        phi_1112_ = u32();
-                        phi_1115_ = bool();
-                        phi_3381_ = false;
-                        phi_3382_ = true;
+                        phi_1114_ = u32();
+                        phi_1117_ = bool();
+                        phi_3383_ = false;
+                        phi_3384_ = true;
                     }
-                    let _e2763 = phi_1112_;
-                    let _e2765 = phi_1115_;
-                    let _e2767 = phi_3381_;
-                    let _e2769 = phi_3382_;
+                    let _e2763 = phi_1114_;
+                    let _e2765 = phi_1117_;
+                    let _e2767 = phi_3383_;
+                    let _e2769 = phi_3384_;
                     local_12 = _e2769;
                     continue;
                     continuing {
-                        phi_1111_ = _e2763;
-                        phi_1114_ = _e2765;
+                        phi_1113_ = _e2763;
+                        phi_1116_ = _e2765;
                         break if !(_e2767);
                     }
                 }
                 let _e2772 = local_12;
                 if _e2772 {
-                    phi_3386_ = false;
+                    phi_3388_ = false;
                 } else {
-                    phi_3386_ = true;
+                    phi_3388_ = true;
                 }
-                let _e2774 = phi_3386_;
+                let _e2774 = phi_3388_;
                 if _e2774 {
                 }
-                phi_3390_ = _e2774;
+                phi_3392_ = _e2774;
             }
-            let _e2776 = phi_3390_;
-            phi_3391_ = _e211;
-            phi_3392_ = _e2776;
+            let _e2776 = phi_3392_;
+            phi_3393_ = _e211;
+            phi_3394_ = _e2776;
         } else {
-            phi_3391_ = true;
-            phi_3392_ = false;
+            phi_3393_ = true;
+            phi_3394_ = false;
         }
-        let _e2778 = phi_3391_;
-        let _e2780 = phi_3392_;
+        let _e2778 = phi_3393_;
+        let _e2780 = phi_3394_;
         if _e2778 {
-            phi_3396_ = false;
-            phi_3397_ = true;
+            phi_3398_ = false;
+            phi_3399_ = true;
         } else {
-            phi_3396_ = true;
-            phi_3397_ = _e2780;
+            phi_3398_ = true;
+            phi_3399_ = _e2780;
         }
-        let _e2782 = phi_3396_;
-        let _e2784 = phi_3397_;
+        let _e2782 = phi_3398_;
+        let _e2784 = phi_3399_;
         if _e2784 {
-            phi_3401_ = _e2782;
+            phi_3403_ = _e2782;
         } else {
-            phi_3401_ = false;
+            phi_3403_ = false;
         }
-        let _e2786 = phi_3401_;
+        let _e2786 = phi_3403_;
         if _e2786 {
-            phi_3405_ = 0f;
+            phi_3407_ = 0f;
         } else {
-            phi_3405_ = 1f;
+            phi_3407_ = 1f;
         }
-        let _e2788 = phi_3405_;
+        let _e2788 = phi_3407_;
         if (_e115 < _e84) {
         } else {
             return;
@@ -2890,11 +2890,11 @@ fn function_() {
                 return;
             }
             let _e2811 = bits.member[(0u + _e2807)];
-            phi_3446_ = _e2811;
+            phi_3448_ = _e2811;
         } else {
-            phi_3446_ = 0u;
+            phi_3448_ = 0u;
         }
-        let _e2813 = phi_3446_;
+        let _e2813 = phi_3448_;
         if (_e2805 < _e90) {
         } else {
             return;
@@ -2902,29 +2902,29 @@ fn function_() {
         let _e2817 = bits.member[(0u + _e2805)];
         let _e2820 = (_e2817 >> bitcast<u32>((_e2797 & 31u)));
         if (_e2797 > 29u) {
-            phi_3465_ = (_e2820 | (_e2813 << bitcast<u32>(((32u - _e2797) & 31u))));
+            phi_3467_ = (_e2820 | (_e2813 << bitcast<u32>(((32u - _e2797) & 31u))));
         } else {
-            phi_3465_ = _e2820;
+            phi_3467_ = _e2820;
         }
-        let _e2828 = phi_3465_;
+        let _e2828 = phi_3467_;
         if ((_e2828 & 2u) == 0u) {
-            phi_3473_ = (_e2828 & 1u);
+            phi_3475_ = (_e2828 & 1u);
         } else {
-            phi_3473_ = (_e2828 & 7u);
+            phi_3475_ = (_e2828 & 7u);
         }
-        let _e2834 = phi_3473_;
+        let _e2834 = phi_3475_;
         if ((_e2834 & 1u) != 0u) {
-            phi_3481_ = (2u | 1u);
+            phi_3483_ = (2u | 1u);
         } else {
-            phi_3481_ = 2u;
+            phi_3483_ = 2u;
         }
-        let _e2840 = phi_3481_;
+        let _e2840 = phi_3483_;
         if (_e2803 < 0.5f) {
-            phi_3486_ = (_e2840 | 4u);
+            phi_3488_ = (_e2840 | 4u);
         } else {
-            phi_3486_ = _e2840;
+            phi_3488_ = _e2840;
         }
-        let _e2843 = phi_3486_;
+        let _e2843 = phi_3488_;
         let _e2845 = ((_e115 * _e2799) + _e2796);
         if (_e2845 < _e90) {
         } else {

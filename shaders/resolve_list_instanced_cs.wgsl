@@ -135,322 +135,322 @@ var<storage> instances: type_51;
 var<storage> list: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_162_: bool;
-    var phi_166_: f32;
+    var phi_164_: bool;
+    var phi_168_: f32;
 
     if (param != param) {
-        phi_162_ = true;
+        phi_164_ = true;
     } else {
         let _e54 = (param_1 >= param);
         if _e54 {
         }
-        phi_162_ = _e54;
+        phi_164_ = _e54;
     }
-    let _e56 = phi_162_;
+    let _e56 = phi_164_;
     if _e56 {
-        phi_166_ = param_1;
+        phi_168_ = param_1;
     } else {
-        phi_166_ = param;
+        phi_168_ = param;
     }
-    let _e58 = phi_166_;
+    let _e58 = phi_168_;
     return _e58;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_178_: bool;
-    var phi_182_: f32;
+    var phi_180_: bool;
+    var phi_184_: f32;
 
     if (param_2 != param_2) {
-        phi_178_ = true;
+        phi_180_ = true;
     } else {
         let _e54 = (param_3 <= param_2);
         if _e54 {
         }
-        phi_178_ = _e54;
+        phi_180_ = _e54;
     }
-    let _e56 = phi_178_;
+    let _e56 = phi_180_;
     if _e56 {
-        phi_182_ = param_3;
+        phi_184_ = param_3;
     } else {
-        phi_182_ = param_2;
+        phi_184_ = param_2;
     }
-    let _e58 = phi_182_;
+    let _e58 = phi_184_;
     return _e58;
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_265_: f32;
-    var phi_297_: bool;
-    var phi_298_: bool;
+    var phi_267_: f32;
     var phi_299_: bool;
     var phi_300_: bool;
-    var phi_304_: bool;
-    var phi_317_: bool;
-    var phi_318_: bool;
+    var phi_301_: bool;
+    var phi_302_: bool;
+    var phi_306_: bool;
     var phi_319_: bool;
     var phi_320_: bool;
-    var phi_324_: bool;
-    var phi_337_: bool;
-    var phi_338_: bool;
+    var phi_321_: bool;
+    var phi_322_: bool;
+    var phi_326_: bool;
     var phi_339_: bool;
-    var phi_343_: bool;
-    var phi_344_: bool;
+    var phi_340_: bool;
+    var phi_341_: bool;
     var phi_345_: bool;
     var phi_346_: bool;
     var phi_347_: bool;
-    var phi_351_: bool;
-    var phi_421_: f32;
-    var phi_428_: f32;
-    var phi_435_: f32;
-    var phi_442_: f32;
-    var phi_449_: f32;
-    var phi_456_: f32;
-    var phi_473_: f32;
-    var phi_478_: f32;
-    var phi_483_: f32;
-    var phi_488_: f32;
-    var phi_493_: f32;
-    var phi_512_: u32;
-    var phi_517_: u32;
-    var phi_522_: u32;
-    var phi_636_: bool;
-    var phi_637_: bool;
-    var phi_668_: u32;
+    var phi_348_: bool;
+    var phi_349_: bool;
+    var phi_353_: bool;
+    var phi_423_: f32;
+    var phi_430_: f32;
+    var phi_437_: f32;
+    var phi_444_: f32;
+    var phi_451_: f32;
+    var phi_458_: f32;
+    var phi_475_: f32;
+    var phi_480_: f32;
+    var phi_485_: f32;
+    var phi_490_: f32;
+    var phi_495_: f32;
+    var phi_514_: u32;
+    var phi_519_: u32;
+    var phi_524_: u32;
+    var phi_638_: bool;
+    var phi_639_: bool;
     var phi_670_: u32;
-    var phi_673_: bool;
-    var phi_753_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_780_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_807_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_813_: u32;
-    var phi_816_: u32;
-    var phi_830_: u32;
-    var phi_840_: u32;
-    var phi_850_: u32;
-    var phi_868_: u32;
-    var phi_878_: u32;
-    var phi_888_: u32;
-    var phi_924_: u32;
-    var phi_937_: u32;
-    var phi_942_: u32;
-    var phi_943_: u32;
+    var phi_672_: u32;
+    var phi_675_: bool;
+    var phi_755_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_782_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_809_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_815_: u32;
+    var phi_818_: u32;
+    var phi_832_: u32;
+    var phi_842_: u32;
+    var phi_852_: u32;
+    var phi_870_: u32;
+    var phi_880_: u32;
+    var phi_890_: u32;
+    var phi_926_: u32;
+    var phi_939_: u32;
     var phi_944_: u32;
-    var phi_814_: u32;
-    var phi_817_: u32;
+    var phi_945_: u32;
+    var phi_946_: u32;
+    var phi_816_: u32;
+    var phi_819_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1002_: u32;
-    var phi_1005_: bool;
-    var phi_1054_: f32;
-    var phi_1059_: f32;
-    var phi_1064_: f32;
-    var phi_1072_: f32;
-    var phi_1077_: f32;
-    var phi_1082_: f32;
-    var phi_1202_: bool;
-    var phi_1203_: bool;
+    var phi_1004_: u32;
+    var phi_1007_: bool;
+    var phi_1056_: f32;
+    var phi_1061_: f32;
+    var phi_1066_: f32;
+    var phi_1074_: f32;
+    var phi_1079_: f32;
+    var phi_1084_: f32;
     var phi_1204_: bool;
     var phi_1205_: bool;
-    var phi_1209_: bool;
-    var phi_1222_: bool;
-    var phi_1223_: bool;
+    var phi_1206_: bool;
+    var phi_1207_: bool;
+    var phi_1211_: bool;
     var phi_1224_: bool;
     var phi_1225_: bool;
-    var phi_1229_: bool;
-    var phi_1242_: bool;
-    var phi_1243_: bool;
+    var phi_1226_: bool;
+    var phi_1227_: bool;
+    var phi_1231_: bool;
     var phi_1244_: bool;
-    var phi_1248_: bool;
-    var phi_1249_: bool;
+    var phi_1245_: bool;
+    var phi_1246_: bool;
     var phi_1250_: bool;
     var phi_1251_: bool;
     var phi_1252_: bool;
-    var phi_1256_: bool;
-    var phi_1326_: f32;
-    var phi_1333_: f32;
-    var phi_1340_: f32;
-    var phi_1347_: f32;
-    var phi_1354_: f32;
-    var phi_1361_: f32;
-    var phi_1378_: f32;
-    var phi_1383_: f32;
-    var phi_1388_: f32;
-    var phi_1393_: f32;
-    var phi_1398_: f32;
-    var phi_1424_: bool;
-    var phi_1425_: bool;
-    var phi_1433_: u32;
-    var phi_1434_: u32;
-    var phi_1445_: vec3<f32>;
-    var phi_1446_: vec3<f32>;
-    var phi_1459_: u32;
-    var phi_1464_: u32;
-    var phi_1469_: u32;
-    var phi_1583_: bool;
-    var phi_1584_: bool;
-    var phi_1615_: u32;
+    var phi_1253_: bool;
+    var phi_1254_: bool;
+    var phi_1258_: bool;
+    var phi_1328_: f32;
+    var phi_1335_: f32;
+    var phi_1342_: f32;
+    var phi_1349_: f32;
+    var phi_1356_: f32;
+    var phi_1363_: f32;
+    var phi_1380_: f32;
+    var phi_1385_: f32;
+    var phi_1390_: f32;
+    var phi_1395_: f32;
+    var phi_1400_: f32;
+    var phi_1426_: bool;
+    var phi_1427_: bool;
+    var phi_1435_: u32;
+    var phi_1436_: u32;
+    var phi_1447_: vec3<f32>;
+    var phi_1448_: vec3<f32>;
+    var phi_1461_: u32;
+    var phi_1466_: u32;
+    var phi_1471_: u32;
+    var phi_1585_: bool;
+    var phi_1586_: bool;
     var phi_1617_: u32;
-    var phi_1620_: bool;
-    var phi_1700_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1727_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1754_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1760_: u32;
-    var phi_1763_: u32;
-    var phi_1777_: u32;
-    var phi_1787_: u32;
-    var phi_1797_: u32;
-    var phi_1815_: u32;
-    var phi_1825_: u32;
-    var phi_1835_: u32;
-    var phi_1871_: u32;
-    var phi_1884_: u32;
-    var phi_1889_: u32;
-    var phi_1890_: u32;
+    var phi_1619_: u32;
+    var phi_1622_: bool;
+    var phi_1702_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1729_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1756_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1762_: u32;
+    var phi_1765_: u32;
+    var phi_1779_: u32;
+    var phi_1789_: u32;
+    var phi_1799_: u32;
+    var phi_1817_: u32;
+    var phi_1827_: u32;
+    var phi_1837_: u32;
+    var phi_1873_: u32;
+    var phi_1886_: u32;
     var phi_1891_: u32;
-    var phi_1761_: u32;
-    var phi_1764_: u32;
+    var phi_1892_: u32;
+    var phi_1893_: u32;
+    var phi_1763_: u32;
+    var phi_1766_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1949_: u32;
-    var phi_1952_: bool;
-    var phi_1996_: vec3<f32>;
-    var phi_1997_: vec3<f32>;
-    var phi_2026_: vec3<f32>;
-    var phi_2027_: vec3<f32>;
-    var phi_2056_: vec3<f32>;
-    var phi_2057_: vec3<f32>;
-    var phi_2075_: bool;
-    var phi_2076_: bool;
-    var phi_2080_: f32;
-    var phi_2081_: f32;
+    var phi_1951_: u32;
+    var phi_1954_: bool;
+    var phi_1998_: vec3<f32>;
+    var phi_1999_: vec3<f32>;
+    var phi_2028_: vec3<f32>;
+    var phi_2029_: vec3<f32>;
+    var phi_2058_: vec3<f32>;
+    var phi_2059_: vec3<f32>;
+    var phi_2077_: bool;
+    var phi_2078_: bool;
     var phi_2082_: f32;
     var phi_2083_: f32;
-    var phi_2091_: f32;
-    var phi_2101_: bool;
-    var phi_2102_: bool;
-    var phi_2106_: f32;
-    var phi_2107_: f32;
+    var phi_2084_: f32;
+    var phi_2085_: f32;
+    var phi_2093_: f32;
+    var phi_2103_: bool;
+    var phi_2104_: bool;
     var phi_2108_: f32;
     var phi_2109_: f32;
-    var phi_2117_: f32;
-    var phi_2127_: bool;
-    var phi_2128_: bool;
-    var phi_2132_: f32;
-    var phi_2133_: f32;
+    var phi_2110_: f32;
+    var phi_2111_: f32;
+    var phi_2119_: f32;
+    var phi_2129_: bool;
+    var phi_2130_: bool;
     var phi_2134_: f32;
     var phi_2135_: f32;
-    var phi_2143_: f32;
-    var phi_2158_: f32;
-    var phi_2159_: bool;
+    var phi_2136_: f32;
+    var phi_2137_: f32;
+    var phi_2145_: f32;
     var phi_2160_: f32;
     var phi_2161_: bool;
     var phi_2162_: f32;
     var phi_2163_: bool;
-    var phi_2181_: f32;
-    var phi_2182_: bool;
-    var phi_2183_: bool;
-    var phi_2184_: f32;
+    var phi_2164_: f32;
+    var phi_2165_: bool;
+    var phi_2183_: f32;
+    var phi_2184_: bool;
     var phi_2185_: bool;
-    var phi_2186_: bool;
-    var phi_2190_: bool;
-    var phi_2191_: f32;
+    var phi_2186_: f32;
+    var phi_2187_: bool;
+    var phi_2188_: bool;
     var phi_2192_: bool;
-    var phi_2220_: vec3<f32>;
-    var phi_2221_: vec3<f32>;
-    var phi_2246_: vec3<f32>;
-    var phi_2247_: vec3<f32>;
-    var phi_2272_: vec3<f32>;
-    var phi_2273_: vec3<f32>;
-    var phi_2329_: f32;
-    var phi_2338_: f32;
-    var phi_2347_: f32;
-    var phi_2356_: f32;
-    var phi_2363_: f32;
-    var phi_2370_: f32;
-    var phi_2383_: f32;
-    var phi_2392_: f32;
-    var phi_2401_: f32;
-    var phi_2410_: f32;
-    var phi_2417_: f32;
-    var phi_2424_: f32;
-    var phi_2441_: f32;
-    var phi_2446_: f32;
-    var phi_2451_: f32;
-    var phi_2459_: f32;
-    var phi_2464_: f32;
-    var phi_2469_: f32;
-    var phi_2481_: f32;
-    var phi_2486_: f32;
-    var phi_2491_: f32;
-    var phi_2496_: f32;
-    var phi_2501_: lt_bvh_triangle_Intersection;
-    var phi_2502_: bool;
+    var phi_2193_: f32;
+    var phi_2194_: bool;
+    var phi_2222_: vec3<f32>;
+    var phi_2223_: vec3<f32>;
+    var phi_2248_: vec3<f32>;
+    var phi_2249_: vec3<f32>;
+    var phi_2274_: vec3<f32>;
+    var phi_2275_: vec3<f32>;
+    var phi_2331_: f32;
+    var phi_2340_: f32;
+    var phi_2349_: f32;
+    var phi_2358_: f32;
+    var phi_2365_: f32;
+    var phi_2372_: f32;
+    var phi_2385_: f32;
+    var phi_2394_: f32;
+    var phi_2403_: f32;
+    var phi_2412_: f32;
+    var phi_2419_: f32;
+    var phi_2426_: f32;
+    var phi_2443_: f32;
+    var phi_2448_: f32;
+    var phi_2453_: f32;
+    var phi_2461_: f32;
+    var phi_2466_: f32;
+    var phi_2471_: f32;
+    var phi_2483_: f32;
+    var phi_2488_: f32;
+    var phi_2493_: f32;
+    var phi_2498_: f32;
     var phi_2503_: lt_bvh_triangle_Intersection;
     var phi_2504_: bool;
-    var phi_2508_: lt_bvh_triangle_Intersection;
-    var phi_2509_: bool;
+    var phi_2505_: lt_bvh_triangle_Intersection;
+    var phi_2506_: bool;
     var phi_2510_: lt_bvh_triangle_Intersection;
     var phi_2511_: bool;
-    var phi_2512_: bool;
-    var phi_2516_: bool;
-    var phi_2520_: lt_bvh_triangle_Intersection;
-    var phi_2540_: bool;
-    var phi_2541_: bool;
+    var phi_2512_: lt_bvh_triangle_Intersection;
+    var phi_2513_: bool;
+    var phi_2514_: bool;
+    var phi_2518_: bool;
+    var phi_2522_: lt_bvh_triangle_Intersection;
     var phi_2542_: bool;
     var phi_2543_: bool;
     var phi_2544_: bool;
     var phi_2545_: bool;
     var phi_2546_: bool;
-    var phi_1950_: u32;
-    var phi_1953_: bool;
-    var phi_2550_: bool;
+    var phi_2547_: bool;
+    var phi_2548_: bool;
+    var phi_1952_: u32;
+    var phi_1955_: bool;
+    var phi_2552_: bool;
     var local_8: bool;
-    var phi_2592_: bool;
-    var phi_2593_: bool;
-    var phi_2624_: u32;
-    var phi_2625_: u32;
-    var phi_1618_: u32;
-    var phi_1621_: bool;
-    var phi_2626_: bool;
-    var phi_2627_: bool;
+    var phi_2594_: bool;
+    var phi_2595_: bool;
+    var phi_2626_: u32;
+    var phi_2627_: u32;
+    var phi_1620_: u32;
+    var phi_1623_: bool;
+    var phi_2628_: bool;
+    var phi_2629_: bool;
     var local_9: bool;
-    var phi_2631_: bool;
-    var phi_2635_: bool;
-    var phi_2636_: bool;
+    var phi_2633_: bool;
     var phi_2637_: bool;
     var phi_2638_: bool;
-    var phi_2642_: bool;
-    var phi_2646_: bool;
-    var phi_2647_: bool;
+    var phi_2639_: bool;
+    var phi_2640_: bool;
+    var phi_2644_: bool;
     var phi_2648_: bool;
     var phi_2649_: bool;
     var phi_2650_: bool;
     var phi_2651_: bool;
     var phi_2652_: bool;
-    var phi_1003_: u32;
-    var phi_1006_: bool;
-    var phi_2656_: bool;
+    var phi_2653_: bool;
+    var phi_2654_: bool;
+    var phi_1005_: u32;
+    var phi_1008_: bool;
+    var phi_2658_: bool;
     var local_10: bool;
-    var phi_2698_: bool;
-    var phi_2699_: bool;
-    var phi_2730_: u32;
-    var phi_2731_: u32;
-    var phi_671_: u32;
-    var phi_674_: bool;
-    var phi_2732_: bool;
-    var phi_2733_: bool;
+    var phi_2700_: bool;
+    var phi_2701_: bool;
+    var phi_2732_: u32;
+    var phi_2733_: u32;
+    var phi_673_: u32;
+    var phi_676_: bool;
+    var phi_2734_: bool;
+    var phi_2735_: bool;
     var local_11: bool;
-    var phi_2737_: bool;
-    var phi_2741_: bool;
-    var phi_2742_: bool;
+    var phi_2739_: bool;
     var phi_2743_: bool;
-    var phi_2747_: bool;
-    var phi_2748_: bool;
-    var phi_2752_: bool;
-    var phi_2756_: f32;
+    var phi_2744_: bool;
+    var phi_2745_: bool;
+    var phi_2749_: bool;
+    var phi_2750_: bool;
+    var phi_2754_: bool;
+    var phi_2758_: f32;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
@@ -487,11 +487,11 @@ fn function_() {
         let _e111 = (_e93.z + (_e95.z * _e99));
         let _e113 = p.member.light.place;
         if (_e113.w == 0f) {
-            phi_265_ = 300000000000000000000000000000000000000f;
+            phi_267_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_265_ = 1f;
+            phi_267_ = 1f;
         }
-        let _e117 = phi_265_;
+        let _e117 = phi_267_;
         let _e125 = (_e113.x - (_e107 * _e113.w));
         let _e126 = (_e113.y - (_e109 * _e113.w));
         let _e127 = (_e113.z - (_e111 * _e113.w));
@@ -500,102 +500,102 @@ fn function_() {
         let _e130 = abs(_e127);
         if (abs(_e107) < 1000000000000000f) {
             if (abs(_e109) < 1000000000000000f) {
-                phi_297_ = (abs(_e111) < 1000000000000000f);
-                phi_298_ = false;
+                phi_299_ = (abs(_e111) < 1000000000000000f);
+                phi_300_ = false;
             } else {
-                phi_297_ = bool();
-                phi_298_ = true;
+                phi_299_ = bool();
+                phi_300_ = true;
             }
-            let _e138 = phi_297_;
-            let _e140 = phi_298_;
-            phi_299_ = _e138;
-            phi_300_ = _e140;
+            let _e138 = phi_299_;
+            let _e140 = phi_300_;
+            phi_301_ = _e138;
+            phi_302_ = _e140;
         } else {
-            phi_299_ = bool();
-            phi_300_ = true;
+            phi_301_ = bool();
+            phi_302_ = true;
         }
-        let _e142 = phi_299_;
-        let _e144 = phi_300_;
+        let _e142 = phi_301_;
+        let _e144 = phi_302_;
         if _e144 {
-            phi_304_ = false;
+            phi_306_ = false;
         } else {
-            phi_304_ = _e142;
+            phi_306_ = _e142;
         }
-        let _e146 = phi_304_;
+        let _e146 = phi_306_;
         if _e146 {
             if (_e128 < 1000000000000000f) {
                 if (_e129 < 1000000000000000f) {
-                    phi_317_ = (_e130 < 1000000000000000f);
-                    phi_318_ = false;
+                    phi_319_ = (_e130 < 1000000000000000f);
+                    phi_320_ = false;
                 } else {
-                    phi_317_ = bool();
-                    phi_318_ = true;
+                    phi_319_ = bool();
+                    phi_320_ = true;
                 }
-                let _e151 = phi_317_;
-                let _e153 = phi_318_;
-                phi_319_ = _e151;
-                phi_320_ = _e153;
+                let _e151 = phi_319_;
+                let _e153 = phi_320_;
+                phi_321_ = _e151;
+                phi_322_ = _e153;
             } else {
-                phi_319_ = bool();
-                phi_320_ = true;
+                phi_321_ = bool();
+                phi_322_ = true;
             }
-            let _e155 = phi_319_;
-            let _e157 = phi_320_;
+            let _e155 = phi_321_;
+            let _e157 = phi_322_;
             if _e157 {
-                phi_324_ = false;
+                phi_326_ = false;
             } else {
-                phi_324_ = _e155;
+                phi_326_ = _e155;
             }
-            let _e159 = phi_324_;
+            let _e159 = phi_326_;
             if _e159 {
                 if (_e128 > 0f) {
-                    phi_338_ = bool();
-                    phi_339_ = true;
+                    phi_340_ = bool();
+                    phi_341_ = true;
                 } else {
                     let _e161 = (_e129 > 0f);
                     if _e161 {
-                        phi_337_ = bool();
+                        phi_339_ = bool();
                     } else {
-                        phi_337_ = (_e130 > 0f);
+                        phi_339_ = (_e130 > 0f);
                     }
-                    let _e164 = phi_337_;
-                    phi_338_ = _e164;
-                    phi_339_ = _e161;
+                    let _e164 = phi_339_;
+                    phi_340_ = _e164;
+                    phi_341_ = _e161;
                 }
-                let _e166 = phi_338_;
-                let _e168 = phi_339_;
+                let _e166 = phi_340_;
+                let _e168 = phi_341_;
                 if _e168 {
-                    phi_343_ = true;
+                    phi_345_ = true;
                 } else {
-                    phi_343_ = _e166;
+                    phi_345_ = _e166;
                 }
-                let _e170 = phi_343_;
-                phi_344_ = _e170;
-                phi_345_ = false;
+                let _e170 = phi_345_;
+                phi_346_ = _e170;
+                phi_347_ = false;
             } else {
-                phi_344_ = bool();
-                phi_345_ = true;
+                phi_346_ = bool();
+                phi_347_ = true;
             }
-            let _e172 = phi_344_;
-            let _e174 = phi_345_;
-            phi_346_ = _e172;
-            phi_347_ = _e174;
+            let _e172 = phi_346_;
+            let _e174 = phi_347_;
+            phi_348_ = _e172;
+            phi_349_ = _e174;
         } else {
-            phi_346_ = bool();
-            phi_347_ = true;
+            phi_348_ = bool();
+            phi_349_ = true;
         }
-        let _e176 = phi_346_;
-        let _e178 = phi_347_;
+        let _e176 = phi_348_;
+        let _e178 = phi_349_;
         if _e178 {
-            phi_351_ = false;
+            phi_353_ = false;
         } else {
-            phi_351_ = _e176;
+            phi_353_ = _e176;
         }
-        let _e180 = phi_351_;
+        let _e180 = phi_353_;
         if _e180 {
             let _e181 = (_e87 >= _e60);
             if _e181 {
-                phi_2741_ = false;
+                phi_2743_ = false;
             } else {
                 if (_e87 < _e60) {
                 } else {
@@ -612,41 +612,41 @@ fn function_() {
                 let _e246 = core_intrinsics_maximum_number_nsz_f32_(_e245, abs(_e127));
                 let _e247 = (_e246 * 0.0000000000009094947f);
                 if (abs(_e125) < _e247) {
-                    phi_421_ = _e247;
+                    phi_423_ = _e247;
                 } else {
-                    phi_421_ = abs(_e125);
+                    phi_423_ = abs(_e125);
                 }
-                let _e252 = phi_421_;
+                let _e252 = phi_423_;
                 if (_e125 < 0f) {
-                    phi_428_ = (-1f / _e252);
+                    phi_430_ = (-1f / _e252);
                 } else {
-                    phi_428_ = (1f / _e252);
+                    phi_430_ = (1f / _e252);
                 }
-                let _e257 = phi_428_;
+                let _e257 = phi_430_;
                 if (abs(_e126) < _e247) {
-                    phi_435_ = _e247;
+                    phi_437_ = _e247;
                 } else {
-                    phi_435_ = abs(_e126);
+                    phi_437_ = abs(_e126);
                 }
-                let _e262 = phi_435_;
+                let _e262 = phi_437_;
                 if (_e126 < 0f) {
-                    phi_442_ = (-1f / _e262);
+                    phi_444_ = (-1f / _e262);
                 } else {
-                    phi_442_ = (1f / _e262);
+                    phi_444_ = (1f / _e262);
                 }
-                let _e267 = phi_442_;
+                let _e267 = phi_444_;
                 if (abs(_e127) < _e247) {
-                    phi_449_ = _e247;
+                    phi_451_ = _e247;
                 } else {
-                    phi_449_ = abs(_e127);
+                    phi_451_ = abs(_e127);
                 }
-                let _e272 = phi_449_;
+                let _e272 = phi_451_;
                 if (_e127 < 0f) {
-                    phi_456_ = (-1f / _e272);
+                    phi_458_ = (-1f / _e272);
                 } else {
-                    phi_456_ = (1f / _e272);
+                    phi_458_ = (1f / _e272);
                 }
-                let _e277 = phi_456_;
+                let _e277 = phi_458_;
                 let _e281 = abs((bitcast<f32>(_e187) - _e107));
                 let _e282 = abs((bitcast<f32>(_e191) - _e109));
                 let _e283 = abs((bitcast<f32>(_e195) - _e111));
@@ -654,35 +654,35 @@ fn function_() {
                 let _e288 = abs(((bitcast<f32>(_e203) + (bitcast<f32>((((_e211 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e109));
                 let _e289 = abs(((bitcast<f32>(_e207) + (bitcast<f32>((((_e211 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e111));
                 if (_e281 > _e287) {
-                    phi_473_ = _e281;
+                    phi_475_ = _e281;
                 } else {
-                    phi_473_ = _e287;
+                    phi_475_ = _e287;
                 }
-                let _e292 = phi_473_;
+                let _e292 = phi_475_;
                 if (_e282 > _e288) {
-                    phi_478_ = _e282;
+                    phi_480_ = _e282;
                 } else {
-                    phi_478_ = _e288;
+                    phi_480_ = _e288;
                 }
-                let _e295 = phi_478_;
+                let _e295 = phi_480_;
                 if (_e283 > _e289) {
-                    phi_483_ = _e283;
+                    phi_485_ = _e283;
                 } else {
-                    phi_483_ = _e289;
+                    phi_485_ = _e289;
                 }
-                let _e298 = phi_483_;
+                let _e298 = phi_485_;
                 if (_e292 > _e295) {
-                    phi_488_ = _e292;
+                    phi_490_ = _e292;
                 } else {
-                    phi_488_ = _e295;
+                    phi_490_ = _e295;
                 }
-                let _e301 = phi_488_;
+                let _e301 = phi_490_;
                 if (_e301 > _e298) {
-                    phi_493_ = _e301;
+                    phi_495_ = _e301;
                 } else {
-                    phi_493_ = _e298;
+                    phi_495_ = _e298;
                 }
-                let _e304 = phi_493_;
+                let _e304 = phi_495_;
                 let _e308 = (_e304 * 0.0000019073486f);
                 let _e309 = (abs(_e257) * _e308);
                 let _e310 = (abs(_e267) * _e308);
@@ -692,23 +692,23 @@ fn function_() {
                 let _e317 = (abs(_e267) * _e315);
                 let _e318 = (abs(_e277) * _e315);
                 if (_e257 < 0f) {
-                    phi_512_ = 0u;
+                    phi_514_ = 0u;
                 } else {
-                    phi_512_ = 1u;
+                    phi_514_ = 1u;
                 }
-                let _e321 = phi_512_;
+                let _e321 = phi_514_;
                 if (_e267 < 0f) {
-                    phi_517_ = 0u;
+                    phi_519_ = 0u;
                 } else {
-                    phi_517_ = 2u;
+                    phi_519_ = 2u;
                 }
-                let _e324 = phi_517_;
+                let _e324 = phi_519_;
                 if (_e277 < 0f) {
-                    phi_522_ = 0u;
+                    phi_524_ = 0u;
                 } else {
-                    phi_522_ = 4u;
+                    phi_524_ = 4u;
                 }
-                let _e327 = phi_522_;
+                let _e327 = phi_524_;
                 let _e329 = ((_e321 | _e324) | _e327);
                 let _e330 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e87, 2147483648u);
                 local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e330.first[0], _e330.first[1], _e330.first[2], _e330.first[3], _e330.first[4], _e330.first[5], _e330.first[6], _e330.first[7], _e330.first[8], _e330.first[9], _e330.first[10], _e330.first[11], _e330.first[12], _e330.first[13], _e330.first[14], _e330.first[15], _e330.first[16], _e330.first[17], _e330.first[18], _e330.first[19], _e330.first[20], _e330.first[21], _e330.first[22], _e330.first[23], _e330.first[24], _e330.first[25], _e330.first[26], _e330.first[27], _e330.first[28], _e330.first[29], _e330.first[30], _e330.first[31]), array<u32, 32>(_e330.mask[0], _e330.mask[1], _e330.mask[2], _e330.mask[3], _e330.mask[4], _e330.mask[5], _e330.mask[6], _e330.mask[7], _e330.mask[8], _e330.mask[9], _e330.mask[10], _e330.mask[11], _e330.mask[12], _e330.mask[13], _e330.mask[14], _e330.mask[15], _e330.mask[16], _e330.mask[17], _e330.mask[18], _e330.mask[19], _e330.mask[20], _e330.mask[21], _e330.mask[22], _e330.mask[23], _e330.mask[24], _e330.mask[25], _e330.mask[26], _e330.mask[27], _e330.mask[28], _e330.mask[29], _e330.mask[30], _e330.mask[31]), _e330.len, _e330.group, _e330.group_mask);
@@ -716,7 +716,7 @@ fn function_() {
                 if ((_e404 & 4278190080u) == 0u) {
                     let _e408 = local_1.len;
                     if (_e408 == 0u) {
-                        phi_636_ = false;
+                        phi_638_ = false;
                     } else {
                         let _e412 = local_1.len;
                         local_1.len = (_e412 - 1u);
@@ -734,14 +734,14 @@ fn function_() {
                         }
                         let _e428 = local_1.mask[(0u + _e423)];
                         local_1.group_mask = _e428;
-                        phi_636_ = true;
+                        phi_638_ = true;
                     }
-                    let _e431 = phi_636_;
-                    phi_637_ = _e431;
+                    let _e431 = phi_638_;
+                    phi_639_ = _e431;
                 } else {
-                    phi_637_ = true;
+                    phi_639_ = true;
                 }
-                let _e433 = phi_637_;
+                let _e433 = phi_639_;
                 if _e433 {
                     let _e435 = local_1.group_mask;
                     let _e441 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e435)), 32u, (_e435 == 0u)));
@@ -749,16 +749,16 @@ fn function_() {
                     let _e459 = local_1.group_mask;
                     local_1.group_mask = (_e459 & ~((1u << bitcast<u32>((_e441 & 31u)))));
                     let _e462 = local_1.group;
-                    phi_668_ = (_e462 + countOneBits(((_e445 & ~((4294967295u << bitcast<u32>((((_e441 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    phi_670_ = (_e462 + countOneBits(((_e445 & ~((4294967295u << bitcast<u32>((((_e441 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_668_ = 4294967295u;
+                    phi_670_ = 4294967295u;
                 }
-                let _e465 = phi_668_;
-                phi_670_ = _e465;
-                phi_673_ = false;
+                let _e465 = phi_670_;
+                phi_672_ = _e465;
+                phi_675_ = false;
                 loop {
-                    let _e467 = phi_670_;
-                    let _e469 = phi_673_;
+                    let _e467 = phi_672_;
+                    let _e469 = phi_675_;
                     if (_e467 != 4294967295u) {
                         if (_e467 < _e60) {
                         } else {
@@ -779,45 +779,45 @@ fn function_() {
                             let _e540 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e529.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e540.unnamed.word, _e529.w), _e540.unnamed_1);
                             let _e552 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e546.unnamed, lt_mask_LightPlace(_e529.x, _e546.unnamed_1.shift));
-                            phi_753_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e552.unnamed, lt_mask_LightPlace(_e552.unnamed_1.word, _e529.y));
+                            phi_755_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e552.unnamed, lt_mask_LightPlace(_e552.unnamed_1.word, _e529.y));
                         } else {
                             let _e568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e529.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e568.unnamed.word, _e529.y), _e568.unnamed_1);
                             let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e574.unnamed, lt_mask_LightPlace(_e529.z, _e574.unnamed_1.shift));
-                            phi_753_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_mask_LightPlace(_e580.unnamed_1.word, _e529.w));
+                            phi_755_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_mask_LightPlace(_e580.unnamed_1.word, _e529.w));
                         }
-                        let _e588 = phi_753_;
+                        let _e588 = phi_755_;
                         let _e598 = nodes.member[(0u + _e467)].y;
                         if (_e267 < 0f) {
                             let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e598.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e609.unnamed.word, _e598.w), _e609.unnamed_1);
                             let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e615.unnamed, lt_mask_LightPlace(_e598.x, _e615.unnamed_1.shift));
-                            phi_780_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_mask_LightPlace(_e621.unnamed_1.word, _e598.y));
+                            phi_782_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_mask_LightPlace(_e621.unnamed_1.word, _e598.y));
                         } else {
                             let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e598.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e637.unnamed.word, _e598.y), _e637.unnamed_1);
                             let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_mask_LightPlace(_e598.z, _e643.unnamed_1.shift));
-                            phi_780_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_mask_LightPlace(_e649.unnamed_1.word, _e598.w));
+                            phi_782_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_mask_LightPlace(_e649.unnamed_1.word, _e598.w));
                         }
-                        let _e657 = phi_780_;
+                        let _e657 = phi_782_;
                         let _e667 = nodes.member[(0u + _e467)].z;
                         if (_e277 < 0f) {
                             let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e678.unnamed.word, _e667.w), _e678.unnamed_1);
                             let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_mask_LightPlace(_e667.x, _e684.unnamed_1.shift));
-                            phi_807_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_mask_LightPlace(_e690.unnamed_1.word, _e667.y));
+                            phi_809_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_mask_LightPlace(_e690.unnamed_1.word, _e667.y));
                         } else {
                             let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e706.unnamed.word, _e667.y), _e706.unnamed_1);
                             let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_mask_LightPlace(_e667.z, _e712.unnamed_1.shift));
-                            phi_807_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e718.unnamed_1.word, _e667.w));
+                            phi_809_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e718.unnamed_1.word, _e667.w));
                         }
-                        let _e726 = phi_807_;
-                        phi_813_ = 0u;
-                        phi_816_ = 0u;
+                        let _e726 = phi_809_;
+                        phi_815_ = 0u;
+                        phi_818_ = 0u;
                         loop {
-                            let _e736 = phi_813_;
-                            let _e738 = phi_816_;
+                            let _e736 = phi_815_;
+                            let _e738 = phi_818_;
                             local_2 = _e738;
                             local_3 = _e738;
                             local_4 = _e738;
@@ -826,43 +826,43 @@ fn function_() {
                                 let _e741 = (_e736 >> bitcast<u32>(2i));
                                 let _e742 = (_e736 & 3u);
                                 if (_e741 == 0u) {
-                                    phi_830_ = _e588.unnamed.word;
+                                    phi_832_ = _e588.unnamed.word;
                                 } else {
-                                    phi_830_ = _e588.unnamed.shift;
+                                    phi_832_ = _e588.unnamed.shift;
                                 }
-                                let _e745 = phi_830_;
+                                let _e745 = phi_832_;
                                 if (_e741 == 0u) {
-                                    phi_840_ = _e657.unnamed.word;
+                                    phi_842_ = _e657.unnamed.word;
                                 } else {
-                                    phi_840_ = _e657.unnamed.shift;
+                                    phi_842_ = _e657.unnamed.shift;
                                 }
-                                let _e754 = phi_840_;
+                                let _e754 = phi_842_;
                                 if (_e741 == 0u) {
-                                    phi_850_ = _e726.unnamed.word;
+                                    phi_852_ = _e726.unnamed.word;
                                 } else {
-                                    phi_850_ = _e726.unnamed.shift;
+                                    phi_852_ = _e726.unnamed.shift;
                                 }
-                                let _e763 = phi_850_;
+                                let _e763 = phi_852_;
                                 let _e776 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e745 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e501) + (_e519 - _e309)), ((f32(((_e754 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e502) + (_e520 - _e310)));
                                 let _e777 = core_intrinsics_maximum_number_nsz_f32_(_e776, ((f32(((_e763 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e503) + (_e521 - _e311)));
                                 if (_e741 == 0u) {
-                                    phi_868_ = _e588.unnamed_1.word;
+                                    phi_870_ = _e588.unnamed_1.word;
                                 } else {
-                                    phi_868_ = _e588.unnamed_1.shift;
+                                    phi_870_ = _e588.unnamed_1.shift;
                                 }
-                                let _e780 = phi_868_;
+                                let _e780 = phi_870_;
                                 if (_e741 == 0u) {
-                                    phi_878_ = _e657.unnamed_1.word;
+                                    phi_880_ = _e657.unnamed_1.word;
                                 } else {
-                                    phi_878_ = _e657.unnamed_1.shift;
+                                    phi_880_ = _e657.unnamed_1.shift;
                                 }
-                                let _e789 = phi_878_;
+                                let _e789 = phi_880_;
                                 if (_e741 == 0u) {
-                                    phi_888_ = _e726.unnamed_1.word;
+                                    phi_890_ = _e726.unnamed_1.word;
                                 } else {
-                                    phi_888_ = _e726.unnamed_1.shift;
+                                    phi_890_ = _e726.unnamed_1.shift;
                                 }
-                                let _e798 = phi_888_;
+                                let _e798 = phi_890_;
                                 let _e811 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e780 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e501) + (_e519 + _e309)), ((f32(((_e789 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e502) + (_e520 + _e310)));
                                 let _e812 = core_intrinsics_minimum_number_nsz_f32_(_e811, ((f32(((_e798 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e503) + (_e521 + _e311)));
                                 if (_e777 <= _e812) {
@@ -870,47 +870,47 @@ fn function_() {
                                         if (_e812 >= 0f) {
                                             if (_e741 == 0u) {
                                                 let _e819 = nodes.member[(0u + _e467)].links[2u];
-                                                phi_924_ = _e819;
+                                                phi_926_ = _e819;
                                             } else {
                                                 let _e822 = nodes.member[(0u + _e467)].links[3u];
-                                                phi_924_ = _e822;
+                                                phi_926_ = _e822;
                                             }
-                                            let _e824 = phi_924_;
+                                            let _e824 = phi_926_;
                                             let _e829 = ((_e824 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u);
                                             let _e830 = (_e829 & 31u);
                                             if (_e830 >= 24u) {
-                                                phi_937_ = (24u + ((_e830 - 24u) ^ _e329));
+                                                phi_939_ = (24u + ((_e830 - 24u) ^ _e329));
                                             } else {
-                                                phi_937_ = _e830;
+                                                phi_939_ = _e830;
                                             }
-                                            let _e836 = phi_937_;
-                                            phi_942_ = (_e738 | ((_e829 >> bitcast<u32>(5i)) << bitcast<u32>((_e836 & 31u))));
+                                            let _e836 = phi_939_;
+                                            phi_944_ = (_e738 | ((_e829 >> bitcast<u32>(5i)) << bitcast<u32>((_e836 & 31u))));
                                         } else {
-                                            phi_942_ = _e738;
+                                            phi_944_ = _e738;
                                         }
-                                        let _e844 = phi_942_;
-                                        phi_943_ = _e844;
+                                        let _e844 = phi_944_;
+                                        phi_945_ = _e844;
                                     } else {
-                                        phi_943_ = _e738;
+                                        phi_945_ = _e738;
                                     }
-                                    let _e846 = phi_943_;
-                                    phi_944_ = _e846;
+                                    let _e846 = phi_945_;
+                                    phi_946_ = _e846;
                                 } else {
-                                    phi_944_ = _e738;
+                                    phi_946_ = _e738;
                                 }
-                                let _e848 = phi_944_;
-                                phi_814_ = (_e736 + 1u);
-                                phi_817_ = _e848;
+                                let _e848 = phi_946_;
+                                phi_816_ = (_e736 + 1u);
+                                phi_819_ = _e848;
                             } else {
-                                phi_814_ = u32();
-                                phi_817_ = u32();
+                                phi_816_ = u32();
+                                phi_819_ = u32();
                             }
-                            let _e851 = phi_814_;
-                            let _e853 = phi_817_;
+                            let _e851 = phi_816_;
+                            let _e853 = phi_819_;
                             continue;
                             continuing {
-                                phi_813_ = _e851;
-                                phi_816_ = _e853;
+                                phi_815_ = _e851;
+                                phi_818_ = _e853;
                                 break if !(_e739);
                             }
                         }
@@ -947,19 +947,19 @@ fn function_() {
                             local_1.group_mask = ((_e897 & 4278190080u) | (_e861 >> bitcast<u32>(24i)));
                         }
                         let _e902 = local_4;
-                        phi_1002_ = (_e902 & 16777215u);
-                        phi_1005_ = _e469;
+                        phi_1004_ = (_e902 & 16777215u);
+                        phi_1007_ = _e469;
                         loop {
-                            let _e905 = phi_1002_;
-                            let _e907 = phi_1005_;
+                            let _e905 = phi_1004_;
+                            let _e907 = phi_1007_;
                             local_15 = _e907;
                             let _e908 = (_e905 == 0u);
                             local_10 = _e908;
                             local_16 = _e908;
                             if _e908 {
-                                phi_1003_ = u32();
-                                phi_1006_ = bool();
-                                phi_2656_ = false;
+                                phi_1005_ = u32();
+                                phi_1008_ = bool();
+                                phi_2658_ = false;
                             } else {
                                 let _e911 = nodes.member[(0u + _e467)].links[1u];
                                 let _e915 = (_e911 + select(firstTrailingBit(_e905), 32u, (_e905 == 0u)));
@@ -976,41 +976,41 @@ fn function_() {
                                 let _e941 = ((_e924.y - _e109) * _e267);
                                 let _e942 = ((_e924.z - _e111) * _e277);
                                 if (_e931 < _e940) {
-                                    phi_1054_ = _e931;
+                                    phi_1056_ = _e931;
                                 } else {
-                                    phi_1054_ = _e940;
+                                    phi_1056_ = _e940;
                                 }
-                                let _e945 = phi_1054_;
+                                let _e945 = phi_1056_;
                                 if (_e932 < _e941) {
-                                    phi_1059_ = _e932;
+                                    phi_1061_ = _e932;
                                 } else {
-                                    phi_1059_ = _e941;
+                                    phi_1061_ = _e941;
                                 }
-                                let _e948 = phi_1059_;
+                                let _e948 = phi_1061_;
                                 if (_e933 < _e942) {
-                                    phi_1064_ = _e933;
+                                    phi_1066_ = _e933;
                                 } else {
-                                    phi_1064_ = _e942;
+                                    phi_1066_ = _e942;
                                 }
-                                let _e951 = phi_1064_;
+                                let _e951 = phi_1066_;
                                 if (_e931 > _e940) {
-                                    phi_1072_ = _e931;
+                                    phi_1074_ = _e931;
                                 } else {
-                                    phi_1072_ = _e940;
+                                    phi_1074_ = _e940;
                                 }
-                                let _e957 = phi_1072_;
+                                let _e957 = phi_1074_;
                                 if (_e932 > _e941) {
-                                    phi_1077_ = _e932;
+                                    phi_1079_ = _e932;
                                 } else {
-                                    phi_1077_ = _e941;
+                                    phi_1079_ = _e941;
                                 }
-                                let _e960 = phi_1077_;
+                                let _e960 = phi_1079_;
                                 if (_e933 > _e942) {
-                                    phi_1082_ = _e933;
+                                    phi_1084_ = _e933;
                                 } else {
-                                    phi_1082_ = _e942;
+                                    phi_1084_ = _e942;
                                 }
-                                let _e963 = phi_1082_;
+                                let _e963 = phi_1084_;
                                 let _e967 = core_intrinsics_maximum_number_nsz_f32_((_e945 - _e316), (_e948 - _e317));
                                 let _e968 = core_intrinsics_maximum_number_nsz_f32_(_e967, (_e951 - _e318));
                                 let _e969 = core_intrinsics_minimum_number_nsz_f32_((_e957 + _e316), (_e960 + _e317));
@@ -1037,102 +1037,102 @@ fn function_() {
                                             let _e1061 = abs(_e1053);
                                             if (abs(_e987) < 1000000000000000f) {
                                                 if (abs(_e1000) < 1000000000000000f) {
-                                                    phi_1202_ = (abs(_e1013) < 1000000000000000f);
-                                                    phi_1203_ = false;
+                                                    phi_1204_ = (abs(_e1013) < 1000000000000000f);
+                                                    phi_1205_ = false;
                                                 } else {
-                                                    phi_1202_ = bool();
-                                                    phi_1203_ = true;
+                                                    phi_1204_ = bool();
+                                                    phi_1205_ = true;
                                                 }
-                                                let _e1069 = phi_1202_;
-                                                let _e1071 = phi_1203_;
-                                                phi_1204_ = _e1069;
-                                                phi_1205_ = _e1071;
+                                                let _e1069 = phi_1204_;
+                                                let _e1071 = phi_1205_;
+                                                phi_1206_ = _e1069;
+                                                phi_1207_ = _e1071;
                                             } else {
-                                                phi_1204_ = bool();
-                                                phi_1205_ = true;
+                                                phi_1206_ = bool();
+                                                phi_1207_ = true;
                                             }
-                                            let _e1073 = phi_1204_;
-                                            let _e1075 = phi_1205_;
+                                            let _e1073 = phi_1206_;
+                                            let _e1075 = phi_1207_;
                                             if _e1075 {
-                                                phi_1209_ = false;
+                                                phi_1211_ = false;
                                             } else {
-                                                phi_1209_ = _e1073;
+                                                phi_1211_ = _e1073;
                                             }
-                                            let _e1077 = phi_1209_;
+                                            let _e1077 = phi_1211_;
                                             if _e1077 {
                                                 if (_e1059 < 1000000000000000f) {
                                                     if (_e1060 < 1000000000000000f) {
-                                                        phi_1222_ = (_e1061 < 1000000000000000f);
-                                                        phi_1223_ = false;
+                                                        phi_1224_ = (_e1061 < 1000000000000000f);
+                                                        phi_1225_ = false;
                                                     } else {
-                                                        phi_1222_ = bool();
-                                                        phi_1223_ = true;
+                                                        phi_1224_ = bool();
+                                                        phi_1225_ = true;
                                                     }
-                                                    let _e1082 = phi_1222_;
-                                                    let _e1084 = phi_1223_;
-                                                    phi_1224_ = _e1082;
-                                                    phi_1225_ = _e1084;
+                                                    let _e1082 = phi_1224_;
+                                                    let _e1084 = phi_1225_;
+                                                    phi_1226_ = _e1082;
+                                                    phi_1227_ = _e1084;
                                                 } else {
-                                                    phi_1224_ = bool();
-                                                    phi_1225_ = true;
+                                                    phi_1226_ = bool();
+                                                    phi_1227_ = true;
                                                 }
-                                                let _e1086 = phi_1224_;
-                                                let _e1088 = phi_1225_;
+                                                let _e1086 = phi_1226_;
+                                                let _e1088 = phi_1227_;
                                                 if _e1088 {
-                                                    phi_1229_ = false;
+                                                    phi_1231_ = false;
                                                 } else {
-                                                    phi_1229_ = _e1086;
+                                                    phi_1231_ = _e1086;
                                                 }
-                                                let _e1090 = phi_1229_;
+                                                let _e1090 = phi_1231_;
                                                 if _e1090 {
                                                     if (_e1059 > 0f) {
-                                                        phi_1243_ = bool();
-                                                        phi_1244_ = true;
+                                                        phi_1245_ = bool();
+                                                        phi_1246_ = true;
                                                     } else {
                                                         let _e1092 = (_e1060 > 0f);
                                                         if _e1092 {
-                                                            phi_1242_ = bool();
+                                                            phi_1244_ = bool();
                                                         } else {
-                                                            phi_1242_ = (_e1061 > 0f);
+                                                            phi_1244_ = (_e1061 > 0f);
                                                         }
-                                                        let _e1095 = phi_1242_;
-                                                        phi_1243_ = _e1095;
-                                                        phi_1244_ = _e1092;
+                                                        let _e1095 = phi_1244_;
+                                                        phi_1245_ = _e1095;
+                                                        phi_1246_ = _e1092;
                                                     }
-                                                    let _e1097 = phi_1243_;
-                                                    let _e1099 = phi_1244_;
+                                                    let _e1097 = phi_1245_;
+                                                    let _e1099 = phi_1246_;
                                                     if _e1099 {
-                                                        phi_1248_ = true;
+                                                        phi_1250_ = true;
                                                     } else {
-                                                        phi_1248_ = _e1097;
+                                                        phi_1250_ = _e1097;
                                                     }
-                                                    let _e1101 = phi_1248_;
-                                                    phi_1249_ = _e1101;
-                                                    phi_1250_ = false;
+                                                    let _e1101 = phi_1250_;
+                                                    phi_1251_ = _e1101;
+                                                    phi_1252_ = false;
                                                 } else {
-                                                    phi_1249_ = bool();
-                                                    phi_1250_ = true;
+                                                    phi_1251_ = bool();
+                                                    phi_1252_ = true;
                                                 }
-                                                let _e1103 = phi_1249_;
-                                                let _e1105 = phi_1250_;
-                                                phi_1251_ = _e1103;
-                                                phi_1252_ = _e1105;
+                                                let _e1103 = phi_1251_;
+                                                let _e1105 = phi_1252_;
+                                                phi_1253_ = _e1103;
+                                                phi_1254_ = _e1105;
                                             } else {
-                                                phi_1251_ = bool();
-                                                phi_1252_ = true;
+                                                phi_1253_ = bool();
+                                                phi_1254_ = true;
                                             }
-                                            let _e1107 = phi_1251_;
-                                            let _e1109 = phi_1252_;
+                                            let _e1107 = phi_1253_;
+                                            let _e1109 = phi_1254_;
                                             if _e1109 {
-                                                phi_1256_ = false;
+                                                phi_1258_ = false;
                                             } else {
-                                                phi_1256_ = _e1107;
+                                                phi_1258_ = _e1107;
                                             }
-                                            let _e1111 = phi_1256_;
+                                            let _e1111 = phi_1258_;
                                             if _e1111 {
                                                 let _e1112 = (_e1056 >= _e60);
                                                 if _e1112 {
-                                                    phi_2636_ = bool();
+                                                    phi_2638_ = bool();
                                                 } else {
                                                     if (_e1056 < _e60) {
                                                     } else {
@@ -1149,41 +1149,41 @@ fn function_() {
                                                     let _e1177 = core_intrinsics_maximum_number_nsz_f32_(_e1176, abs(_e1053));
                                                     let _e1178 = (_e1177 * 0.0000000000009094947f);
                                                     if (abs(_e1027) < _e1178) {
-                                                        phi_1326_ = _e1178;
+                                                        phi_1328_ = _e1178;
                                                     } else {
-                                                        phi_1326_ = abs(_e1027);
+                                                        phi_1328_ = abs(_e1027);
                                                     }
-                                                    let _e1183 = phi_1326_;
+                                                    let _e1183 = phi_1328_;
                                                     if (_e1027 < 0f) {
-                                                        phi_1333_ = (-1f / _e1183);
+                                                        phi_1335_ = (-1f / _e1183);
                                                     } else {
-                                                        phi_1333_ = (1f / _e1183);
+                                                        phi_1335_ = (1f / _e1183);
                                                     }
-                                                    let _e1188 = phi_1333_;
+                                                    let _e1188 = phi_1335_;
                                                     if (abs(_e1040) < _e1178) {
-                                                        phi_1340_ = _e1178;
+                                                        phi_1342_ = _e1178;
                                                     } else {
-                                                        phi_1340_ = abs(_e1040);
+                                                        phi_1342_ = abs(_e1040);
                                                     }
-                                                    let _e1193 = phi_1340_;
+                                                    let _e1193 = phi_1342_;
                                                     if (_e1040 < 0f) {
-                                                        phi_1347_ = (-1f / _e1193);
+                                                        phi_1349_ = (-1f / _e1193);
                                                     } else {
-                                                        phi_1347_ = (1f / _e1193);
+                                                        phi_1349_ = (1f / _e1193);
                                                     }
-                                                    let _e1198 = phi_1347_;
+                                                    let _e1198 = phi_1349_;
                                                     if (abs(_e1053) < _e1178) {
-                                                        phi_1354_ = _e1178;
+                                                        phi_1356_ = _e1178;
                                                     } else {
-                                                        phi_1354_ = abs(_e1053);
+                                                        phi_1356_ = abs(_e1053);
                                                     }
-                                                    let _e1203 = phi_1354_;
+                                                    let _e1203 = phi_1356_;
                                                     if (_e1053 < 0f) {
-                                                        phi_1361_ = (-1f / _e1203);
+                                                        phi_1363_ = (-1f / _e1203);
                                                     } else {
-                                                        phi_1361_ = (1f / _e1203);
+                                                        phi_1363_ = (1f / _e1203);
                                                     }
-                                                    let _e1208 = phi_1361_;
+                                                    let _e1208 = phi_1363_;
                                                     let _e1212 = abs((bitcast<f32>(_e1118) - _e987));
                                                     let _e1213 = abs((bitcast<f32>(_e1122) - _e1000));
                                                     let _e1214 = abs((bitcast<f32>(_e1126) - _e1013));
@@ -1191,35 +1191,35 @@ fn function_() {
                                                     let _e1219 = abs(((bitcast<f32>(_e1134) + (bitcast<f32>((((_e1142 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1000));
                                                     let _e1220 = abs(((bitcast<f32>(_e1138) + (bitcast<f32>((((_e1142 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1013));
                                                     if (_e1212 > _e1218) {
-                                                        phi_1378_ = _e1212;
+                                                        phi_1380_ = _e1212;
                                                     } else {
-                                                        phi_1378_ = _e1218;
+                                                        phi_1380_ = _e1218;
                                                     }
-                                                    let _e1223 = phi_1378_;
+                                                    let _e1223 = phi_1380_;
                                                     if (_e1213 > _e1219) {
-                                                        phi_1383_ = _e1213;
+                                                        phi_1385_ = _e1213;
                                                     } else {
-                                                        phi_1383_ = _e1219;
+                                                        phi_1385_ = _e1219;
                                                     }
-                                                    let _e1226 = phi_1383_;
+                                                    let _e1226 = phi_1385_;
                                                     if (_e1214 > _e1220) {
-                                                        phi_1388_ = _e1214;
+                                                        phi_1390_ = _e1214;
                                                     } else {
-                                                        phi_1388_ = _e1220;
+                                                        phi_1390_ = _e1220;
                                                     }
-                                                    let _e1229 = phi_1388_;
+                                                    let _e1229 = phi_1390_;
                                                     if (_e1223 > _e1226) {
-                                                        phi_1393_ = _e1223;
+                                                        phi_1395_ = _e1223;
                                                     } else {
-                                                        phi_1393_ = _e1226;
+                                                        phi_1395_ = _e1226;
                                                     }
-                                                    let _e1232 = phi_1393_;
+                                                    let _e1232 = phi_1395_;
                                                     if (_e1232 > _e1229) {
-                                                        phi_1398_ = _e1232;
+                                                        phi_1400_ = _e1232;
                                                     } else {
-                                                        phi_1398_ = _e1229;
+                                                        phi_1400_ = _e1229;
                                                     }
-                                                    let _e1235 = phi_1398_;
+                                                    let _e1235 = phi_1400_;
                                                     let _e1239 = (_e1235 * 0.0000019073486f);
                                                     let _e1240 = (abs(_e1188) * _e1239);
                                                     let _e1241 = (abs(_e1198) * _e1239);
@@ -1233,60 +1233,60 @@ fn function_() {
                                                     let _e1252 = abs(_e1053);
                                                     if (_e1250 >= _e1251) {
                                                         if (_e1250 >= _e1252) {
-                                                            phi_1424_ = false;
+                                                            phi_1426_ = false;
                                                         } else {
-                                                            phi_1424_ = true;
+                                                            phi_1426_ = true;
                                                         }
-                                                        let _e1256 = phi_1424_;
-                                                        phi_1425_ = _e1256;
+                                                        let _e1256 = phi_1426_;
+                                                        phi_1427_ = _e1256;
                                                     } else {
-                                                        phi_1425_ = true;
+                                                        phi_1427_ = true;
                                                     }
-                                                    let _e1258 = phi_1425_;
+                                                    let _e1258 = phi_1427_;
                                                     if _e1258 {
                                                         if (_e1251 >= _e1252) {
-                                                            phi_1433_ = 1u;
+                                                            phi_1435_ = 1u;
                                                         } else {
-                                                            phi_1433_ = 2u;
+                                                            phi_1435_ = 2u;
                                                         }
-                                                        let _e1261 = phi_1433_;
-                                                        phi_1434_ = _e1261;
+                                                        let _e1261 = phi_1435_;
+                                                        phi_1436_ = _e1261;
                                                     } else {
-                                                        phi_1434_ = 0u;
+                                                        phi_1436_ = 0u;
                                                     }
-                                                    let _e1263 = phi_1434_;
+                                                    let _e1263 = phi_1436_;
                                                     if (_e1263 == 0u) {
-                                                        phi_1446_ = vec3<f32>(_e1040, _e1053, _e1027);
+                                                        phi_1448_ = vec3<f32>(_e1040, _e1053, _e1027);
                                                     } else {
                                                         if (_e1263 == 1u) {
-                                                            phi_1445_ = vec3<f32>(_e1053, _e1027, _e1040);
+                                                            phi_1447_ = vec3<f32>(_e1053, _e1027, _e1040);
                                                         } else {
-                                                            phi_1445_ = vec3<f32>(_e1027, _e1040, _e1053);
+                                                            phi_1447_ = vec3<f32>(_e1027, _e1040, _e1053);
                                                         }
-                                                        let _e1269 = phi_1445_;
-                                                        phi_1446_ = _e1269;
+                                                        let _e1269 = phi_1447_;
+                                                        phi_1448_ = _e1269;
                                                     }
-                                                    let _e1271 = phi_1446_;
+                                                    let _e1271 = phi_1448_;
                                                     let _e1274 = (_e1271.x / _e1271.z);
                                                     let _e1277 = (_e1271.y / _e1271.z);
                                                     if (_e1188 < 0f) {
-                                                        phi_1459_ = 0u;
+                                                        phi_1461_ = 0u;
                                                     } else {
-                                                        phi_1459_ = 1u;
+                                                        phi_1461_ = 1u;
                                                     }
-                                                    let _e1282 = phi_1459_;
+                                                    let _e1282 = phi_1461_;
                                                     if (_e1198 < 0f) {
-                                                        phi_1464_ = 0u;
+                                                        phi_1466_ = 0u;
                                                     } else {
-                                                        phi_1464_ = 2u;
+                                                        phi_1466_ = 2u;
                                                     }
-                                                    let _e1285 = phi_1464_;
+                                                    let _e1285 = phi_1466_;
                                                     if (_e1208 < 0f) {
-                                                        phi_1469_ = 0u;
+                                                        phi_1471_ = 0u;
                                                     } else {
-                                                        phi_1469_ = 4u;
+                                                        phi_1471_ = 4u;
                                                     }
-                                                    let _e1288 = phi_1469_;
+                                                    let _e1288 = phi_1471_;
                                                     let _e1290 = ((_e1282 | _e1285) | _e1288);
                                                     let _e1291 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1056, 2147483648u);
                                                     local = lt_bvh_traverse_Stack(array<u32, 32>(_e1291.first[0], _e1291.first[1], _e1291.first[2], _e1291.first[3], _e1291.first[4], _e1291.first[5], _e1291.first[6], _e1291.first[7], _e1291.first[8], _e1291.first[9], _e1291.first[10], _e1291.first[11], _e1291.first[12], _e1291.first[13], _e1291.first[14], _e1291.first[15], _e1291.first[16], _e1291.first[17], _e1291.first[18], _e1291.first[19], _e1291.first[20], _e1291.first[21], _e1291.first[22], _e1291.first[23], _e1291.first[24], _e1291.first[25], _e1291.first[26], _e1291.first[27], _e1291.first[28], _e1291.first[29], _e1291.first[30], _e1291.first[31]), array<u32, 32>(_e1291.mask[0], _e1291.mask[1], _e1291.mask[2], _e1291.mask[3], _e1291.mask[4], _e1291.mask[5], _e1291.mask[6], _e1291.mask[7], _e1291.mask[8], _e1291.mask[9], _e1291.mask[10], _e1291.mask[11], _e1291.mask[12], _e1291.mask[13], _e1291.mask[14], _e1291.mask[15], _e1291.mask[16], _e1291.mask[17], _e1291.mask[18], _e1291.mask[19], _e1291.mask[20], _e1291.mask[21], _e1291.mask[22], _e1291.mask[23], _e1291.mask[24], _e1291.mask[25], _e1291.mask[26], _e1291.mask[27], _e1291.mask[28], _e1291.mask[29], _e1291.mask[30], _e1291.mask[31]), _e1291.len, _e1291.group, _e1291.group_mask);
@@ -1294,7 +1294,7 @@ fn function_() {
                                                     if ((_e1365 & 4278190080u) == 0u) {
                                                         let _e1369 = local.len;
                                                         if (_e1369 == 0u) {
-                                                            phi_1583_ = false;
+                                                            phi_1585_ = false;
                                                         } else {
                                                             let _e1373 = local.len;
                                                             local.len = (_e1373 - 1u);
@@ -1312,14 +1312,14 @@ fn function_() {
                                                             }
                                                             let _e1389 = local.mask[(0u + _e1384)];
                                                             local.group_mask = _e1389;
-                                                            phi_1583_ = true;
+                                                            phi_1585_ = true;
                                                         }
-                                                        let _e1392 = phi_1583_;
-                                                        phi_1584_ = _e1392;
+                                                        let _e1392 = phi_1585_;
+                                                        phi_1586_ = _e1392;
                                                     } else {
-                                                        phi_1584_ = true;
+                                                        phi_1586_ = true;
                                                     }
-                                                    let _e1394 = phi_1584_;
+                                                    let _e1394 = phi_1586_;
                                                     if _e1394 {
                                                         let _e1396 = local.group_mask;
                                                         let _e1402 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1396)), 32u, (_e1396 == 0u)));
@@ -1327,16 +1327,16 @@ fn function_() {
                                                         let _e1420 = local.group_mask;
                                                         local.group_mask = (_e1420 & ~((1u << bitcast<u32>((_e1402 & 31u)))));
                                                         let _e1423 = local.group;
-                                                        phi_1615_ = (_e1423 + countOneBits(((_e1406 & ~((4294967295u << bitcast<u32>((((_e1402 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                        phi_1617_ = (_e1423 + countOneBits(((_e1406 & ~((4294967295u << bitcast<u32>((((_e1402 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1615_ = 4294967295u;
+                                                        phi_1617_ = 4294967295u;
                                                     }
-                                                    let _e1426 = phi_1615_;
-                                                    phi_1617_ = _e1426;
-                                                    phi_1620_ = _e907;
+                                                    let _e1426 = phi_1617_;
+                                                    phi_1619_ = _e1426;
+                                                    phi_1622_ = _e907;
                                                     loop {
-                                                        let _e1428 = phi_1617_;
-                                                        let _e1430 = phi_1620_;
+                                                        let _e1428 = phi_1619_;
+                                                        let _e1430 = phi_1622_;
                                                         local_14 = _e1430;
                                                         if (_e1428 != 4294967295u) {
                                                             if (_e1428 < _e60) {
@@ -1358,45 +1358,45 @@ fn function_() {
                                                                 let _e1501 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1490.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1507 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1501.unnamed.word, _e1490.w), _e1501.unnamed_1);
                                                                 let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1507.unnamed, lt_mask_LightPlace(_e1490.x, _e1507.unnamed_1.shift));
-                                                                phi_1700_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1513.unnamed, lt_mask_LightPlace(_e1513.unnamed_1.word, _e1490.y));
+                                                                phi_1702_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1513.unnamed, lt_mask_LightPlace(_e1513.unnamed_1.word, _e1490.y));
                                                             } else {
                                                                 let _e1529 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1490.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1529.unnamed.word, _e1490.y), _e1529.unnamed_1);
                                                                 let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1535.unnamed, lt_mask_LightPlace(_e1490.z, _e1535.unnamed_1.shift));
-                                                                phi_1700_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_mask_LightPlace(_e1541.unnamed_1.word, _e1490.w));
+                                                                phi_1702_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_mask_LightPlace(_e1541.unnamed_1.word, _e1490.w));
                                                             }
-                                                            let _e1549 = phi_1700_;
+                                                            let _e1549 = phi_1702_;
                                                             let _e1559 = nodes.member[(0u + _e1428)].y;
                                                             if (_e1198 < 0f) {
                                                                 let _e1570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1559.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1570.unnamed.word, _e1559.w), _e1570.unnamed_1);
                                                                 let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1576.unnamed, lt_mask_LightPlace(_e1559.x, _e1576.unnamed_1.shift));
-                                                                phi_1727_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1582.unnamed, lt_mask_LightPlace(_e1582.unnamed_1.word, _e1559.y));
+                                                                phi_1729_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1582.unnamed, lt_mask_LightPlace(_e1582.unnamed_1.word, _e1559.y));
                                                             } else {
                                                                 let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1559.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1598.unnamed.word, _e1559.y), _e1598.unnamed_1);
                                                                 let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_mask_LightPlace(_e1559.z, _e1604.unnamed_1.shift));
-                                                                phi_1727_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_mask_LightPlace(_e1610.unnamed_1.word, _e1559.w));
+                                                                phi_1729_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_mask_LightPlace(_e1610.unnamed_1.word, _e1559.w));
                                                             }
-                                                            let _e1618 = phi_1727_;
+                                                            let _e1618 = phi_1729_;
                                                             let _e1628 = nodes.member[(0u + _e1428)].z;
                                                             if (_e1208 < 0f) {
                                                                 let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1639.unnamed.word, _e1628.w), _e1639.unnamed_1);
                                                                 let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_mask_LightPlace(_e1628.x, _e1645.unnamed_1.shift));
-                                                                phi_1754_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_mask_LightPlace(_e1651.unnamed_1.word, _e1628.y));
+                                                                phi_1756_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_mask_LightPlace(_e1651.unnamed_1.word, _e1628.y));
                                                             } else {
                                                                 let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1667.unnamed.word, _e1628.y), _e1667.unnamed_1);
                                                                 let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_mask_LightPlace(_e1628.z, _e1673.unnamed_1.shift));
-                                                                phi_1754_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_mask_LightPlace(_e1679.unnamed_1.word, _e1628.w));
+                                                                phi_1756_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_mask_LightPlace(_e1679.unnamed_1.word, _e1628.w));
                                                             }
-                                                            let _e1687 = phi_1754_;
-                                                            phi_1760_ = 0u;
-                                                            phi_1763_ = 0u;
+                                                            let _e1687 = phi_1756_;
+                                                            phi_1762_ = 0u;
+                                                            phi_1765_ = 0u;
                                                             loop {
-                                                                let _e1697 = phi_1760_;
-                                                                let _e1699 = phi_1763_;
+                                                                let _e1697 = phi_1762_;
+                                                                let _e1699 = phi_1765_;
                                                                 local_5 = _e1699;
                                                                 local_6 = _e1699;
                                                                 local_7 = _e1699;
@@ -1405,43 +1405,43 @@ fn function_() {
                                                                     let _e1702 = (_e1697 >> bitcast<u32>(2i));
                                                                     let _e1703 = (_e1697 & 3u);
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1777_ = _e1549.unnamed.word;
+                                                                        phi_1779_ = _e1549.unnamed.word;
                                                                     } else {
-                                                                        phi_1777_ = _e1549.unnamed.shift;
+                                                                        phi_1779_ = _e1549.unnamed.shift;
                                                                     }
-                                                                    let _e1706 = phi_1777_;
+                                                                    let _e1706 = phi_1779_;
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1787_ = _e1618.unnamed.word;
+                                                                        phi_1789_ = _e1618.unnamed.word;
                                                                     } else {
-                                                                        phi_1787_ = _e1618.unnamed.shift;
+                                                                        phi_1789_ = _e1618.unnamed.shift;
                                                                     }
-                                                                    let _e1715 = phi_1787_;
+                                                                    let _e1715 = phi_1789_;
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1797_ = _e1687.unnamed.word;
+                                                                        phi_1799_ = _e1687.unnamed.word;
                                                                     } else {
-                                                                        phi_1797_ = _e1687.unnamed.shift;
+                                                                        phi_1799_ = _e1687.unnamed.shift;
                                                                     }
-                                                                    let _e1724 = phi_1797_;
+                                                                    let _e1724 = phi_1799_;
                                                                     let _e1737 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1706 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1462) + (_e1480 - _e1240)), ((f32(((_e1715 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1463) + (_e1481 - _e1241)));
                                                                     let _e1738 = core_intrinsics_maximum_number_nsz_f32_(_e1737, ((f32(((_e1724 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1464) + (_e1482 - _e1242)));
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1815_ = _e1549.unnamed_1.word;
+                                                                        phi_1817_ = _e1549.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1815_ = _e1549.unnamed_1.shift;
+                                                                        phi_1817_ = _e1549.unnamed_1.shift;
                                                                     }
-                                                                    let _e1741 = phi_1815_;
+                                                                    let _e1741 = phi_1817_;
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1825_ = _e1618.unnamed_1.word;
+                                                                        phi_1827_ = _e1618.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1825_ = _e1618.unnamed_1.shift;
+                                                                        phi_1827_ = _e1618.unnamed_1.shift;
                                                                     }
-                                                                    let _e1750 = phi_1825_;
+                                                                    let _e1750 = phi_1827_;
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1835_ = _e1687.unnamed_1.word;
+                                                                        phi_1837_ = _e1687.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1835_ = _e1687.unnamed_1.shift;
+                                                                        phi_1837_ = _e1687.unnamed_1.shift;
                                                                     }
-                                                                    let _e1759 = phi_1835_;
+                                                                    let _e1759 = phi_1837_;
                                                                     let _e1772 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1741 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1462) + (_e1480 + _e1240)), ((f32(((_e1750 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1463) + (_e1481 + _e1241)));
                                                                     let _e1773 = core_intrinsics_minimum_number_nsz_f32_(_e1772, ((f32(((_e1759 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1464) + (_e1482 + _e1242)));
                                                                     if (_e1738 <= _e1773) {
@@ -1449,47 +1449,47 @@ fn function_() {
                                                                             if (_e1773 >= 0f) {
                                                                                 if (_e1702 == 0u) {
                                                                                     let _e1780 = nodes.member[(0u + _e1428)].links[2u];
-                                                                                    phi_1871_ = _e1780;
+                                                                                    phi_1873_ = _e1780;
                                                                                 } else {
                                                                                     let _e1783 = nodes.member[(0u + _e1428)].links[3u];
-                                                                                    phi_1871_ = _e1783;
+                                                                                    phi_1873_ = _e1783;
                                                                                 }
-                                                                                let _e1785 = phi_1871_;
+                                                                                let _e1785 = phi_1873_;
                                                                                 let _e1790 = ((_e1785 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u);
                                                                                 let _e1791 = (_e1790 & 31u);
                                                                                 if (_e1791 >= 24u) {
-                                                                                    phi_1884_ = (24u + ((_e1791 - 24u) ^ _e1290));
+                                                                                    phi_1886_ = (24u + ((_e1791 - 24u) ^ _e1290));
                                                                                 } else {
-                                                                                    phi_1884_ = _e1791;
+                                                                                    phi_1886_ = _e1791;
                                                                                 }
-                                                                                let _e1797 = phi_1884_;
-                                                                                phi_1889_ = (_e1699 | ((_e1790 >> bitcast<u32>(5i)) << bitcast<u32>((_e1797 & 31u))));
+                                                                                let _e1797 = phi_1886_;
+                                                                                phi_1891_ = (_e1699 | ((_e1790 >> bitcast<u32>(5i)) << bitcast<u32>((_e1797 & 31u))));
                                                                             } else {
-                                                                                phi_1889_ = _e1699;
+                                                                                phi_1891_ = _e1699;
                                                                             }
-                                                                            let _e1805 = phi_1889_;
-                                                                            phi_1890_ = _e1805;
+                                                                            let _e1805 = phi_1891_;
+                                                                            phi_1892_ = _e1805;
                                                                         } else {
-                                                                            phi_1890_ = _e1699;
+                                                                            phi_1892_ = _e1699;
                                                                         }
-                                                                        let _e1807 = phi_1890_;
-                                                                        phi_1891_ = _e1807;
+                                                                        let _e1807 = phi_1892_;
+                                                                        phi_1893_ = _e1807;
                                                                     } else {
-                                                                        phi_1891_ = _e1699;
+                                                                        phi_1893_ = _e1699;
                                                                     }
-                                                                    let _e1809 = phi_1891_;
-                                                                    phi_1761_ = (_e1697 + 1u);
-                                                                    phi_1764_ = _e1809;
+                                                                    let _e1809 = phi_1893_;
+                                                                    phi_1763_ = (_e1697 + 1u);
+                                                                    phi_1766_ = _e1809;
                                                                 } else {
-                                                                    phi_1761_ = u32();
-                                                                    phi_1764_ = u32();
+                                                                    phi_1763_ = u32();
+                                                                    phi_1766_ = u32();
                                                                 }
-                                                                let _e1812 = phi_1761_;
-                                                                let _e1814 = phi_1764_;
+                                                                let _e1812 = phi_1763_;
+                                                                let _e1814 = phi_1766_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1760_ = _e1812;
-                                                                    phi_1763_ = _e1814;
+                                                                    phi_1762_ = _e1812;
+                                                                    phi_1765_ = _e1814;
                                                                     break if !(_e1700);
                                                                 }
                                                             }
@@ -1526,19 +1526,19 @@ fn function_() {
                                                                 local.group_mask = ((_e1858 & 4278190080u) | (_e1822 >> bitcast<u32>(24i)));
                                                             }
                                                             let _e1863 = local_7;
-                                                            phi_1949_ = (_e1863 & 16777215u);
-                                                            phi_1952_ = _e1430;
+                                                            phi_1951_ = (_e1863 & 16777215u);
+                                                            phi_1954_ = _e1430;
                                                             loop {
-                                                                let _e1866 = phi_1949_;
-                                                                let _e1868 = phi_1952_;
+                                                                let _e1866 = phi_1951_;
+                                                                let _e1868 = phi_1954_;
                                                                 local_12 = _e1868;
                                                                 let _e1869 = (_e1866 == 0u);
                                                                 local_8 = _e1869;
                                                                 local_13 = _e1869;
                                                                 if _e1869 {
-                                                                    phi_1950_ = u32();
-                                                                    phi_1953_ = bool();
-                                                                    phi_2550_ = false;
+                                                                    phi_1952_ = u32();
+                                                                    phi_1955_ = bool();
+                                                                    phi_2552_ = false;
                                                                 } else {
                                                                     let _e1872 = nodes.member[(0u + _e1428)].links[1u];
                                                                     let _e1877 = ((_e1058 + _e1872) + select(firstTrailingBit(_e1866), 32u, (_e1866 == 0u)));
@@ -1551,17 +1551,17 @@ fn function_() {
                                                                     let _e1888 = (_e1884.y - _e1000);
                                                                     let _e1890 = (_e1884.z - _e1013);
                                                                     if (_e1263 == 0u) {
-                                                                        phi_1997_ = vec3<f32>(_e1888, _e1890, _e1886);
+                                                                        phi_1999_ = vec3<f32>(_e1888, _e1890, _e1886);
                                                                     } else {
                                                                         if (_e1263 == 1u) {
-                                                                            phi_1996_ = vec3<f32>(_e1890, _e1886, _e1888);
+                                                                            phi_1998_ = vec3<f32>(_e1890, _e1886, _e1888);
                                                                         } else {
-                                                                            phi_1996_ = (_e1884 - vec3<f32>(_e987, _e1000, _e1013));
+                                                                            phi_1998_ = (_e1884 - vec3<f32>(_e987, _e1000, _e1013));
                                                                         }
-                                                                        let _e1898 = phi_1996_;
-                                                                        phi_1997_ = _e1898;
+                                                                        let _e1898 = phi_1998_;
+                                                                        phi_1999_ = _e1898;
                                                                     }
-                                                                    let _e1900 = phi_1997_;
+                                                                    let _e1900 = phi_1999_;
                                                                     let _e1904 = (_e1900.x - (_e1274 * _e1900.z));
                                                                     let _e1908 = (_e1900.y - (_e1277 * _e1900.z));
                                                                     let _e1910 = triangles.member[(0u + _e1877)].v1_;
@@ -1569,17 +1569,17 @@ fn function_() {
                                                                     let _e1914 = (_e1910.y - _e1000);
                                                                     let _e1916 = (_e1910.z - _e1013);
                                                                     if (_e1263 == 0u) {
-                                                                        phi_2027_ = vec3<f32>(_e1914, _e1916, _e1912);
+                                                                        phi_2029_ = vec3<f32>(_e1914, _e1916, _e1912);
                                                                     } else {
                                                                         if (_e1263 == 1u) {
-                                                                            phi_2026_ = vec3<f32>(_e1916, _e1912, _e1914);
+                                                                            phi_2028_ = vec3<f32>(_e1916, _e1912, _e1914);
                                                                         } else {
-                                                                            phi_2026_ = (_e1910 - vec3<f32>(_e987, _e1000, _e1013));
+                                                                            phi_2028_ = (_e1910 - vec3<f32>(_e987, _e1000, _e1013));
                                                                         }
-                                                                        let _e1924 = phi_2026_;
-                                                                        phi_2027_ = _e1924;
+                                                                        let _e1924 = phi_2028_;
+                                                                        phi_2029_ = _e1924;
                                                                     }
-                                                                    let _e1926 = phi_2027_;
+                                                                    let _e1926 = phi_2029_;
                                                                     let _e1930 = (_e1926.x - (_e1274 * _e1926.z));
                                                                     let _e1934 = (_e1926.y - (_e1277 * _e1926.z));
                                                                     let _e1936 = triangles.member[(0u + _e1877)].v2_;
@@ -1587,246 +1587,246 @@ fn function_() {
                                                                     let _e1940 = (_e1936.y - _e1000);
                                                                     let _e1942 = (_e1936.z - _e1013);
                                                                     if (_e1263 == 0u) {
-                                                                        phi_2057_ = vec3<f32>(_e1940, _e1942, _e1938);
+                                                                        phi_2059_ = vec3<f32>(_e1940, _e1942, _e1938);
                                                                     } else {
                                                                         if (_e1263 == 1u) {
-                                                                            phi_2056_ = vec3<f32>(_e1942, _e1938, _e1940);
+                                                                            phi_2058_ = vec3<f32>(_e1942, _e1938, _e1940);
                                                                         } else {
-                                                                            phi_2056_ = (_e1936 - vec3<f32>(_e987, _e1000, _e1013));
+                                                                            phi_2058_ = (_e1936 - vec3<f32>(_e987, _e1000, _e1013));
                                                                         }
-                                                                        let _e1950 = phi_2056_;
-                                                                        phi_2057_ = _e1950;
+                                                                        let _e1950 = phi_2058_;
+                                                                        phi_2059_ = _e1950;
                                                                     }
-                                                                    let _e1952 = phi_2057_;
+                                                                    let _e1952 = phi_2059_;
                                                                     let _e1956 = (_e1952.x - (_e1274 * _e1952.z));
                                                                     let _e1960 = (_e1952.y - (_e1277 * _e1952.z));
                                                                     if (_e1930 < _e1956) {
-                                                                        phi_2076_ = true;
+                                                                        phi_2078_ = true;
                                                                     } else {
                                                                         if (_e1930 == _e1956) {
-                                                                            phi_2075_ = (_e1934 < _e1960);
+                                                                            phi_2077_ = (_e1934 < _e1960);
                                                                         } else {
-                                                                            phi_2075_ = false;
+                                                                            phi_2077_ = false;
                                                                         }
-                                                                        let _e1965 = phi_2075_;
-                                                                        phi_2076_ = _e1965;
+                                                                        let _e1965 = phi_2077_;
+                                                                        phi_2078_ = _e1965;
                                                                     }
-                                                                    let _e1967 = phi_2076_;
+                                                                    let _e1967 = phi_2078_;
                                                                     if _e1967 {
-                                                                        phi_2080_ = _e1960;
-                                                                        phi_2081_ = _e1956;
-                                                                        phi_2082_ = _e1934;
-                                                                        phi_2083_ = _e1930;
-                                                                    } else {
-                                                                        phi_2080_ = _e1934;
-                                                                        phi_2081_ = _e1930;
                                                                         phi_2082_ = _e1960;
                                                                         phi_2083_ = _e1956;
+                                                                        phi_2084_ = _e1934;
+                                                                        phi_2085_ = _e1930;
+                                                                    } else {
+                                                                        phi_2082_ = _e1934;
+                                                                        phi_2083_ = _e1930;
+                                                                        phi_2084_ = _e1960;
+                                                                        phi_2085_ = _e1956;
                                                                     }
-                                                                    let _e1969 = phi_2080_;
-                                                                    let _e1971 = phi_2081_;
-                                                                    let _e1973 = phi_2082_;
-                                                                    let _e1975 = phi_2083_;
+                                                                    let _e1969 = phi_2082_;
+                                                                    let _e1971 = phi_2083_;
+                                                                    let _e1973 = phi_2084_;
+                                                                    let _e1975 = phi_2085_;
                                                                     let _e1978 = ((_e1975 * _e1969) - (_e1973 * _e1971));
                                                                     if _e1967 {
-                                                                        phi_2091_ = -(_e1978);
+                                                                        phi_2093_ = -(_e1978);
                                                                     } else {
-                                                                        phi_2091_ = _e1978;
+                                                                        phi_2093_ = _e1978;
                                                                     }
-                                                                    let _e1981 = phi_2091_;
+                                                                    let _e1981 = phi_2093_;
                                                                     if (_e1956 < _e1904) {
-                                                                        phi_2102_ = true;
+                                                                        phi_2104_ = true;
                                                                     } else {
                                                                         if (_e1956 == _e1904) {
-                                                                            phi_2101_ = (_e1960 < _e1908);
+                                                                            phi_2103_ = (_e1960 < _e1908);
                                                                         } else {
-                                                                            phi_2101_ = false;
+                                                                            phi_2103_ = false;
                                                                         }
-                                                                        let _e1986 = phi_2101_;
-                                                                        phi_2102_ = _e1986;
+                                                                        let _e1986 = phi_2103_;
+                                                                        phi_2104_ = _e1986;
                                                                     }
-                                                                    let _e1988 = phi_2102_;
+                                                                    let _e1988 = phi_2104_;
                                                                     if _e1988 {
-                                                                        phi_2106_ = _e1908;
-                                                                        phi_2107_ = _e1904;
-                                                                        phi_2108_ = _e1960;
-                                                                        phi_2109_ = _e1956;
-                                                                    } else {
-                                                                        phi_2106_ = _e1960;
-                                                                        phi_2107_ = _e1956;
                                                                         phi_2108_ = _e1908;
                                                                         phi_2109_ = _e1904;
+                                                                        phi_2110_ = _e1960;
+                                                                        phi_2111_ = _e1956;
+                                                                    } else {
+                                                                        phi_2108_ = _e1960;
+                                                                        phi_2109_ = _e1956;
+                                                                        phi_2110_ = _e1908;
+                                                                        phi_2111_ = _e1904;
                                                                     }
-                                                                    let _e1990 = phi_2106_;
-                                                                    let _e1992 = phi_2107_;
-                                                                    let _e1994 = phi_2108_;
-                                                                    let _e1996 = phi_2109_;
+                                                                    let _e1990 = phi_2108_;
+                                                                    let _e1992 = phi_2109_;
+                                                                    let _e1994 = phi_2110_;
+                                                                    let _e1996 = phi_2111_;
                                                                     let _e1999 = ((_e1996 * _e1990) - (_e1994 * _e1992));
                                                                     if _e1988 {
-                                                                        phi_2117_ = -(_e1999);
+                                                                        phi_2119_ = -(_e1999);
                                                                     } else {
-                                                                        phi_2117_ = _e1999;
+                                                                        phi_2119_ = _e1999;
                                                                     }
-                                                                    let _e2002 = phi_2117_;
+                                                                    let _e2002 = phi_2119_;
                                                                     if (_e1904 < _e1930) {
-                                                                        phi_2128_ = true;
+                                                                        phi_2130_ = true;
                                                                     } else {
                                                                         if (_e1904 == _e1930) {
-                                                                            phi_2127_ = (_e1908 < _e1934);
+                                                                            phi_2129_ = (_e1908 < _e1934);
                                                                         } else {
-                                                                            phi_2127_ = false;
+                                                                            phi_2129_ = false;
                                                                         }
-                                                                        let _e2007 = phi_2127_;
-                                                                        phi_2128_ = _e2007;
+                                                                        let _e2007 = phi_2129_;
+                                                                        phi_2130_ = _e2007;
                                                                     }
-                                                                    let _e2009 = phi_2128_;
+                                                                    let _e2009 = phi_2130_;
                                                                     if _e2009 {
-                                                                        phi_2132_ = _e1934;
-                                                                        phi_2133_ = _e1930;
-                                                                        phi_2134_ = _e1908;
-                                                                        phi_2135_ = _e1904;
-                                                                    } else {
-                                                                        phi_2132_ = _e1908;
-                                                                        phi_2133_ = _e1904;
                                                                         phi_2134_ = _e1934;
                                                                         phi_2135_ = _e1930;
+                                                                        phi_2136_ = _e1908;
+                                                                        phi_2137_ = _e1904;
+                                                                    } else {
+                                                                        phi_2134_ = _e1908;
+                                                                        phi_2135_ = _e1904;
+                                                                        phi_2136_ = _e1934;
+                                                                        phi_2137_ = _e1930;
                                                                     }
-                                                                    let _e2011 = phi_2132_;
-                                                                    let _e2013 = phi_2133_;
-                                                                    let _e2015 = phi_2134_;
-                                                                    let _e2017 = phi_2135_;
+                                                                    let _e2011 = phi_2134_;
+                                                                    let _e2013 = phi_2135_;
+                                                                    let _e2015 = phi_2136_;
+                                                                    let _e2017 = phi_2137_;
                                                                     let _e2020 = ((_e2017 * _e2011) - (_e2015 * _e2013));
                                                                     if _e2009 {
-                                                                        phi_2143_ = -(_e2020);
+                                                                        phi_2145_ = -(_e2020);
                                                                     } else {
-                                                                        phi_2143_ = _e2020;
+                                                                        phi_2145_ = _e2020;
                                                                     }
-                                                                    let _e2023 = phi_2143_;
+                                                                    let _e2023 = phi_2145_;
                                                                     if (_e1981 >= 0f) {
                                                                         if (_e2002 >= 0f) {
                                                                             if (_e2023 >= 0f) {
-                                                                                phi_2158_ = ((_e1981 + _e2002) + _e2023);
-                                                                                phi_2159_ = false;
+                                                                                phi_2160_ = ((_e1981 + _e2002) + _e2023);
+                                                                                phi_2161_ = false;
                                                                             } else {
-                                                                                phi_2158_ = f32();
-                                                                                phi_2159_ = true;
+                                                                                phi_2160_ = f32();
+                                                                                phi_2161_ = true;
                                                                             }
-                                                                            let _e2030 = phi_2158_;
-                                                                            let _e2032 = phi_2159_;
-                                                                            phi_2160_ = _e2030;
-                                                                            phi_2161_ = _e2032;
+                                                                            let _e2030 = phi_2160_;
+                                                                            let _e2032 = phi_2161_;
+                                                                            phi_2162_ = _e2030;
+                                                                            phi_2163_ = _e2032;
                                                                         } else {
-                                                                            phi_2160_ = f32();
-                                                                            phi_2161_ = true;
+                                                                            phi_2162_ = f32();
+                                                                            phi_2163_ = true;
                                                                         }
-                                                                        let _e2034 = phi_2160_;
-                                                                        let _e2036 = phi_2161_;
-                                                                        phi_2162_ = _e2034;
-                                                                        phi_2163_ = _e2036;
+                                                                        let _e2034 = phi_2162_;
+                                                                        let _e2036 = phi_2163_;
+                                                                        phi_2164_ = _e2034;
+                                                                        phi_2165_ = _e2036;
                                                                     } else {
-                                                                        phi_2162_ = f32();
-                                                                        phi_2163_ = true;
+                                                                        phi_2164_ = f32();
+                                                                        phi_2165_ = true;
                                                                     }
-                                                                    let _e2038 = phi_2162_;
-                                                                    let _e2040 = phi_2163_;
+                                                                    let _e2038 = phi_2164_;
+                                                                    let _e2040 = phi_2165_;
                                                                     if _e2040 {
                                                                         if (_e1981 <= 0f) {
                                                                             if (_e2002 <= 0f) {
                                                                                 let _e2043 = (_e2023 <= 0f);
                                                                                 if _e2043 {
                                                                                 }
-                                                                                phi_2181_ = ((_e1981 + _e2002) + _e2023);
-                                                                                phi_2182_ = false;
-                                                                                phi_2183_ = _e2043;
+                                                                                phi_2183_ = ((_e1981 + _e2002) + _e2023);
+                                                                                phi_2184_ = false;
+                                                                                phi_2185_ = _e2043;
                                                                             } else {
-                                                                                phi_2181_ = f32();
-                                                                                phi_2182_ = true;
-                                                                                phi_2183_ = false;
+                                                                                phi_2183_ = f32();
+                                                                                phi_2184_ = true;
+                                                                                phi_2185_ = false;
                                                                             }
-                                                                            let _e2047 = phi_2181_;
-                                                                            let _e2049 = phi_2182_;
-                                                                            let _e2051 = phi_2183_;
-                                                                            phi_2184_ = _e2047;
-                                                                            phi_2185_ = _e2049;
-                                                                            phi_2186_ = _e2051;
+                                                                            let _e2047 = phi_2183_;
+                                                                            let _e2049 = phi_2184_;
+                                                                            let _e2051 = phi_2185_;
+                                                                            phi_2186_ = _e2047;
+                                                                            phi_2187_ = _e2049;
+                                                                            phi_2188_ = _e2051;
                                                                         } else {
-                                                                            phi_2184_ = f32();
-                                                                            phi_2185_ = true;
-                                                                            phi_2186_ = false;
+                                                                            phi_2186_ = f32();
+                                                                            phi_2187_ = true;
+                                                                            phi_2188_ = false;
                                                                         }
-                                                                        let _e2053 = phi_2184_;
-                                                                        let _e2055 = phi_2185_;
-                                                                        let _e2057 = phi_2186_;
+                                                                        let _e2053 = phi_2186_;
+                                                                        let _e2055 = phi_2187_;
+                                                                        let _e2057 = phi_2188_;
                                                                         if _e2055 {
-                                                                            phi_2190_ = false;
+                                                                            phi_2192_ = false;
                                                                         } else {
-                                                                            phi_2190_ = _e2057;
+                                                                            phi_2192_ = _e2057;
                                                                         }
-                                                                        let _e2059 = phi_2190_;
-                                                                        phi_2191_ = _e2053;
-                                                                        phi_2192_ = _e2059;
+                                                                        let _e2059 = phi_2192_;
+                                                                        phi_2193_ = _e2053;
+                                                                        phi_2194_ = _e2059;
                                                                     } else {
-                                                                        phi_2191_ = _e2038;
-                                                                        phi_2192_ = true;
+                                                                        phi_2193_ = _e2038;
+                                                                        phi_2194_ = true;
                                                                     }
-                                                                    let _e2061 = phi_2191_;
-                                                                    let _e2063 = phi_2192_;
+                                                                    let _e2061 = phi_2193_;
+                                                                    let _e2063 = phi_2194_;
                                                                     if _e2063 {
                                                                         let _e2064 = (_e2061 == 0f);
                                                                         if _e2064 {
-                                                                            phi_2508_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2509_ = false;
+                                                                            phi_2510_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2511_ = false;
                                                                         } else {
                                                                             let _e2066 = triangles.member[(0u + _e1877)].v0_;
                                                                             let _e2068 = (_e2066.x - _e987);
                                                                             let _e2070 = (_e2066.y - _e1000);
                                                                             let _e2072 = (_e2066.z - _e1013);
                                                                             if (_e1263 == 0u) {
-                                                                                phi_2221_ = vec3<f32>(_e2070, _e2072, _e2068);
+                                                                                phi_2223_ = vec3<f32>(_e2070, _e2072, _e2068);
                                                                             } else {
                                                                                 if (_e1263 == 1u) {
-                                                                                    phi_2220_ = vec3<f32>(_e2072, _e2068, _e2070);
+                                                                                    phi_2222_ = vec3<f32>(_e2072, _e2068, _e2070);
                                                                                 } else {
-                                                                                    phi_2220_ = (_e2066 - vec3<f32>(_e987, _e1000, _e1013));
+                                                                                    phi_2222_ = (_e2066 - vec3<f32>(_e987, _e1000, _e1013));
                                                                                 }
-                                                                                let _e2080 = phi_2220_;
-                                                                                phi_2221_ = _e2080;
+                                                                                let _e2080 = phi_2222_;
+                                                                                phi_2223_ = _e2080;
                                                                             }
-                                                                            let _e2082 = phi_2221_;
+                                                                            let _e2082 = phi_2223_;
                                                                             let _e2084 = triangles.member[(0u + _e1877)].v1_;
                                                                             let _e2086 = triangles.member[(0u + _e1877)].v0_;
                                                                             let _e2089 = (_e2084.x - _e2086.x);
                                                                             let _e2092 = (_e2084.y - _e2086.y);
                                                                             let _e2095 = (_e2084.z - _e2086.z);
                                                                             if (_e1263 == 0u) {
-                                                                                phi_2247_ = vec3<f32>(_e2092, _e2095, _e2089);
+                                                                                phi_2249_ = vec3<f32>(_e2092, _e2095, _e2089);
                                                                             } else {
                                                                                 if (_e1263 == 1u) {
-                                                                                    phi_2246_ = vec3<f32>(_e2095, _e2089, _e2092);
+                                                                                    phi_2248_ = vec3<f32>(_e2095, _e2089, _e2092);
                                                                                 } else {
-                                                                                    phi_2246_ = (_e2084 - _e2086);
+                                                                                    phi_2248_ = (_e2084 - _e2086);
                                                                                 }
-                                                                                let _e2102 = phi_2246_;
-                                                                                phi_2247_ = _e2102;
+                                                                                let _e2102 = phi_2248_;
+                                                                                phi_2249_ = _e2102;
                                                                             }
-                                                                            let _e2104 = phi_2247_;
+                                                                            let _e2104 = phi_2249_;
                                                                             let _e2106 = triangles.member[(0u + _e1877)].v2_;
                                                                             let _e2108 = triangles.member[(0u + _e1877)].v0_;
                                                                             let _e2111 = (_e2106.x - _e2108.x);
                                                                             let _e2114 = (_e2106.y - _e2108.y);
                                                                             let _e2117 = (_e2106.z - _e2108.z);
                                                                             if (_e1263 == 0u) {
-                                                                                phi_2273_ = vec3<f32>(_e2114, _e2117, _e2111);
+                                                                                phi_2275_ = vec3<f32>(_e2114, _e2117, _e2111);
                                                                             } else {
                                                                                 if (_e1263 == 1u) {
-                                                                                    phi_2272_ = vec3<f32>(_e2117, _e2111, _e2114);
+                                                                                    phi_2274_ = vec3<f32>(_e2117, _e2111, _e2114);
                                                                                 } else {
-                                                                                    phi_2272_ = (_e2106 - _e2108);
+                                                                                    phi_2274_ = (_e2106 - _e2108);
                                                                                 }
-                                                                                let _e2124 = phi_2272_;
-                                                                                phi_2273_ = _e2124;
+                                                                                let _e2124 = phi_2274_;
+                                                                                phi_2275_ = _e2124;
                                                                             }
-                                                                            let _e2126 = phi_2273_;
+                                                                            let _e2126 = phi_2275_;
                                                                             let _e2133 = ((_e2104.y * _e2126.z) - (_e2104.z * _e2126.y));
                                                                             let _e2140 = ((_e2104.z * _e2126.x) - (_e2104.x * _e2126.z));
                                                                             let _e2147 = ((_e2104.x * _e2126.y) - (_e2104.y * _e2126.x));
@@ -1836,81 +1836,81 @@ fn function_() {
                                                                                     let _e2165 = triangles.member[(0u + _e1877)].v0_;
                                                                                     let _e2167 = triangles.member[(0u + _e1877)].v1_;
                                                                                     if (_e2165.x < _e2167.x) {
-                                                                                        phi_2329_ = _e2165.x;
+                                                                                        phi_2331_ = _e2165.x;
                                                                                     } else {
-                                                                                        phi_2329_ = _e2167.x;
+                                                                                        phi_2331_ = _e2167.x;
                                                                                     }
-                                                                                    let _e2174 = phi_2329_;
+                                                                                    let _e2174 = phi_2331_;
                                                                                     if (_e2165.y < _e2167.y) {
-                                                                                        phi_2338_ = _e2165.y;
+                                                                                        phi_2340_ = _e2165.y;
                                                                                     } else {
-                                                                                        phi_2338_ = _e2167.y;
+                                                                                        phi_2340_ = _e2167.y;
                                                                                     }
-                                                                                    let _e2181 = phi_2338_;
+                                                                                    let _e2181 = phi_2340_;
                                                                                     if (_e2165.z < _e2167.z) {
-                                                                                        phi_2347_ = _e2165.z;
+                                                                                        phi_2349_ = _e2165.z;
                                                                                     } else {
-                                                                                        phi_2347_ = _e2167.z;
+                                                                                        phi_2349_ = _e2167.z;
                                                                                     }
-                                                                                    let _e2188 = phi_2347_;
+                                                                                    let _e2188 = phi_2349_;
                                                                                     let _e2190 = triangles.member[(0u + _e1877)].v2_;
                                                                                     if (_e2174 < _e2190.x) {
-                                                                                        phi_2356_ = _e2174;
+                                                                                        phi_2358_ = _e2174;
                                                                                     } else {
-                                                                                        phi_2356_ = _e2190.x;
+                                                                                        phi_2358_ = _e2190.x;
                                                                                     }
-                                                                                    let _e2195 = phi_2356_;
+                                                                                    let _e2195 = phi_2358_;
                                                                                     if (_e2181 < _e2190.y) {
-                                                                                        phi_2363_ = _e2181;
+                                                                                        phi_2365_ = _e2181;
                                                                                     } else {
-                                                                                        phi_2363_ = _e2190.y;
+                                                                                        phi_2365_ = _e2190.y;
                                                                                     }
-                                                                                    let _e2200 = phi_2363_;
+                                                                                    let _e2200 = phi_2365_;
                                                                                     if (_e2188 < _e2190.z) {
-                                                                                        phi_2370_ = _e2188;
+                                                                                        phi_2372_ = _e2188;
                                                                                     } else {
-                                                                                        phi_2370_ = _e2190.z;
+                                                                                        phi_2372_ = _e2190.z;
                                                                                     }
-                                                                                    let _e2205 = phi_2370_;
+                                                                                    let _e2205 = phi_2372_;
                                                                                     let _e2207 = triangles.member[(0u + _e1877)].v0_;
                                                                                     let _e2209 = triangles.member[(0u + _e1877)].v1_;
                                                                                     if (_e2207.x > _e2209.x) {
-                                                                                        phi_2383_ = _e2207.x;
+                                                                                        phi_2385_ = _e2207.x;
                                                                                     } else {
-                                                                                        phi_2383_ = _e2209.x;
+                                                                                        phi_2385_ = _e2209.x;
                                                                                     }
-                                                                                    let _e2216 = phi_2383_;
+                                                                                    let _e2216 = phi_2385_;
                                                                                     if (_e2207.y > _e2209.y) {
-                                                                                        phi_2392_ = _e2207.y;
+                                                                                        phi_2394_ = _e2207.y;
                                                                                     } else {
-                                                                                        phi_2392_ = _e2209.y;
+                                                                                        phi_2394_ = _e2209.y;
                                                                                     }
-                                                                                    let _e2223 = phi_2392_;
+                                                                                    let _e2223 = phi_2394_;
                                                                                     if (_e2207.z > _e2209.z) {
-                                                                                        phi_2401_ = _e2207.z;
+                                                                                        phi_2403_ = _e2207.z;
                                                                                     } else {
-                                                                                        phi_2401_ = _e2209.z;
+                                                                                        phi_2403_ = _e2209.z;
                                                                                     }
-                                                                                    let _e2230 = phi_2401_;
+                                                                                    let _e2230 = phi_2403_;
                                                                                     let _e2232 = triangles.member[(0u + _e1877)].v2_;
                                                                                     if (_e2216 > _e2232.x) {
-                                                                                        phi_2410_ = _e2216;
+                                                                                        phi_2412_ = _e2216;
                                                                                     } else {
-                                                                                        phi_2410_ = _e2232.x;
+                                                                                        phi_2412_ = _e2232.x;
                                                                                     }
-                                                                                    let _e2237 = phi_2410_;
+                                                                                    let _e2237 = phi_2412_;
                                                                                     if (_e2223 > _e2232.y) {
-                                                                                        phi_2417_ = _e2223;
+                                                                                        phi_2419_ = _e2223;
                                                                                     } else {
-                                                                                        phi_2417_ = _e2232.y;
+                                                                                        phi_2419_ = _e2232.y;
                                                                                     }
-                                                                                    let _e2242 = phi_2417_;
+                                                                                    let _e2242 = phi_2419_;
                                                                                     if (_e2230 > _e2232.z) {
-                                                                                        phi_2424_ = _e2230;
+                                                                                        phi_2426_ = _e2230;
                                                                                     } else {
-                                                                                        phi_2424_ = _e2232.z;
+                                                                                        phi_2426_ = _e2232.z;
                                                                                     }
-                                                                                    let _e2247 = phi_2424_;
+                                                                                    let _e2247 = phi_2426_;
                                                                                     let _e2251 = ((_e2195 - _e987) * _e1188);
                                                                                     let _e2252 = ((_e2200 - _e1000) * _e1198);
                                                                                     let _e2253 = ((_e2205 - _e1013) * _e1208);
@@ -1918,161 +1918,161 @@ fn function_() {
                                                                                     let _e2258 = ((_e2242 - _e1000) * _e1198);
                                                                                     let _e2259 = ((_e2247 - _e1013) * _e1208);
                                                                                     if (_e2251 < _e2257) {
-                                                                                        phi_2441_ = _e2251;
+                                                                                        phi_2443_ = _e2251;
                                                                                     } else {
-                                                                                        phi_2441_ = _e2257;
+                                                                                        phi_2443_ = _e2257;
                                                                                     }
-                                                                                    let _e2262 = phi_2441_;
+                                                                                    let _e2262 = phi_2443_;
                                                                                     if (_e2252 < _e2258) {
-                                                                                        phi_2446_ = _e2252;
+                                                                                        phi_2448_ = _e2252;
                                                                                     } else {
-                                                                                        phi_2446_ = _e2258;
+                                                                                        phi_2448_ = _e2258;
                                                                                     }
-                                                                                    let _e2265 = phi_2446_;
+                                                                                    let _e2265 = phi_2448_;
                                                                                     if (_e2253 < _e2259) {
-                                                                                        phi_2451_ = _e2253;
+                                                                                        phi_2453_ = _e2253;
                                                                                     } else {
-                                                                                        phi_2451_ = _e2259;
+                                                                                        phi_2453_ = _e2259;
                                                                                     }
-                                                                                    let _e2268 = phi_2451_;
+                                                                                    let _e2268 = phi_2453_;
                                                                                     if (_e2251 > _e2257) {
-                                                                                        phi_2459_ = _e2251;
+                                                                                        phi_2461_ = _e2251;
                                                                                     } else {
-                                                                                        phi_2459_ = _e2257;
+                                                                                        phi_2461_ = _e2257;
                                                                                     }
-                                                                                    let _e2274 = phi_2459_;
+                                                                                    let _e2274 = phi_2461_;
                                                                                     if (_e2252 > _e2258) {
-                                                                                        phi_2464_ = _e2252;
+                                                                                        phi_2466_ = _e2252;
                                                                                     } else {
-                                                                                        phi_2464_ = _e2258;
+                                                                                        phi_2466_ = _e2258;
                                                                                     }
-                                                                                    let _e2277 = phi_2464_;
+                                                                                    let _e2277 = phi_2466_;
                                                                                     if (_e2253 > _e2259) {
-                                                                                        phi_2469_ = _e2253;
+                                                                                        phi_2471_ = _e2253;
                                                                                     } else {
-                                                                                        phi_2469_ = _e2259;
+                                                                                        phi_2471_ = _e2259;
                                                                                     }
-                                                                                    let _e2280 = phi_2469_;
+                                                                                    let _e2280 = phi_2471_;
                                                                                     let _e2284 = core_intrinsics_maximum_number_nsz_f32_((_e2262 - _e1247), (_e2265 - _e1248));
                                                                                     let _e2285 = core_intrinsics_maximum_number_nsz_f32_(_e2284, (_e2268 - _e1249));
                                                                                     let _e2286 = core_intrinsics_minimum_number_nsz_f32_((_e2274 + _e1247), (_e2277 + _e1248));
                                                                                     let _e2287 = core_intrinsics_minimum_number_nsz_f32_(_e2286, (_e2280 + _e1249));
                                                                                     if (_e2285 > _e968) {
-                                                                                        phi_2481_ = _e2285;
+                                                                                        phi_2483_ = _e2285;
                                                                                     } else {
-                                                                                        phi_2481_ = _e968;
+                                                                                        phi_2483_ = _e968;
                                                                                     }
-                                                                                    let _e2290 = phi_2481_;
+                                                                                    let _e2290 = phi_2483_;
                                                                                     if (_e2287 < _e970) {
-                                                                                        phi_2486_ = _e2287;
+                                                                                        phi_2488_ = _e2287;
                                                                                     } else {
-                                                                                        phi_2486_ = _e970;
+                                                                                        phi_2488_ = _e970;
                                                                                     }
-                                                                                    let _e2293 = phi_2486_;
+                                                                                    let _e2293 = phi_2488_;
                                                                                     if (_e2161 < _e2290) {
-                                                                                        phi_2491_ = _e2290;
+                                                                                        phi_2493_ = _e2290;
                                                                                     } else {
-                                                                                        phi_2491_ = _e2161;
+                                                                                        phi_2493_ = _e2161;
                                                                                     }
-                                                                                    let _e2296 = phi_2491_;
+                                                                                    let _e2296 = phi_2493_;
                                                                                     if (_e2296 > _e2293) {
-                                                                                        phi_2496_ = _e2293;
+                                                                                        phi_2498_ = _e2293;
                                                                                     } else {
-                                                                                        phi_2496_ = _e2296;
+                                                                                        phi_2498_ = _e2296;
                                                                                     }
-                                                                                    let _e2299 = phi_2496_;
-                                                                                    phi_2501_ = lt_bvh_triangle_Intersection(_e2299, (_e2002 / _e2061), (_e2023 / _e2061), (_e2290 <= _e2293));
-                                                                                    phi_2502_ = false;
+                                                                                    let _e2299 = phi_2498_;
+                                                                                    phi_2503_ = lt_bvh_triangle_Intersection(_e2299, (_e2002 / _e2061), (_e2023 / _e2061), (_e2290 <= _e2293));
+                                                                                    phi_2504_ = false;
                                                                                 } else {
-                                                                                    phi_2501_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2502_ = true;
+                                                                                    phi_2503_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2504_ = true;
                                                                                 }
-                                                                                let _e2305 = phi_2501_;
-                                                                                let _e2307 = phi_2502_;
-                                                                                phi_2503_ = _e2305;
-                                                                                phi_2504_ = _e2307;
+                                                                                let _e2305 = phi_2503_;
+                                                                                let _e2307 = phi_2504_;
+                                                                                phi_2505_ = _e2305;
+                                                                                phi_2506_ = _e2307;
                                                                             } else {
-                                                                                phi_2503_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2504_ = true;
+                                                                                phi_2505_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2506_ = true;
                                                                             }
-                                                                            let _e2309 = phi_2503_;
-                                                                            let _e2311 = phi_2504_;
+                                                                            let _e2309 = phi_2505_;
+                                                                            let _e2311 = phi_2506_;
                                                                             if _e2311 {
                                                                             }
-                                                                            phi_2508_ = _e2309;
-                                                                            phi_2509_ = _e2311;
+                                                                            phi_2510_ = _e2309;
+                                                                            phi_2511_ = _e2311;
                                                                         }
-                                                                        let _e2313 = phi_2508_;
-                                                                        let _e2315 = phi_2509_;
-                                                                        phi_2510_ = _e2313;
-                                                                        phi_2511_ = _e2064;
-                                                                        phi_2512_ = _e2315;
+                                                                        let _e2313 = phi_2510_;
+                                                                        let _e2315 = phi_2511_;
+                                                                        phi_2512_ = _e2313;
+                                                                        phi_2513_ = _e2064;
+                                                                        phi_2514_ = _e2315;
                                                                     } else {
-                                                                        phi_2510_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2511_ = true;
-                                                                        phi_2512_ = false;
+                                                                        phi_2512_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2513_ = true;
+                                                                        phi_2514_ = false;
                                                                     }
-                                                                    let _e2317 = phi_2510_;
-                                                                    let _e2319 = phi_2511_;
-                                                                    let _e2321 = phi_2512_;
+                                                                    let _e2317 = phi_2512_;
+                                                                    let _e2319 = phi_2513_;
+                                                                    let _e2321 = phi_2514_;
                                                                     if _e2319 {
-                                                                        phi_2516_ = true;
+                                                                        phi_2518_ = true;
                                                                     } else {
-                                                                        phi_2516_ = _e2321;
+                                                                        phi_2518_ = _e2321;
                                                                     }
-                                                                    let _e2323 = phi_2516_;
+                                                                    let _e2323 = phi_2518_;
                                                                     if _e2323 {
-                                                                        phi_2520_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        phi_2522_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2520_ = _e2317;
+                                                                        phi_2522_ = _e2317;
                                                                     }
-                                                                    let _e2325 = phi_2520_;
+                                                                    let _e2325 = phi_2522_;
                                                                     if _e2325.is_hit {
                                                                         if (_e2325.t > 0f) {
                                                                             if (_e2325.t < _e117) {
                                                                                 if true {
-                                                                                    phi_2540_ = false;
+                                                                                    phi_2542_ = false;
                                                                                 } else {
-                                                                                    phi_2540_ = true;
+                                                                                    phi_2542_ = true;
                                                                                 }
-                                                                                let _e2334 = phi_2540_;
-                                                                                phi_2541_ = true;
-                                                                                phi_2542_ = _e2334;
+                                                                                let _e2334 = phi_2542_;
+                                                                                phi_2543_ = true;
+                                                                                phi_2544_ = _e2334;
                                                                             } else {
-                                                                                phi_2541_ = _e1868;
-                                                                                phi_2542_ = true;
+                                                                                phi_2543_ = _e1868;
+                                                                                phi_2544_ = true;
                                                                             }
-                                                                            let _e2336 = phi_2541_;
-                                                                            let _e2338 = phi_2542_;
-                                                                            phi_2543_ = _e2336;
-                                                                            phi_2544_ = _e2338;
+                                                                            let _e2336 = phi_2543_;
+                                                                            let _e2338 = phi_2544_;
+                                                                            phi_2545_ = _e2336;
+                                                                            phi_2546_ = _e2338;
                                                                         } else {
-                                                                            phi_2543_ = _e1868;
-                                                                            phi_2544_ = true;
+                                                                            phi_2545_ = _e1868;
+                                                                            phi_2546_ = true;
                                                                         }
-                                                                        let _e2340 = phi_2543_;
-                                                                        let _e2342 = phi_2544_;
-                                                                        phi_2545_ = _e2340;
-                                                                        phi_2546_ = _e2342;
+                                                                        let _e2340 = phi_2545_;
+                                                                        let _e2342 = phi_2546_;
+                                                                        phi_2547_ = _e2340;
+                                                                        phi_2548_ = _e2342;
                                                                     } else {
-                                                                        phi_2545_ = _e1868;
-                                                                        phi_2546_ = true;
+                                                                        phi_2547_ = _e1868;
+                                                                        phi_2548_ = true;
                                                                     }
-                                                                    let _e2344 = phi_2545_;
-                                                                    let _e2346 = phi_2546_;
+                                                                    let _e2344 = phi_2547_;
+                                                                    let _e2346 = phi_2548_;
                                                                     if _e2346 {
                                                                     }
-                                                                    phi_1950_ = (_e1866 & (_e1866 - 1u));
-                                                                    phi_1953_ = _e2344;
-                                                                    phi_2550_ = _e2346;
+                                                                    phi_1952_ = (_e1866 & (_e1866 - 1u));
+                                                                    phi_1955_ = _e2344;
+                                                                    phi_2552_ = _e2346;
                                                                 }
-                                                                let _e2348 = phi_1950_;
-                                                                let _e2350 = phi_1953_;
-                                                                let _e2352 = phi_2550_;
+                                                                let _e2348 = phi_1952_;
+                                                                let _e2350 = phi_1955_;
+                                                                let _e2352 = phi_2552_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1949_ = _e2348;
-                                                                    phi_1952_ = _e2350;
+                                                                    phi_1951_ = _e2348;
+                                                                    phi_1954_ = _e2350;
                                                                     break if !(_e2352);
                                                                 }
                                                             }
@@ -2082,7 +2082,7 @@ fn function_() {
                                                                 if ((_e2357 & 4278190080u) == 0u) {
                                                                     let _e2361 = local.len;
                                                                     if (_e2361 == 0u) {
-                                                                        phi_2592_ = false;
+                                                                        phi_2594_ = false;
                                                                     } else {
                                                                         let _e2365 = local.len;
                                                                         local.len = (_e2365 - 1u);
@@ -2100,14 +2100,14 @@ fn function_() {
                                                                         }
                                                                         let _e2381 = local.mask[(0u + _e2376)];
                                                                         local.group_mask = _e2381;
-                                                                        phi_2592_ = true;
+                                                                        phi_2594_ = true;
                                                                     }
-                                                                    let _e2384 = phi_2592_;
-                                                                    phi_2593_ = _e2384;
+                                                                    let _e2384 = phi_2594_;
+                                                                    phi_2595_ = _e2384;
                                                                 } else {
-                                                                    phi_2593_ = true;
+                                                                    phi_2595_ = true;
                                                                 }
-                                                                let _e2386 = phi_2593_;
+                                                                let _e2386 = phi_2595_;
                                                                 if _e2386 {
                                                                     let _e2388 = local.group_mask;
                                                                     let _e2394 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2388)), 32u, (_e2388 == 0u)));
@@ -2115,114 +2115,114 @@ fn function_() {
                                                                     let _e2412 = local.group_mask;
                                                                     local.group_mask = (_e2412 & ~((1u << bitcast<u32>((_e2394 & 31u)))));
                                                                     let _e2415 = local.group;
-                                                                    phi_2624_ = (_e2415 + countOneBits(((_e2398 & ~((4294967295u << bitcast<u32>((((_e2394 - 24u) ^ _e1290) & 31u))))) & 255u)));
+                                                                    phi_2626_ = (_e2415 + countOneBits(((_e2398 & ~((4294967295u << bitcast<u32>((((_e2394 - 24u) ^ _e1290) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_2624_ = 4294967295u;
+                                                                    phi_2626_ = 4294967295u;
                                                                 }
-                                                                let _e2418 = phi_2624_;
-                                                                phi_2625_ = _e2418;
+                                                                let _e2418 = phi_2626_;
+                                                                phi_2627_ = _e2418;
                                                             } else {
-                                                                phi_2625_ = u32();
+                                                                phi_2627_ = u32();
                                                             }
-                                                            let _e2420 = phi_2625_;
-                                                            phi_1618_ = _e2420;
+                                                            let _e2420 = phi_2627_;
+                                                            phi_1620_ = _e2420;
                                                             let _e2796 = local_12;
-                                                            phi_1621_ = _e2796;
+                                                            phi_1623_ = _e2796;
                                                             let _e2799 = local_13;
-                                                            phi_2626_ = _e2799;
-                                                            phi_2627_ = false;
+                                                            phi_2628_ = _e2799;
+                                                            phi_2629_ = false;
                                                         } else {
-                                                            phi_1618_ = u32();
-                                                            phi_1621_ = bool();
-                                                            phi_2626_ = false;
-                                                            phi_2627_ = true;
+                                                            phi_1620_ = u32();
+                                                            phi_1623_ = bool();
+                                                            phi_2628_ = false;
+                                                            phi_2629_ = true;
                                                         }
-                                                        let _e2422 = phi_1618_;
-                                                        let _e2424 = phi_1621_;
-                                                        let _e2426 = phi_2626_;
-                                                        let _e2428 = phi_2627_;
+                                                        let _e2422 = phi_1620_;
+                                                        let _e2424 = phi_1623_;
+                                                        let _e2426 = phi_2628_;
+                                                        let _e2428 = phi_2629_;
                                                         local_9 = _e2428;
                                                         continue;
                                                         continuing {
-                                                            phi_1617_ = _e2422;
-                                                            phi_1620_ = _e2424;
+                                                            phi_1619_ = _e2422;
+                                                            phi_1622_ = _e2424;
                                                             break if !(_e2426);
                                                         }
                                                     }
                                                     let _e2431 = local_9;
                                                     if _e2431 {
-                                                        phi_2631_ = false;
+                                                        phi_2633_ = false;
                                                     } else {
-                                                        phi_2631_ = true;
+                                                        phi_2633_ = true;
                                                     }
-                                                    let _e2433 = phi_2631_;
+                                                    let _e2433 = phi_2633_;
                                                     if _e2433 {
-                                                        phi_2635_ = true;
+                                                        phi_2637_ = true;
                                                     } else {
                                                         let _e2805 = local_14;
-                                                        phi_2635_ = _e2805;
+                                                        phi_2637_ = _e2805;
                                                     }
-                                                    let _e2435 = phi_2635_;
-                                                    phi_2636_ = _e2435;
+                                                    let _e2435 = phi_2637_;
+                                                    phi_2638_ = _e2435;
                                                 }
-                                                let _e2437 = phi_2636_;
-                                                phi_2637_ = _e2437;
-                                                phi_2638_ = _e1112;
+                                                let _e2437 = phi_2638_;
+                                                phi_2639_ = _e2437;
+                                                phi_2640_ = _e1112;
                                             } else {
-                                                phi_2637_ = bool();
-                                                phi_2638_ = true;
+                                                phi_2639_ = bool();
+                                                phi_2640_ = true;
                                             }
-                                            let _e2439 = phi_2637_;
-                                            let _e2441 = phi_2638_;
+                                            let _e2439 = phi_2639_;
+                                            let _e2441 = phi_2640_;
                                             if _e2441 {
-                                                phi_2642_ = _e907;
+                                                phi_2644_ = _e907;
                                             } else {
-                                                phi_2642_ = _e2439;
+                                                phi_2644_ = _e2439;
                                             }
-                                            let _e2443 = phi_2642_;
+                                            let _e2443 = phi_2644_;
                                             if _e2443 {
-                                                phi_2646_ = false;
+                                                phi_2648_ = false;
                                             } else {
-                                                phi_2646_ = true;
+                                                phi_2648_ = true;
                                             }
-                                            let _e2445 = phi_2646_;
-                                            phi_2647_ = _e2443;
-                                            phi_2648_ = _e2445;
+                                            let _e2445 = phi_2648_;
+                                            phi_2649_ = _e2443;
+                                            phi_2650_ = _e2445;
                                         } else {
-                                            phi_2647_ = _e907;
-                                            phi_2648_ = true;
+                                            phi_2649_ = _e907;
+                                            phi_2650_ = true;
                                         }
-                                        let _e2447 = phi_2647_;
-                                        let _e2449 = phi_2648_;
-                                        phi_2649_ = _e2447;
-                                        phi_2650_ = _e2449;
+                                        let _e2447 = phi_2649_;
+                                        let _e2449 = phi_2650_;
+                                        phi_2651_ = _e2447;
+                                        phi_2652_ = _e2449;
                                     } else {
-                                        phi_2649_ = _e907;
-                                        phi_2650_ = true;
+                                        phi_2651_ = _e907;
+                                        phi_2652_ = true;
                                     }
-                                    let _e2451 = phi_2649_;
-                                    let _e2453 = phi_2650_;
-                                    phi_2651_ = _e2451;
-                                    phi_2652_ = _e2453;
+                                    let _e2451 = phi_2651_;
+                                    let _e2453 = phi_2652_;
+                                    phi_2653_ = _e2451;
+                                    phi_2654_ = _e2453;
                                 } else {
-                                    phi_2651_ = _e907;
-                                    phi_2652_ = true;
+                                    phi_2653_ = _e907;
+                                    phi_2654_ = true;
                                 }
-                                let _e2455 = phi_2651_;
-                                let _e2457 = phi_2652_;
+                                let _e2455 = phi_2653_;
+                                let _e2457 = phi_2654_;
                                 if _e2457 {
                                 }
-                                phi_1003_ = (_e905 & (_e905 - 1u));
-                                phi_1006_ = _e2455;
-                                phi_2656_ = _e2457;
+                                phi_1005_ = (_e905 & (_e905 - 1u));
+                                phi_1008_ = _e2455;
+                                phi_2658_ = _e2457;
                             }
-                            let _e2459 = phi_1003_;
-                            let _e2461 = phi_1006_;
-                            let _e2463 = phi_2656_;
+                            let _e2459 = phi_1005_;
+                            let _e2461 = phi_1008_;
+                            let _e2463 = phi_2658_;
                             continue;
                             continuing {
-                                phi_1002_ = _e2459;
-                                phi_1005_ = _e2461;
+                                phi_1004_ = _e2459;
+                                phi_1007_ = _e2461;
                                 break if !(_e2463);
                             }
                         }
@@ -2232,7 +2232,7 @@ fn function_() {
                             if ((_e2468 & 4278190080u) == 0u) {
                                 let _e2472 = local_1.len;
                                 if (_e2472 == 0u) {
-                                    phi_2698_ = false;
+                                    phi_2700_ = false;
                                 } else {
                                     let _e2476 = local_1.len;
                                     local_1.len = (_e2476 - 1u);
@@ -2250,14 +2250,14 @@ fn function_() {
                                     }
                                     let _e2492 = local_1.mask[(0u + _e2487)];
                                     local_1.group_mask = _e2492;
-                                    phi_2698_ = true;
+                                    phi_2700_ = true;
                                 }
-                                let _e2495 = phi_2698_;
-                                phi_2699_ = _e2495;
+                                let _e2495 = phi_2700_;
+                                phi_2701_ = _e2495;
                             } else {
-                                phi_2699_ = true;
+                                phi_2701_ = true;
                             }
-                            let _e2497 = phi_2699_;
+                            let _e2497 = phi_2701_;
                             if _e2497 {
                                 let _e2499 = local_1.group_mask;
                                 let _e2505 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2499)), 32u, (_e2499 == 0u)));
@@ -2265,81 +2265,81 @@ fn function_() {
                                 let _e2523 = local_1.group_mask;
                                 local_1.group_mask = (_e2523 & ~((1u << bitcast<u32>((_e2505 & 31u)))));
                                 let _e2526 = local_1.group;
-                                phi_2730_ = (_e2526 + countOneBits(((_e2509 & ~((4294967295u << bitcast<u32>((((_e2505 - 24u) ^ _e329) & 31u))))) & 255u)));
+                                phi_2732_ = (_e2526 + countOneBits(((_e2509 & ~((4294967295u << bitcast<u32>((((_e2505 - 24u) ^ _e329) & 31u))))) & 255u)));
                             } else {
-                                phi_2730_ = 4294967295u;
+                                phi_2732_ = 4294967295u;
                             }
-                            let _e2529 = phi_2730_;
-                            phi_2731_ = _e2529;
+                            let _e2529 = phi_2732_;
+                            phi_2733_ = _e2529;
                         } else {
-                            phi_2731_ = u32();
+                            phi_2733_ = u32();
                         }
-                        let _e2531 = phi_2731_;
-                        phi_671_ = _e2531;
+                        let _e2531 = phi_2733_;
+                        phi_673_ = _e2531;
                         let _e2828 = local_15;
-                        phi_674_ = _e2828;
+                        phi_676_ = _e2828;
                         let _e2831 = local_16;
-                        phi_2732_ = _e2831;
-                        phi_2733_ = false;
+                        phi_2734_ = _e2831;
+                        phi_2735_ = false;
                     } else {
-                        phi_671_ = u32();
-                        phi_674_ = bool();
-                        phi_2732_ = false;
-                        phi_2733_ = true;
+                        phi_673_ = u32();
+                        phi_676_ = bool();
+                        phi_2734_ = false;
+                        phi_2735_ = true;
                     }
-                    let _e2533 = phi_671_;
-                    let _e2535 = phi_674_;
-                    let _e2537 = phi_2732_;
-                    let _e2539 = phi_2733_;
+                    let _e2533 = phi_673_;
+                    let _e2535 = phi_676_;
+                    let _e2537 = phi_2734_;
+                    let _e2539 = phi_2735_;
                     local_11 = _e2539;
                     continue;
                     continuing {
-                        phi_670_ = _e2533;
-                        phi_673_ = _e2535;
+                        phi_672_ = _e2533;
+                        phi_675_ = _e2535;
                         break if !(_e2537);
                     }
                 }
                 let _e2542 = local_11;
                 if _e2542 {
-                    phi_2737_ = false;
+                    phi_2739_ = false;
                 } else {
-                    phi_2737_ = true;
+                    phi_2739_ = true;
                 }
-                let _e2544 = phi_2737_;
+                let _e2544 = phi_2739_;
                 if _e2544 {
                 }
-                phi_2741_ = _e2544;
+                phi_2743_ = _e2544;
             }
-            let _e2546 = phi_2741_;
-            phi_2742_ = _e181;
-            phi_2743_ = _e2546;
+            let _e2546 = phi_2743_;
+            phi_2744_ = _e181;
+            phi_2745_ = _e2546;
         } else {
-            phi_2742_ = true;
-            phi_2743_ = false;
+            phi_2744_ = true;
+            phi_2745_ = false;
         }
-        let _e2548 = phi_2742_;
-        let _e2550 = phi_2743_;
+        let _e2548 = phi_2744_;
+        let _e2550 = phi_2745_;
         if _e2548 {
-            phi_2747_ = false;
-            phi_2748_ = true;
+            phi_2749_ = false;
+            phi_2750_ = true;
         } else {
-            phi_2747_ = true;
-            phi_2748_ = _e2550;
+            phi_2749_ = true;
+            phi_2750_ = _e2550;
         }
-        let _e2552 = phi_2747_;
-        let _e2554 = phi_2748_;
+        let _e2552 = phi_2749_;
+        let _e2554 = phi_2750_;
         if _e2554 {
-            phi_2752_ = _e2552;
+            phi_2754_ = _e2552;
         } else {
-            phi_2752_ = false;
+            phi_2754_ = false;
         }
-        let _e2556 = phi_2752_;
+        let _e2556 = phi_2754_;
         if _e2556 {
-            phi_2756_ = 0f;
+            phi_2758_ = 0f;
         } else {
-            phi_2756_ = 1f;
+            phi_2758_ = 1f;
         }
-        let _e2558 = phi_2756_;
+        let _e2558 = phi_2758_;
         if (_e85 < arrayLength((&visibility.member))) {
         } else {
             return;

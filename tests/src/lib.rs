@@ -3,6 +3,8 @@
 //! GPU tests run on whatever adapter wgpu finds (lavapipe in CI). Without one they print that they were skipped and why;
 //! with `LT_REQUIRE_GPU` set in the environment a missing adapter is a failure.
 
+pub mod textures;
+
 use lt_render::{BackendKind, RenderError, Session, Setup};
 use lt_scene::{Scene, Source};
 

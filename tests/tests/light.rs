@@ -1,7 +1,12 @@
 //! Resolvers in the light's own space give the rays' own bits, for every light, scene and number of threads.
 
-use lt_render::{BackendKind, Frame, PassKind, RenderError, Session, Setup, Technique, Upkeep};
+use lt_math::glam::{UVec2, Vec3};
+use lt_render::gpu::GpuScene;
+use lt_render::{
+    BackendKind, Frame, FrameJob, PackedScene, PassKind, RenderError, Session, Setup, Technique, Upkeep,
+};
 use lt_scene::{Light, LightKind};
+use lt_tests::textures::{download, upload, visibility_texture};
 use lt_tests::{builtin, count_different, cpu_session, gpu_session};
 
 /// Rays, and the resolvers that must equal them.
@@ -77,13 +82,136 @@ fn rebuilding_counts_what_a_technique_traces_with_and_changes_no_bit() {
     }
 }
 
+/// Rays, and what the light tree makes of them on the GPU.
+const GPU_FAMILIES: [(&str, &str); 3] =
+    [("ray", "ray:light"), ("ltt-evsm", "ltt-evsm:light"), ("lt-evsm", "lt-evsm:light")];
+
+/// Renders two frames of each: masks of the second have learnt from the first. How many rays were blocked.
+fn compare_on_gpu(gpu: &mut Session, label: &str) -> usize {
+    let mut blocked = 0;
+    for _ in 0..2 {
+        for (rays, id) in GPU_FAMILIES {
+            let rays = gpu.render(&technique(rays)).expect("frame");
+            let points = gpu.render(&technique(id)).expect("frame");
+            assert_eq!(count_different(&points.visibility, &rays.visibility, 0.0), 0, "{label} {id}");
+            assert_eq!(points.rays, rays.rays, "{label} {id}");
+            assert_eq!(points.doubt, rays.doubt, "{label} {id}");
+            assert_eq!(points.packed_masks(), rays.packed_masks(), "{label} {id}");
+            assert!(points.passes.iter().any(|p| p.kind == PassKind::LightTree), "{label} {id}");
+            blocked += points.visibility.iter().zip(&points.doubt).filter(|(v, d)| **d && **v == 0.0).count();
+        }
+    }
+    blocked
+}
+
 #[test]
-fn what_has_no_such_resolver_says_so() {
+fn the_light_tree_on_the_gpu_answers_as_the_traversal_kernel_does() {
+    for name in ["cornell", "street:4", "square:6", "forest:12", "random:20000"] {
+        let scene = builtin(name);
+        let mut setup = Setup { map_size: 512, ..Setup::for_scene(&scene, 320, 180) };
+        setup.packing.bakes_copies = true;
+        let Some(mut gpu) = gpu_session(&scene, setup) else { return };
+        let blocked = compare_on_gpu(&mut gpu, name);
+        assert!(blocked > 1000, "{name}: {blocked} blocked");
+    }
+}
+
+#[test]
+fn lamps_and_several_lights_have_trees_of_their_own_on_the_gpu() {
+    let scene = builtin("square:6");
+    let bounds = scene.bounds();
+    let middle = (bounds.min + bounds.max) * 0.5;
+    let mut setup = Setup { map_size: 256, ..Setup::for_scene(&scene, 200, 112) };
+    let lamp = LightKind::Point { position: middle, range: f32::INFINITY };
+    let cone = LightKind::Spot {
+        position: middle + Vec3::new(1.0, 4.0, -2.0),
+        direction: Vec3::new(0.2, -1.0, 0.1).normalize(),
+        range: f32::INFINITY,
+        inner_cone_rad: 0.3,
+        outer_cone_rad: 0.9,
+    };
+    let sun = setup.light.clone();
+    let like_it = |kind| Light { kind, ..sun.clone() };
+    setup.more_lights = vec![sun.clone(), like_it(cone)];
+    setup.light = like_it(lamp);
+    let Some(mut gpu) = gpu_session(&scene, setup) else { return };
+    let blocked = compare_on_gpu(&mut gpu, "three lights");
+    assert!(blocked > 1000, "{blocked} blocked");
+}
+
+/// Places that are in no scene's box, as an engine's G-buffer may have them, and trees that are kept and replaced.
+#[test]
+fn an_engine_plants_trees_and_may_ask_from_anywhere() {
+    use lt_render::gpu::{Recorder, open};
+    let Ok((_, device, queue)) = open() else {
+        assert!(std::env::var_os(lt_tests::REQUIRE_GPU).is_none(), "no adapter");
+        eprintln!("skipped: no GPU adapter");
+        return;
+    };
+    let scene = builtin("street:4");
+    let packed = PackedScene::new(&scene).expect("packed");
+    let session = cpu_session(&scene, 64, 64);
+    let job = session.job(&technique("ray:light"));
+    let truth = session.job(&Technique::RAY);
+    let bounds = packed.bounds();
+    let size = bounds.max - bounds.min;
+    // Three pixels of four lie outside of the box, and see the light through it.
+    let place = |i: usize| {
+        let at = Vec3::new(
+            (i % 64) as f32 / 32.0 - 0.5,
+            -((i / 4 % 8) as f32) * 0.4,
+            (i / 64) as f32 / 32.0 - 0.5,
+        );
+        bounds.min + size * if i.is_multiple_of(4) { at.clamp(Vec3::ZERO, Vec3::ONE) } else { at }
+    };
+    let positions: Vec<[f32; 4]> = (0..64 * 64).map(|i| place(i).extend(0.0).to_array()).collect();
+    let to_light = job.shadow.light.place.truncate();
+    let normals = vec![to_light.extend(0.0).to_array(); 64 * 64];
+    let positions = upload(&device, &queue, UVec2::splat(64), &positions);
+    let normals = upload(&device, &queue, UVec2::splat(64), &normals);
+
+    let mut recorder = Recorder::new(&device);
+    let mut gpu_scene = recorder.upload(&packed).expect("fits");
+    let draw = |recorder: &mut Recorder, gpu_scene: &GpuScene, job: &FrameJob| {
+        let mut frame = recorder.frame_buffers(UVec2::splat(64))?;
+        recorder.prepare(&mut frame, job)?;
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        recorder.import_gbuffer(&mut encoder, &frame, &positions, &normals)?;
+        for kind in job.plan.passes() {
+            recorder.pass(&mut encoder, gpu_scene, &frame, kind, job)?;
+        }
+        let target = visibility_texture(&device, 64, 64);
+        let view = target.create_view(&wgpu::TextureViewDescriptor::default());
+        recorder.export_visibility(&mut encoder, &frame, &view)?;
+        Ok::<_, RenderError>(download(&device, &queue, encoder, &target))
+    };
+    let error = draw(&mut recorder, &gpu_scene, &job).expect_err("nothing planted");
+    assert!(error.to_string().contains("plant_light_tree"), "{error}");
+    assert!(recorder.plant_light_tree(&mut gpu_scene, &packed, &job).expect("fits"));
+    assert!(!recorder.plant_light_tree(&mut gpu_scene, &packed, &job).expect("kept"));
+    let rays = draw(&mut recorder, &gpu_scene, &truth).expect("recorded");
+    let points = draw(&mut recorder, &gpu_scene, &job).expect("recorded");
+    assert_eq!(count_different(&points, &rays, 0.0), 0);
+    let blocked = rays.iter().filter(|v| **v == 0.0).count();
+    assert!(blocked > 100 && blocked < 4000, "{blocked} of 4096 blocked");
+    // Another light: its tree takes the place of the last one.
+    let mut other = job.clone();
+    other.shadow.light.place = to_light.with_y(to_light.y * 2.0).normalize().extend(0.0);
+    draw(&mut recorder, &gpu_scene, &other).expect_err("planted for another light");
+    assert!(recorder.plant_light_tree(&mut gpu_scene, &packed, &other).expect("fits"));
+    draw(&mut recorder, &gpu_scene, &other).expect("recorded");
+    draw(&mut recorder, &gpu_scene, &job).expect_err("replaced");
+}
+
+#[test]
+fn what_the_gpu_has_no_resolver_for_says_so() {
     let scene = builtin("cornell");
-    if let Some(mut gpu) = gpu_session(&scene, Setup::for_scene(&scene, 64, 48)) {
-        let error = gpu.render(&technique("ray:light")).expect_err("none on the GPU");
+    let Some(mut gpu) = gpu_session(&scene, Setup::for_scene(&scene, 64, 48)) else { return };
+    for id in ["ray:dac", "alias-free", "lt-evsm:dac"] {
+        let error = gpu.render(&technique(id)).expect_err("none on the GPU");
+        assert!(matches!(error, RenderError::Gpu { .. }), "{error}");
         assert!(
-            matches!(error, RenderError::Gpu { .. }) && error.to_string().contains("--backend cpu"),
+            error.to_string().contains("`light`") && error.to_string().contains("--backend cpu"),
             "{error}"
         );
     }

@@ -1,6 +1,7 @@
 //! CPU and GPU compute the same pictures from the same functions.
 
 use lt_render::{Session, Setup, Technique};
+use lt_tests::textures::{download, upload, visibility_texture};
 use lt_tests::{TWIN_PPM, builtin, count_different, cpu_session, gpu_session, ppm};
 
 /// Scenes that between them have: one flat tree; textures; alpha test; instances; instances with alpha test.
@@ -149,16 +150,7 @@ fn an_engine_can_record_into_its_own_encoder() {
     let mut frame = recorder.frame_buffers(size).expect("fits");
     let job = session.job(&Technique::RAY);
     recorder.prepare(&mut frame, &job).expect("fits");
-    let target = device.create_texture(&wgpu::TextureDescriptor {
-        label: None,
-        size: wgpu::Extent3d { width: 64, height: 48, depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: wgpu::TextureFormat::R32Float,
-        usage: wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::COPY_SRC,
-        view_formats: &[],
-    });
+    let target = visibility_texture(&device, 64, 48);
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     recorder.import_gbuffer(&mut encoder, &frame, &positions, &normals).expect("recorded");
     for kind in job.plan.passes() {
@@ -168,56 +160,4 @@ fn an_engine_can_record_into_its_own_encoder() {
     recorder.export_visibility(&mut encoder, &frame, &view).expect("recorded");
     let result = download(&device, &queue, encoder, &target);
     assert_eq!(count_different(&truth, &result, 0.0), 0);
-}
-
-fn upload(
-    device: &wgpu::Device,
-    queue: &wgpu::Queue,
-    size: lt_math::glam::UVec2,
-    data: &[[f32; 4]],
-) -> wgpu::TextureView {
-    use wgpu::util::DeviceExt;
-    let bytes: Vec<u8> = data.iter().flatten().flat_map(|f| f.to_le_bytes()).collect();
-    let descriptor = wgpu::TextureDescriptor {
-        label: None,
-        size: wgpu::Extent3d { width: size.x, height: size.y, depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: wgpu::TextureFormat::Rgba32Float,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    };
-    let texture =
-        device.create_texture_with_data(queue, &descriptor, wgpu::util::TextureDataOrder::LayerMajor, &bytes);
-    texture.create_view(&wgpu::TextureViewDescriptor::default())
-}
-
-fn download(
-    device: &wgpu::Device,
-    queue: &wgpu::Queue,
-    mut encoder: wgpu::CommandEncoder,
-    texture: &wgpu::Texture,
-) -> Vec<f32> {
-    let size = texture.size();
-    let row = size.width * 4;
-    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
-        label: None,
-        size: u64::from(row * size.height),
-        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-        mapped_at_creation: false,
-    });
-    encoder.copy_texture_to_buffer(
-        texture.as_image_copy(),
-        wgpu::TexelCopyBufferInfo {
-            buffer: &buffer,
-            layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None },
-        },
-        size,
-    );
-    queue.submit([encoder.finish()]);
-    buffer.map_async(wgpu::MapMode::Read, .., |_| {});
-    device.poll(wgpu::PollType::wait_indefinitely()).expect("the device answers");
-    let view = buffer.get_mapped_range(..).expect("mapped");
-    view.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect()
 }

@@ -26,6 +26,8 @@
 //!   lead back to the caller's order.
 //! - Triangles flagged [`Triangle::NON_OPAQUE`] ask an [`AnyHit`] inside the traversal; a struct of slices, passed by
 //!   value, works on the GPU too.
+//! - Shadow rays to one light may be points of the light's own space ([`LightSpace`]) and walk a tree there
+//!   ([`occluded_in_light_space`]): the same answers.
 //! - [`transmitted`] follows a shadow ray through everything that it meets and multiplies what each hit lets through
 //!   ([`Transmit`]).
 //! - Bad rays (NaN, magnitudes of 1e15 and more) hit nothing. Bad triangles are dropped by the builder and counted.
@@ -58,10 +60,13 @@
 extern crate std;
 
 mod any_hit;
+mod axes;
 #[cfg(feature = "build")]
 mod build;
 mod fold;
+mod grid;
 mod instance;
+mod light;
 mod node;
 mod offset;
 mod probe;
@@ -77,11 +82,17 @@ mod traverse;
 mod triangle;
 
 pub use any_hit::{AnyHit, Opaque};
+pub use axes::{main_axis, permute};
 #[cfg(feature = "build")]
 pub use build::{BuildError, BuildQuality, Bvh, Dropped, InstancedBvh, Invalid, Placement};
+pub use grid::Grid;
 pub use instance::{
     Instance, closest_hit_instanced, closest_hit_instanced_probed, occluded_instanced,
     occluded_instanced_probed,
+};
+pub use light::{
+    LEAST_LENGTH, LightNode, LightPoint, LightSpace, NODE_ROWS, occluded_in_light_space,
+    occluded_in_light_space_probed,
 };
 pub use node::Node;
 pub use offset::{ORIGIN_ULPS, offset_origin};

@@ -1,6 +1,7 @@
 //! The eight-wide node with boxes in eight bits per plane (Ylitie, Karras, Laine, "Efficient Incoherent Ray
 //! Traversal on GPUs Through Compressed Wide BVHs", HPG 2017, section 3).
 
+use crate::grid::byte;
 use crate::ray::Ray;
 use crate::slab::{Slab, largest};
 use bytemuck::{Pod, Zeroable};
@@ -34,11 +35,6 @@ const _: () = assert!(size_of::<Node>() == 80);
 
 /// Bits of a hit mask that stand for inner nodes; the 24 bits below are primitives.
 pub(crate) const INNER_BITS: u32 = 0xff00_0000;
-
-#[inline(always)]
-fn byte(word: u32, index: u32) -> u32 {
-    (word >> (index * 8)) & 0xff
-}
 
 impl Node {
     /// Lower corner of the node's box.

@@ -15,6 +15,7 @@
 //! anywhere along it, so that long thin triangles shadow themselves. Here t comes from the triangle's plane, whose normal
 //! is the product of the two shorter edges: their differences are small numbers, exact to their own rounding.
 
+use crate::axes::{main_axis, permute};
 use crate::ray::{NONE, Ray};
 use crate::slab::{Slab, Span};
 use bytemuck::{Pod, Zeroable};
@@ -91,18 +92,6 @@ pub(crate) struct Intersection {
 
 const NO_INTERSECTION: Intersection = Intersection { t: 0.0, u: 0.0, v: 0.0, is_hit: false };
 
-/// Rotates the components cyclically so that component `axis` becomes z.
-#[inline(always)]
-fn permute(v: Vec3, axis: u32) -> Vec3 {
-    if axis == 0 {
-        Vec3::new(v.y, v.z, v.x)
-    } else if axis == 1 {
-        Vec3::new(v.z, v.x, v.y)
-    } else {
-        v
-    }
-}
-
 /// The cross product a × b, evaluated with the two points in canonical order: exactly `-cross(b, a)`, with or
 /// without contraction to fused multiply-adds.
 #[inline(always)]
@@ -123,14 +112,7 @@ impl Shear {
     /// Prepares a ray from its parts.
     #[inline(always)]
     pub fn along(origin: Vec3, direction: Vec3) -> Self {
-        let d = direction.abs();
-        let axis = if d.x >= d.y && d.x >= d.z {
-            0
-        } else if d.y >= d.z {
-            1
-        } else {
-            2
-        };
+        let (axis, _) = main_axis(direction);
         let p = permute(direction, axis);
         Shear { origin, axis, x: p.x / p.z, y: p.y / p.z, z: 1.0 / p.z }
     }

@@ -55,6 +55,11 @@ impl Block {
         block
     }
 
+    /// The triangles, slot by slot.
+    pub fn triangles(&self) -> impl Iterator<Item = u32> {
+        self.ids.into_iter().filter(|id| *id != NOBODY).map(|id| id & !ASKS)
+    }
+
     /// One slot's planes.
     #[inline(always)]
     pub fn planes(&self, slot: usize) -> Planes {

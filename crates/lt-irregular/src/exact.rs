@@ -5,8 +5,8 @@
 //! the two together. Nothing here may be fused to a multiply-add.
 
 use crate::lanes::Lanes;
-use crate::view::{Rays, View, permute};
-use lt_bvh::{COORDINATE_LIMIT, FAR, LEAST_COMPONENT, TRIANGLE_MARGIN, Triangle};
+use crate::view::{Rays, View};
+use lt_bvh::{COORDINATE_LIMIT, FAR, LEAST_COMPONENT, TRIANGLE_MARGIN, Triangle, permute};
 use lt_math::glam::Vec3;
 
 /// A triangle in the permuted axes of a view.

@@ -17,7 +17,8 @@
 //!
 //! # Structures
 //!
-//! - [`LightBvh`]: a tree over the triangles, for a light and casters that stand still.
+//! - [`LightBvh`]: a tree over the triangles, for a light and casters that stand still. [`PackedLightBvh`] is the same for the kernel that
+//!   CPU and GPU share (`lt_bvh::occluded_in_light_space`).
 //! - [`DivideAndConquer`]: both lists divided together and nothing kept, for frames in which everything moves.
 //! - [`SampleMap`]: a tree over the points, which every triangle walks: the alias-free shadow map of Aila and Laine (2004).
 //!
@@ -40,6 +41,7 @@ mod exact;
 mod lanes;
 mod level;
 mod light_bvh;
+mod packed;
 mod planes;
 mod rect;
 mod sample_map;
@@ -54,7 +56,9 @@ pub use casters::Casters;
 pub use dac::DivideAndConquer;
 pub use level::Instructions;
 pub use light_bvh::{LightBvh, Scratch, Walk};
+pub use lt_bvh::LightPoint;
+pub use packed::{PackedLightBvh, Unpackable};
 pub use rect::Rect;
 pub use sample_map::{Counters, Options, PointOrder, SampleMap};
 pub use validate::Invalid;
-pub use view::{Bounds, LightPoint, View};
+pub use view::{Bounds, View};

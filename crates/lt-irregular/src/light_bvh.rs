@@ -60,6 +60,11 @@ impl LightBvh {
         Some(LightBvh { chosen: instructions, ..self })
     }
 
+    /// One tree per view.
+    pub(crate) fn trees(&self) -> &[Tree] {
+        &self.trees
+    }
+
     /// Checks the trees over these triangles.
     ///
     /// # Errors

@@ -259,7 +259,7 @@ fn converging<L: Lanes>(lanes: L, s: &Shape<L>, r: [V<L>; 3], view: &View) -> ([
 
 #[cfg(test)]
 #[path = "../tests/support/mod.rs"]
-mod support;
+pub(crate) mod support;
 
 #[cfg(test)]
 mod tests {
@@ -268,9 +268,9 @@ mod tests {
     use crate::casters::Casters;
     use crate::lanes::Portable;
     use crate::rect::{Rect, rects};
-    use crate::view::{LightPoint, View};
+    use crate::view::View;
     use alloc::vec::Vec;
-    use lt_bvh::{BuildQuality, Bvh, Ray, RayTest};
+    use lt_bvh::{BuildQuality, Bvh, LightPoint, Ray, RayTest};
 
     /// Verdicts that the ray tracer contradicts, and how many are sure, with error bounds scaled by these factors.
     fn wrong_verdicts(caution: [f32; 2]) -> (usize, usize) {

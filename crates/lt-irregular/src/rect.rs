@@ -8,8 +8,8 @@
 use crate::block::BLOCK;
 use crate::lanes::Lanes;
 use crate::planes::{Corners, EPSILON, flat, planes};
-use crate::view::{Rays, View, permute};
-use lt_bvh::Triangle;
+use crate::view::{Rays, View};
+use lt_bvh::{Triangle, permute};
 use lt_math::glam::Vec3;
 
 /// Margin of place for triangles that are no slivers, of nearness for all: in units of R.

@@ -6,9 +6,9 @@ use crate::exact::Exact;
 use crate::lanes::{Lanes, Level};
 use crate::rect::Rect;
 use crate::tree::{LEAF, Tree};
-use crate::view::{View, permute};
+use crate::view::View;
 use crate::walk::walk_one;
-use lt_bvh::AnyHit;
+use lt_bvh::{AnyHit, permute};
 use lt_math::glam::Vec3;
 
 /// Points to a tile.

@@ -2,10 +2,13 @@
 
 use crate::block::{ASKS, NOBODY};
 use crate::casters::Casters;
+use crate::light_bvh::LightBvh;
+use crate::packed::{PackedLightBvh, rects};
 use crate::rect::Rect;
 use crate::tree::{LEAF, Tree, items};
 use alloc::vec::Vec;
 use core::fmt;
+use lt_bvh::{LightNode, NONE};
 
 /// What is wrong with a structure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,6 +86,52 @@ impl Tree {
     }
 }
 
+impl PackedLightBvh {
+    /// Checks that every triangle that a view can see is in its packed tree once, and that all boxes hold what lies below them. `of` is
+    /// what was packed.
+    ///
+    /// # Errors
+    /// The first fault found; nodes are counted over all trees.
+    pub fn validate(&self, of: &LightBvh, casters: Casters<'_>) -> Result<(), Invalid> {
+        for tree in of.trees() {
+            let mut rects = rects(tree, casters);
+            let root = match tree.view.face() {
+                face @ 0..4 => self.space.roots[face],
+                face => self.space.roots_z[face - 4],
+            };
+            if root != NONE {
+                self.check(root, &mut rects)?;
+            }
+            if let Some(triangle) = rects.iter().position(|rect| rect.x0 <= rect.x1) {
+                return Err(Invalid::Triangle { triangle: triangle as u32 });
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks a subtree, empties the rectangles of its triangles, and returns its own.
+    fn check(&self, at: u32, rects: &mut [Rect]) -> Result<Rect, Invalid> {
+        let node = LightNode::load(&self.rows, at);
+        let mut all = Rect::EMPTY;
+        for (slot, end) in node.ends().into_iter().enumerate().filter(|(_, end)| end[0] <= end[1]) {
+            let below = if node.is_leaf() {
+                let triangle = node.triangle(&self.rows, slot as u32);
+                let rect = rects.get_mut(triangle as usize).map(|r| core::mem::replace(r, Rect::EMPTY));
+                rect.filter(|r| r.x0 <= r.x1).ok_or(Invalid::Triangle { triangle })?
+            } else {
+                self.check(node.rest.z + slot as u32, rects)?
+            };
+            let [x0, x1, y0, y1] = [below.x0, below.x1, below.y0, below.y1].map(f64::from);
+            let holds = end[0] <= x0 && x1 <= end[1] && end[2] <= y0 && y1 <= end[3];
+            if !holds || f64::from(below.z) > end[4] {
+                return Err(Invalid::Rectangle { node: at });
+            }
+            all = all.union(&below);
+        }
+        Ok(all)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,6 +156,16 @@ mod tests {
         let (bvh, bounds) = small();
         let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
         let view = View::of_light(Vec4::new(0.1, 0.2, 1.0, 0.0), bounds, casters.root).next().unwrap();
+        let bvh = LightBvh::build(Vec4::new(0.1, 0.2, 1.0, 0.0), bounds, casters);
+        let packed = bvh.pack(casters).unwrap();
+        assert_eq!(packed.validate(&bvh, casters), Ok(()));
+        let mut bad = packed.clone();
+        bad.rows[1].z -= 1;
+        assert!(matches!(bad.validate(&bvh, casters), Err(Invalid::Rectangle { .. })));
+        let mut bad = packed.clone();
+        let last = bad.rows.len() - 1;
+        bad.rows[last].x = 40;
+        assert!(matches!(bad.validate(&bvh, casters), Err(Invalid::Triangle { .. })));
         let tree = Tree::build(view, casters);
         assert_eq!(tree.validate(casters), Ok(()));
         let mut bad = tree.clone();

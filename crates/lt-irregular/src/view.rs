@@ -12,19 +12,8 @@
 //! faces of a cube, and no frame of its own needs to be chosen.
 
 use crate::lanes::Lanes;
-use lt_bvh::{Node, Ray, reciprocal};
+use lt_bvh::{LEAST_LENGTH, LightPoint, LightSpace, Node, Ray, main_axis, permute, reciprocal};
 use lt_math::glam::{Vec3, Vec4};
-
-/// A shadow ray in light space.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LightPoint {
-    /// First place coordinate.
-    pub x: f32,
-    /// Second place coordinate.
-    pub y: f32,
-    /// Nearness to the light: what blocks has more.
-    pub z: f32,
-}
 
 /// An axis-aligned box in world space; empty where `low > high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,33 +74,6 @@ pub struct View {
     domain: Bounds,
 }
 
-/// A ray shorter than this to a positioned light is put to every triangle: its slopes and nearness may be denormal or infinite.
-const LEAST_LENGTH: f32 = 1e-30;
-
-/// Rotates the components cyclically so that component `axis` becomes z, as the ray tracer does.
-#[inline(always)]
-pub(crate) fn permute(v: Vec3, axis: u32) -> Vec3 {
-    match axis {
-        0 => Vec3::new(v.y, v.z, v.x),
-        1 => Vec3::new(v.z, v.x, v.y),
-        _ => v,
-    }
-}
-
-/// Axis of the largest component by the ray tracer's rule, and that component's sign.
-#[inline(always)]
-fn main_axis(direction: Vec3) -> (u32, f32) {
-    let d = direction.abs();
-    let axis = if d.x >= d.y && d.x >= d.z {
-        0
-    } else if d.y >= d.z {
-        1
-    } else {
-        2
-    };
-    (axis, if direction[axis as usize] < 0.0 { -1.0 } else { 1.0 })
-}
-
 impl View {
     /// The views of a homogeneous light (w = 0: a sun, `xyz` pointing to it; w = 1: a position): one or six, and none for a light that
     /// no ray can be shot at (NaN, or a zero direction).
@@ -133,7 +95,7 @@ impl View {
             if light.w == 0.0 {
                 Self::sun(direction, domain, root)
             } else {
-                Self::face(direction, face, domain, root)
+                Self::lamp(direction, face, domain, root)
             }
         })
     }
@@ -147,7 +109,7 @@ impl View {
         Self::new(rays, axis, sign, domain, domain, root)
     }
 
-    fn face(light: Vec3, face: u32, domain: Bounds, root: &Node) -> Self {
+    fn lamp(light: Vec3, face: u32, domain: Bounds, root: &Node) -> Self {
         let axis = face >> 1;
         let sign = if face & 1 == 0 { 1.0 } else { -1.0 };
         let rays = Rays::Converging { light: permute(light, axis) };
@@ -192,13 +154,28 @@ impl View {
     pub fn point(&self, ray: &Ray) -> LightPoint {
         match self.rays {
             Rays::Parallel { shear, middle, .. } => {
-                let q = permute(ray.origin, self.axis) - middle;
-                LightPoint { x: q.x - shear.x * q.z, y: q.y - shear.y * q.z, z: self.sign * q.z }
+                LightPoint::parallel(permute(ray.origin, self.axis), middle, shear, self.sign)
             }
-            Rays::Converging { .. } => {
-                let d = permute(ray.direction, self.axis);
-                LightPoint { x: d.x / d.z, y: d.y / d.z, z: self.sign / d.z }
+            Rays::Converging { .. } => LightPoint::converging(permute(ray.direction, self.axis), self.sign),
+        }
+    }
+
+    /// The view for kernels, which know all views of a light as one space; without trees.
+    pub(crate) fn space(&self) -> LightSpace {
+        let space = LightSpace { low: self.domain.low, high: self.domain.high, ..LightSpace::empty() };
+        match self.rays {
+            Rays::Parallel { shear, middle, .. } => {
+                LightSpace { shear, axis: self.axis, middle, sign: self.sign, is_parallel: 1, ..space }
             }
+            Rays::Converging { .. } => space,
+        }
+    }
+
+    /// Where rays of this view find their root in a [`LightSpace`].
+    pub(crate) fn face(&self) -> usize {
+        match self.rays {
+            Rays::Parallel { .. } => 0,
+            Rays::Converging { .. } => 2 * self.axis as usize + usize::from(self.sign < 0.0),
         }
     }
 

@@ -2,7 +2,7 @@
 
 mod support;
 
-use lt_bvh::{AnyHit, BuildQuality, Bvh, Opaque, Ray, Simd, Tracer};
+use lt_bvh::{AnyHit, BuildQuality, Bvh, Opaque, Ray, Simd, Tracer, occluded_in_light_space};
 use lt_irregular::{
     Casters, DivideAndConquer, Instructions, LightBvh, Options, PointOrder, SampleMap, Scratch, Walk,
 };
@@ -51,6 +51,16 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
             judge(&format!("light BVH, {instructions:?}, {walk:?}"), &found);
         }
     }
+    let packed = tree.pack(casters).expect("no scene is so deep");
+    packed.validate(&tree, casters).expect("is valid");
+    let found: Vec<bool> = rays
+        .iter()
+        .map(|&ray| {
+            let (nodes, triangles) = (bvh.nodes(), bvh.triangles());
+            occluded_in_light_space(&packed.rows, nodes, triangles, packed.space, ray, any_hit)
+        })
+        .collect();
+    judge("packed light BVH", &found);
     let mut counted = Vec::new();
     for instructions in Instructions::available() {
         for order in [PointOrder::Median, PointOrder::Morton] {

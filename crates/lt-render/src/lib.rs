@@ -33,6 +33,7 @@ pub mod gpu;
 mod lamp;
 mod levels;
 mod light_fit;
+mod light_space;
 pub mod metrics;
 mod pace;
 mod packed;

@@ -511,10 +511,10 @@ fn make_backend(packed: PackedScene, kind: BackendKind) -> Result<Box<dyn Backen
     match kind {
         BackendKind::Cpu => Ok(Box::new(CpuBackend::new(packed))),
         #[cfg(feature = "gpu")]
-        BackendKind::Gpu => Ok(Box::new(crate::gpu::GpuBackend::new(&packed)?)),
+        BackendKind::Gpu => Ok(Box::new(crate::gpu::GpuBackend::new(packed)?)),
         #[cfg(feature = "gpu")]
         BackendKind::Auto if crate::gpu::has_hardware_adapter() => {
-            Ok(Box::new(crate::gpu::GpuBackend::new(&packed)?))
+            Ok(Box::new(crate::gpu::GpuBackend::new(packed)?))
         }
         #[cfg(not(feature = "gpu"))]
         BackendKind::Gpu => {

@@ -1,17 +1,21 @@
-//! Geometry as kernels see it: one world-space tree, or a TLAS over placed trees.
+//! Geometry as kernels see it: one world-space tree, a TLAS over placed trees, or a tree in a light's own space.
 
 use lt_bvh::{
-    AnyHit, Hit, Instance, Node, Ray, Triangle, closest_hit, closest_hit_instanced, occluded,
-    occluded_instanced,
+    AnyHit, Hit, Instance, LightSpace, Node, Ray, Triangle, closest_hit, closest_hit_instanced, occluded,
+    occluded_in_light_space, occluded_instanced,
 };
-use lt_math::glam::Vec3;
+use lt_math::glam::{UVec4, Vec3};
 
-/// Something rays can be traced against.
-pub trait Geometry: Copy {
-    /// Nearest hit.
-    fn closest<A: AnyHit>(&self, ray: Ray, any_hit: A) -> Hit;
+/// Something that blocks shadow rays.
+pub trait Occluder: Copy {
     /// Whether anything blocks the ray.
     fn is_occluded<A: AnyHit>(&self, ray: Ray, any_hit: A) -> bool;
+}
+
+/// Something rays can be traced against.
+pub trait Geometry: Occluder {
+    /// Nearest hit.
+    fn closest<A: AnyHit>(&self, ray: Ray, any_hit: A) -> Hit;
     /// The triangle that was hit, in its tree's space.
     fn triangle(&self, hit: &Hit) -> Triangle;
     /// The triangle that was hit, its corners in world space.
@@ -31,12 +35,15 @@ pub struct FlatGeometry<'a> {
     pub triangles: &'a [Triangle],
 }
 
+impl Occluder for FlatGeometry<'_> {
+    fn is_occluded<A: AnyHit>(&self, ray: Ray, any_hit: A) -> bool {
+        occluded(self.nodes, self.triangles, ray, any_hit)
+    }
+}
+
 impl Geometry for FlatGeometry<'_> {
     fn closest<A: AnyHit>(&self, ray: Ray, any_hit: A) -> Hit {
         closest_hit(self.nodes, self.triangles, ray, any_hit)
-    }
-    fn is_occluded<A: AnyHit>(&self, ray: Ray, any_hit: A) -> bool {
-        occluded(self.nodes, self.triangles, ray, any_hit)
     }
     fn triangle(&self, hit: &Hit) -> Triangle {
         self.triangles[hit.triangle as usize]
@@ -53,6 +60,25 @@ impl Geometry for FlatGeometry<'_> {
     }
 }
 
+/// One tree in world space, and one in a light's own space for the rays to that light.
+#[derive(Clone, Copy)]
+pub struct LightGeometry<'a> {
+    /// The tree in light space, as `lt_bvh::occluded_in_light_space` takes it.
+    pub rows: &'a [UVec4],
+    /// The tree in world space, for rays that are no points of the light's space; its root is node 0.
+    pub nodes: &'a [Node],
+    /// Triangles in the leaf order of the tree in world space.
+    pub triangles: &'a [Triangle],
+    /// How rays become points.
+    pub space: LightSpace,
+}
+
+impl Occluder for LightGeometry<'_> {
+    fn is_occluded<A: AnyHit>(&self, ray: Ray, any_hit: A) -> bool {
+        occluded_in_light_space(self.rows, self.nodes, self.triangles, self.space, ray, any_hit)
+    }
+}
+
 /// A TLAS over placed trees.
 #[derive(Clone, Copy)]
 pub struct InstancedGeometry<'a> {
@@ -66,12 +92,15 @@ pub struct InstancedGeometry<'a> {
     pub root: u32,
 }
 
+impl Occluder for InstancedGeometry<'_> {
+    fn is_occluded<A: AnyHit>(&self, ray: Ray, any_hit: A) -> bool {
+        occluded_instanced(self.nodes, self.triangles, self.instances, self.root, ray, any_hit)
+    }
+}
+
 impl Geometry for InstancedGeometry<'_> {
     fn closest<A: AnyHit>(&self, ray: Ray, any_hit: A) -> Hit {
         closest_hit_instanced(self.nodes, self.triangles, self.instances, self.root, ray, any_hit)
-    }
-    fn is_occluded<A: AnyHit>(&self, ray: Ray, any_hit: A) -> bool {
-        occluded_instanced(self.nodes, self.triangles, self.instances, self.root, ray, any_hit)
     }
     fn triangle(&self, hit: &Hit) -> Triangle {
         self.triangles[hit.triangle as usize]

@@ -6,7 +6,7 @@ use lt_math::glam::Vec3;
 use crate::{
     abi::{LightParams, Sample},
     evaluate::settle,
-    geometry::Geometry,
+    geometry::Occluder,
     surface::Translucence,
 };
 
@@ -17,7 +17,7 @@ pub fn shadow_ray(sample: &Sample, light: &LightParams) -> Ray {
 }
 
 /// The truth about one light-facing sample: 1 if the light is seen, 0 if it is blocked.
-pub fn trace_visibility<G: Geometry, A: AnyHit>(
+pub fn trace_visibility<G: Occluder, A: AnyHit>(
     sample: &Sample,
     light: &LightParams,
     geometry: G,

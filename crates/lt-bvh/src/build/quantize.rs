@@ -4,6 +4,7 @@
 use super::bounds::Bounds;
 use super::collapse::{LeafCost, WIDTH, WideChild};
 use super::emit::{Encoder, Held};
+use crate::grid::Grid;
 use crate::node::Node;
 use lt_math::glam::UVec4;
 
@@ -69,39 +70,13 @@ impl Encoder for Quantizer {
     }
 }
 
-/// Biased exponent of the smallest power of two of which 255 steps span `extent`.
-fn step_exponent(extent: f64) -> u32 {
-    let mut exponent = 1;
-    if extent > 0.0 {
-        // The exponent field of extent / 255, rebiased from f64 to f32, is at most one too low.
-        let biased = ((extent / 255.0).to_bits() >> 52) as i64 - 1023 + 127;
-        exponent = biased.clamp(1, 254) as u32;
-    }
-    while exponent < 254 && step_length(exponent) * 255.0 < extent {
-        exponent += 1;
-    }
-    exponent
-}
-
-fn step_length(exponent: u32) -> f64 {
-    f64::from(f32::from_bits(exponent << 23))
-}
-
-/// Lower and upper planes of one axis on the grid from `low`, packed four to a word.
-fn planes(boxes: &[Option<Bounds>; WIDTH], axis: usize, low: f32, step: f64) -> UVec4 {
+/// Lower and upper planes of one axis on its grid, packed four to a word.
+fn planes(boxes: &[Option<Bounds>; WIDTH], axis: usize, grid: Grid) -> UVec4 {
     let mut words = [0u32; 4];
-    // Steps are powers of two: multiplying by the inverse is exact.
-    let per_cell = step.recip();
     for (slot, bounds) in boxes.iter().enumerate() {
         let Some(bounds) = bounds else { continue };
-        // No box begins below `low`, so truncation rounds down.
-        let cells = |x: f32| (f64::from(x) - f64::from(low)) * per_cell;
-        let lower = cells(bounds.low[axis]) as u32;
-        let end = cells(bounds.high[axis]);
-        let upper = end as u32;
-        let upper = upper + u32::from(f64::from(upper) < end);
-        words[slot / 4] |= lower.min(255) << (8 * (slot % 4));
-        words[2 + slot / 4] |= upper.min(255) << (8 * (slot % 4));
+        words[slot / 4] |= grid.line_below(bounds.low[axis]) << (8 * (slot % 4));
+        words[2 + slot / 4] |= grid.line_above(bounds.high[axis]) << (8 * (slot % 4));
     }
     UVec4::from_array(words)
 }
@@ -109,9 +84,9 @@ fn planes(boxes: &[Option<Bounds>; WIDTH], axis: usize, low: f32, step: f64) -> 
 /// A node with these children's boxes.
 pub(crate) fn with_boxes(boxes: [Option<Bounds>; WIDTH], inner_mask: u32, links: UVec4) -> Node {
     let all = boxes.iter().flatten().fold(Bounds::EMPTY, |a, b| a.union(b));
-    let extent = all.high.as_dvec3() - all.low.as_dvec3();
-    let exponents = extent.to_array().map(step_exponent);
-    let axis = |axis: usize| planes(&boxes, axis, all.low[axis], step_length(exponents[axis]));
+    let grids = [0, 1, 2].map(|axis| Grid::over(all.low[axis], all.high[axis]));
+    let axis = |axis: usize| planes(&boxes, axis, grids[axis]);
+    let exponents = grids.map(|grid| grid.exponent);
     let frame_w = exponents[0] | exponents[1] << 8 | exponents[2] << 16 | inner_mask << 24;
     Node {
         frame: UVec4::new(all.low.x.to_bits(), all.low.y.to_bits(), all.low.z.to_bits(), frame_w),

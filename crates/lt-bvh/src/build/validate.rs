@@ -1,6 +1,7 @@
 //! Whether a tree keeps the promises that the traversal relies on.
 
 use super::bounds::Bounds;
+use crate::grid::byte;
 use crate::node::Node;
 use crate::traverse::MAX_DEPTH;
 use lt_math::glam::{DVec3, UVec4};
@@ -105,10 +106,6 @@ impl fmt::Display for Invalid {
 }
 
 impl std::error::Error for Invalid {}
-
-fn byte(word: u32, index: u32) -> u32 {
-    word >> (8 * index) & 0xff
-}
 
 /// Exact box of a slot, in f64.
 fn slot_box(node: &Node, slot: u32) -> (DVec3, DVec3) {

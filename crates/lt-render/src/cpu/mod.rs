@@ -7,7 +7,6 @@ mod asks;
 mod batch;
 mod history;
 mod kept_map;
-mod light_space;
 mod mask_batch;
 mod perspective;
 mod planes;
@@ -37,6 +36,7 @@ use rayon::prelude::*;
 use shadow::PixelMs;
 use tiles::{BLOCK, Tiles};
 
+use crate::light_space;
 use crate::packed::Trees;
 use crate::{
     Backend, EffectPlan, Frame, FrameJob, MapTest, PackedScene, Pass, PassKind, RenderError, ShadedLight,

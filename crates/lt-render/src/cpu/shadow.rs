@@ -21,10 +21,10 @@ use rayon::prelude::*;
 
 use super::batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
 use super::history::Memory;
-use super::light_space::{casters, occluded};
 use super::mask_batch::{BlockPixels, Frames, mask_block};
 use super::tiles::BLOCK;
 use super::{CpuBackend, milliseconds, tracer};
+use crate::light_space::{casters, occluded};
 use crate::{FrameJob, MapSource, MapTest, PackedScene, PassKind, Resolve};
 
 /// Times of the passes over pixels.

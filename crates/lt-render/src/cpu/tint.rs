@@ -11,8 +11,8 @@ use lt_shaders::resolve::{may_be_tinted, shadow_ray, trace_tint};
 use lt_shaders::surface::Translucence;
 use rayon::prelude::*;
 
-use super::light_space::transmitted;
 use super::tiles::BLOCK;
+use crate::light_space::transmitted;
 use crate::{FrameJob, PackedScene, Resolve};
 
 /// Fills in what translucent casters let through to each sample; returns how many rays that took.

@@ -8,7 +8,8 @@ use crate::RenderError;
 pub const OPTIONAL_FEATURES: Features =
     Features::TIMESTAMP_QUERY.union(Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
 
-/// Storage buffers that the largest kernel variant binds (instances, alpha test, a doubt list and a mask).
+/// Storage buffers that the largest kernel variant binds (instances or a tree in light space, alpha
+/// test, a doubt list and a mask).
 pub const STORAGE_BUFFERS: u32 = 10;
 
 /// What `lt doctor` prints of an adapter.

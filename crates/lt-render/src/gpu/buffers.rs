@@ -1,7 +1,8 @@
 //! Buffers: a scene's, a frame's, and reading them back.
 
 use bytemuck::{Pod, Zeroable};
-use lt_math::glam::UVec2;
+use lt_irregular::PackedLightBvh;
+use lt_math::glam::{UVec2, Vec4};
 use lt_shaders::{abi::Sample, doubt::list_words};
 use wgpu::BufferUsages as Usage;
 
@@ -20,6 +21,16 @@ pub struct GpuScene {
     pub(super) draws: Vec<DrawRange>,
     /// Nodes and triangles of translucent casters.
     pub(super) translucent: Option<[wgpu::Buffer; 2]>,
+    /// Trees in the spaces of lights, by the light's number.
+    pub(super) light_trees: Vec<Option<LightTree>>,
+}
+
+/// All casters in the space of one light.
+pub(super) struct LightTree {
+    /// Homogeneous place of the light.
+    pub light: Vec4,
+    pub rows: wgpu::Buffer,
+    pub space: wgpu::Buffer,
 }
 
 /// Per-pixel buffers of a view, and what techniques keep between frames.
@@ -178,6 +189,15 @@ impl Allocator {
                     self.filled("translucent casters' triangles", bvh.triangles(), Usage::STORAGE)?,
                 ]),
             },
+            light_trees: Vec::new(),
+        })
+    }
+
+    pub fn light_tree(&self, light: Vec4, tree: &PackedLightBvh) -> Result<LightTree, RenderError> {
+        Ok(LightTree {
+            light,
+            rows: self.filled("the tree in light space", &tree.rows, Usage::STORAGE)?,
+            space: self.filled("light space", &[tree.space], Usage::UNIFORM)?,
         })
     }
 

@@ -3,6 +3,7 @@
 //! An engine keeps its own device, queue and textures:
 //!
 //! 1. [`Recorder::new`] with its device; [`Recorder::upload`] a [`PackedScene`]; [`Recorder::frame_buffers`].
+//!    For `light` as resolver also [`Recorder::plant_light_tree`], whenever the light has moved.
 //! 2. Per frame [`Recorder::import_gbuffer`] (or [`Recorder::camera`]), [`Recorder::prepare`], then
 //!    [`Recorder::pass`] for every pass of the plan, and [`Recorder::export_visibility`]; all on its own encoder.
 //!
@@ -31,7 +32,8 @@ use lt_shaders::resolve::may_be_tinted;
 use timestamps::Timestamps;
 
 use crate::{
-    Backend, EffectPlan, Frame, FrameJob, PackedScene, Pass, PassKind, RenderError, ShadedLight, Upkeep,
+    Backend, EffectPlan, Frame, FrameJob, PackedScene, Pass, PassKind, RenderError, Resolve, ShadedLight,
+    Upkeep, light_space,
 };
 
 /// Runs frames on a device of its own and reads them back.
@@ -40,6 +42,8 @@ pub struct GpuBackend {
     queue: wgpu::Queue,
     device_name: String,
     recorder: Recorder,
+    /// What the scene on the device was uploaded from: trees in light space are planted from it.
+    packed: PackedScene,
     scene: GpuScene,
     frame: FrameBuffers,
     samples: Vec<Sample>,
@@ -56,11 +60,11 @@ impl GpuBackend {
     ///
     /// # Errors
     /// [`RenderError::NoAdapter`], or [`RenderError::Gpu`] when the scene does not fit.
-    pub fn new(scene: &PackedScene) -> Result<Self, RenderError> {
+    pub fn new(packed: PackedScene) -> Result<Self, RenderError> {
         let (adapter, device, queue) = open()?;
         let info = adapter.get_info();
         let recorder = Recorder::new(&device);
-        let scene = recorder.upload(scene)?;
+        let scene = recorder.upload(&packed)?;
         let frame = recorder.frame_buffers(UVec2::ONE)?;
         let is_software = info.device_type == wgpu::DeviceType::Cpu;
         let timestamps = if is_software { None } else { Timestamps::new(&device, &queue) };
@@ -70,6 +74,7 @@ impl GpuBackend {
             queue,
             device_name,
             recorder,
+            packed,
             scene,
             frame,
             samples: Vec::new(),
@@ -123,7 +128,8 @@ impl GpuBackend {
         if let Some(t) = &self.timestamps {
             let (buffer, bytes) = t.buffer();
             let ticks: Vec<u64> = self.recorder.allocator().read(&self.queue, buffer, bytes)?;
-            for (pass, ms) in passes.iter_mut().zip(t.milliseconds(&ticks)) {
+            let untimed = passes.iter_mut().filter(|pass| pass.ms.is_none());
+            for (pass, ms) in untimed.zip(t.milliseconds(&ticks)) {
                 pass.ms = Some(ms);
             }
         }
@@ -181,6 +187,7 @@ impl Backend for GpuBackend {
 
     fn replace_scene(&mut self, scene: PackedScene) -> Result<(), RenderError> {
         self.scene = self.recorder.upload(&scene)?;
+        self.packed = scene;
         Ok(())
     }
 
@@ -204,12 +211,14 @@ impl Backend for GpuBackend {
     }
 
     fn begin(&mut self, job: &FrameJob) -> Result<(), RenderError> {
-        if let Some(resolver) = job.plan.resolve.modifier() {
+        let resolve = job.plan.resolve;
+        if let Some(resolver) = resolve.modifier().filter(|_| resolve != Resolve::Light) {
             let problem = format!(
-                "has no resolver `{resolver}` yet: use --backend cpu, or rays (leave `:{resolver}` out)"
+                "has no resolver `{resolver}`: use `light`, which gives the same answers, or --backend cpu"
             );
             return Err(RenderError::Gpu { device: self.device_name.clone(), problem });
         }
+        light_space::check(&self.packed, job)?;
         if job.plan.upkeep != Upkeep::Kept {
             let problem = "does not rebuild trees (--rebuild): use --backend cpu".to_owned();
             return Err(RenderError::Gpu { device: self.device_name.clone(), problem });
@@ -220,6 +229,12 @@ impl Backend for GpuBackend {
     }
 
     fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
+        if kind == PassKind::LightTree {
+            let start = Instant::now();
+            self.recorder.plant_light_tree(&mut self.scene, &self.packed, job)?;
+            self.passes.push(Pass { kind, ms: Some(start.elapsed().as_secs_f64() * 1e3) });
+            return Ok(());
+        }
         self.timed(kind, |this, encoder| this.recorder.pass(encoder, &this.scene, &this.frame, kind, job))
     }
 

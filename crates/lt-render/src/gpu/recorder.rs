@@ -8,7 +8,8 @@ use wgpu::BufferUsages as Usage;
 
 use super::buffers::{Allocator, FrameBuffers, GpuScene, HistoryBuffers, MapBuffers, SlotBuffers};
 use super::modules::ShaderModule;
-use crate::{EffectPlan, FrameJob, MapSource, PackedScene, PassKind, RenderError};
+use crate::light_space;
+use crate::{EffectPlan, FrameJob, MapSource, PackedScene, PassKind, RenderError, Resolve};
 
 /// Records shadow passes on a device that the caller owns.
 ///
@@ -42,6 +43,36 @@ impl Recorder {
     /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
     pub fn upload(&self, scene: &PackedScene) -> Result<GpuScene, RenderError> {
         self.allocator.scene(scene)
+    }
+
+    /// Plants the tree over all casters in the light's own space that a job with [`Resolve::Light`] walks instead of shooting rays, and
+    /// uploads it. One of each of the frame's lights is kept while that light stands still; whether a new one was planted. `packed` must be
+    /// what `scene` was uploaded from: a scene that is uploaded anew has no trees.
+    ///
+    /// The work is the host's (`lt_irregular::LightBvh`, on all threads), and takes about as long as building the ray tracer's tree.
+    ///
+    /// # Errors
+    /// [`RenderError::Unsupported`] for a scene of placed copies ([`crate::Packing::bakes_copies`]); [`RenderError::Gpu`] when a buffer
+    /// exceeds the device's limits, or the tree the kernel's.
+    pub fn plant_light_tree(
+        &self,
+        scene: &mut GpuScene,
+        packed: &PackedScene,
+        job: &FrameJob,
+    ) -> Result<bool, RenderError> {
+        light_space::check(packed, job)?;
+        let (light, number) = (job.shadow.light.place, job.shadow.light.number as usize);
+        if scene.light_trees.len() <= number {
+            scene.light_trees.resize_with(number + 1, || None);
+        }
+        let place = &mut scene.light_trees[number];
+        if place.as_ref().is_some_and(|tree| tree.light == light) {
+            return Ok(false);
+        }
+        let tree = light_space::tree(packed, light).pack(light_space::casters(packed));
+        let tree = tree.map_err(|e| self.allocator.error(format!("{e}: leave `:light` out")))?;
+        *place = Some(self.allocator.light_tree(light, &tree)?);
+        Ok(true)
     }
 
     /// Buffers for a view of this many pixels.
@@ -210,7 +241,7 @@ impl Recorder {
             PassKind::FilterX | PassKind::FilterY => self.filter(encoder, frame, kind, job),
             PassKind::Evaluate => self.evaluate(encoder, frame, job),
             PassKind::Mask => self.mask(encoder, frame, job),
-            // Refused before a frame begins.
+            // The host's work: see `plant_light_tree`; building anew is refused before a frame begins.
             PassKind::Build | PassKind::LightTree => Ok(()),
             PassKind::Resolve => self.resolve(encoder, scene, frame, job),
             PassKind::Tint => self.tint(encoder, scene, frame, job),
@@ -445,9 +476,22 @@ impl Recorder {
             bindings.push(&doubt.ok_or_else(|| self.unprepared())?.list);
             bindings.extend(history.map(|h| &h.bits[h.current]));
         }
-        if let (true, Some(instances)) = (job.plan.instances, &scene.instances) {
-            name += "_instanced";
-            bindings.push(instances);
+        match (job.plan.resolve, &scene.instances) {
+            (Resolve::Light, _) => {
+                let trees = scene.light_trees.get(job.shadow.light.number as usize);
+                let tree = trees.and_then(Option::as_ref).filter(|t| t.light == job.shadow.light.place);
+                let tree = tree.ok_or_else(|| {
+                    let problem = "no tree was planted for this light: call Recorder::plant_light_tree first";
+                    self.allocator.error(problem.to_owned())
+                })?;
+                name += "_light";
+                bindings.extend([&tree.rows, &tree.space]);
+            }
+            (_, Some(instances)) if job.plan.instances => {
+                name += "_instanced";
+                bindings.push(instances);
+            }
+            _ => {}
         }
         if let (true, Some(alpha_texels)) = (job.plan.alpha_test, &scene.alpha_texels) {
             name += "_alpha";

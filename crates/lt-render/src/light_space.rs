@@ -14,7 +14,7 @@ const MARGIN: f32 = 1e-4;
 ///
 /// # Errors
 /// [`RenderError::Unsupported`] for a scene of placed copies.
-pub(super) fn check(scene: &PackedScene, job: &FrameJob) -> Result<(), RenderError> {
+pub(crate) fn check(scene: &PackedScene, job: &FrameJob) -> Result<(), RenderError> {
     match (job.plan.resolve.modifier(), scene.trees()) {
         (Some(resolver), Trees::Instanced(_)) => Err(RenderError::Unsupported(format!(
             "the resolver `{resolver}` needs a scene packed into one tree, and this one has placed copies: set `Packing::bakes_copies`"
@@ -24,7 +24,7 @@ pub(super) fn check(scene: &PackedScene, job: &FrameJob) -> Result<(), RenderErr
 }
 
 /// All triangles, as the resolvers take them.
-pub(super) fn casters(scene: &PackedScene) -> Casters<'_> {
+pub(crate) fn casters(scene: &PackedScene) -> Casters<'_> {
     Casters { root: &scene.nodes()[scene.root() as usize], triangles: scene.triangles() }
 }
 
@@ -35,12 +35,12 @@ fn domain(scene: &PackedScene) -> Bounds {
 }
 
 /// The tree over a scene for a homogeneous light.
-pub(super) fn tree(scene: &PackedScene, light: Vec4) -> LightBvh {
+pub(crate) fn tree(scene: &PackedScene, light: Vec4) -> LightBvh {
     LightBvh::build(light, domain(scene), casters(scene))
 }
 
 /// Answers all of a frame's rays at once, by a resolver that keeps nothing.
-pub(super) fn occluded<A: AnyHit + Sync>(
+pub(crate) fn occluded<A: AnyHit + Sync>(
     scene: &PackedScene,
     resolve: Resolve,
     light: Vec4,
@@ -58,7 +58,7 @@ pub(super) fn occluded<A: AnyHit + Sync>(
 }
 
 /// What translucent casters let through of the rays from these origins, by an alias-free map.
-pub(super) fn transmitted<T: Transmit + Sync>(
+pub(crate) fn transmitted<T: Transmit + Sync>(
     scene: &PackedScene,
     casters: Casters<'_>,
     light: Vec4,
