@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -335,61 +335,106 @@ fn function_() {
     var phi_832_: bool;
     var phi_836_: bool;
     var phi_837_: lt_mask_Reprojection;
-    var phi_851_: bool;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_866_: bool;
-    var phi_867_: bool;
-    var phi_871_: bool;
-    var phi_876_: bool;
-    var phi_891_: u32;
-    var phi_893_: u32;
-    var phi_896_: lt_mask_Neighbourhood;
-    var phi_908_: bool;
+    var phi_878_: u32;
+    var phi_897_: u32;
+    var phi_905_: u32;
+    var phi_906_: u32;
+    var phi_907_: bool;
+    var phi_908_: u32;
     var phi_909_: bool;
-    var phi_918_: u32;
-    var phi_919_: u32;
-    var phi_979_: vec2<i32>;
-    var phi_999_: vec2<i32>;
-    var phi_1024_: u32;
-    var phi_1043_: u32;
-    var phi_1051_: u32;
-    var phi_1068_: bool;
-    var phi_1069_: bool;
-    var phi_1076_: bool;
-    var phi_1077_: bool;
-    var phi_1095_: bool;
-    var phi_1096_: bool;
-    var phi_1097_: bool;
-    var phi_894_: u32;
-    var phi_897_: lt_mask_Neighbourhood;
-    var phi_1100_: lt_mask_Neighbourhood;
-    var phi_1101_: lt_mask_Neighbourhood;
-    var phi_1133_: bool;
+    var phi_910_: bool;
+    var phi_911_: u32;
+    var phi_912_: bool;
+    var phi_913_: bool;
+    var phi_917_: bool;
+    var phi_921_: u32;
+    var phi_926_: bool;
+    var phi_948_: u32;
+    var phi_950_: u32;
+    var phi_953_: lt_mask_Neighbourhood;
+    var phi_965_: bool;
+    var phi_966_: bool;
+    var phi_975_: u32;
+    var phi_976_: u32;
+    var phi_1036_: vec2<i32>;
+    var phi_1056_: vec2<i32>;
+    var phi_1081_: u32;
+    var phi_1100_: u32;
+    var phi_1108_: u32;
     var phi_1134_: bool;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
+    var phi_1135_: bool;
+    var phi_1136_: bool;
+    var phi_1137_: bool;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
+    var phi_1140_: bool;
+    var phi_1145_: bool;
+    var phi_1146_: bool;
+    var phi_1147_: bool;
+    var phi_1148_: bool;
+    var phi_1149_: bool;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1168_: bool;
+    var phi_1169_: bool;
+    var phi_1176_: bool;
     var phi_1177_: bool;
     var phi_1178_: bool;
     var phi_1179_: bool;
-    var phi_1186_: u32;
-    var phi_1187_: u32;
-    var phi_1188_: u32;
-    var phi_1189_: u32;
-    var phi_1190_: u32;
-    var phi_1191_: u32;
-    var phi_1199_: bool;
-    var phi_1207_: u32;
-    var phi_1212_: u32;
-    var phi_1216_: u32;
-    var phi_1217_: u32;
-    var phi_1221_: f32;
-    var phi_1223_: mask_Masked;
-    var phi_1273_: bool;
-    var phi_1274_: u32;
-    var phi_1285_: u32;
+    var phi_1180_: bool;
+    var phi_1184_: bool;
+    var phi_1185_: bool;
+    var phi_1186_: bool;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1195_: bool;
+    var phi_1196_: bool;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_951_: u32;
+    var phi_954_: lt_mask_Neighbourhood;
+    var phi_1219_: lt_mask_Neighbourhood;
+    var phi_1220_: lt_mask_Neighbourhood;
+    var phi_1221_: lt_mask_Neighbourhood;
+    var phi_1253_: bool;
+    var phi_1254_: bool;
+    var phi_1276_: bool;
+    var phi_1277_: bool;
+    var phi_1278_: bool;
+    var phi_1282_: bool;
+    var phi_1304_: bool;
+    var phi_1305_: bool;
+    var phi_1318_: bool;
+    var phi_1319_: bool;
+    var phi_1320_: bool;
+    var phi_1327_: u32;
+    var phi_1328_: u32;
+    var phi_1329_: u32;
+    var phi_1330_: u32;
+    var phi_1331_: u32;
+    var phi_1332_: u32;
+    var phi_1333_: u32;
+    var phi_1345_: bool;
+    var phi_1346_: bool;
+    var phi_1347_: bool;
+    var phi_1348_: bool;
+    var phi_1352_: bool;
+    var phi_1358_: bool;
+    var phi_1366_: u32;
+    var phi_1371_: u32;
+    var phi_1380_: u32;
+    var phi_1385_: u32;
+    var phi_1389_: u32;
+    var phi_1390_: u32;
+    var phi_1391_: u32;
+    var phi_1395_: f32;
+    var phi_1397_: mask_Masked;
+    var phi_1447_: bool;
+    var phi_1448_: u32;
+    var phi_1459_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e54 = id_1;
@@ -401,6 +446,7 @@ fn function_() {
     if (bitcast<i32>(_e70.word) != 0i) {
         let _e77 = p.member.light.number;
         let _e78 = (_e77 * 3u);
+        let _e79 = (_e78 / 32u);
         let _e80 = (_e78 % 32u);
         let _e82 = p.member.light.mask_words;
         let _e86 = p.member.current.size[0u];
@@ -498,7 +544,7 @@ fn function_() {
         }
         let _e244 = phi_455_;
         if _e244.unnamed_1 {
-            phi_1223_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
+            phi_1397_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
         } else {
             let _e249 = (_e91 < 0.5f);
             if (_e91 > 0f) {
@@ -760,439 +806,680 @@ fn function_() {
             let _e641 = phi_837_;
             let _e645 = lt_mask_Reprojection(_e641.pixel, _e639, _e641.has_moved);
             let _e647 = p.member.flags;
-            if _e645.has_moved {
-                let _e652 = p.member.flags;
-                phi_851_ = ((_e652 & 4u) == 0u);
+            let _e649 = ((_e647 & 2u) != 0u);
+            let _e651 = p.member.flags;
+            if ((_e651 & 4u) == 0u) {
+                phi_911_ = u32();
+                phi_912_ = true;
+                phi_913_ = false;
             } else {
-                phi_851_ = false;
-            }
-            let _e656 = phi_851_;
-            if ((_e647 & 2u) != 0u) {
-                if false {
-                    phi_864_ = bool();
-                    phi_865_ = true;
-                } else {
-                    if true {
-                        phi_862_ = !(_e656);
-                        phi_863_ = false;
-                    } else {
-                        phi_862_ = bool();
-                        phi_863_ = true;
-                    }
-                    let _e659 = phi_862_;
-                    let _e661 = phi_863_;
-                    phi_864_ = _e659;
-                    phi_865_ = _e661;
-                }
-                let _e663 = phi_864_;
-                let _e665 = phi_865_;
-                phi_866_ = _e663;
-                phi_867_ = _e665;
-            } else {
-                phi_866_ = bool();
-                phi_867_ = true;
-            }
-            let _e667 = phi_866_;
-            let _e669 = phi_867_;
-            if _e669 {
-                phi_871_ = false;
-            } else {
-                phi_871_ = _e667;
-            }
-            let _e671 = phi_871_;
-            let _e672 = lt_mask_Neighbourhood(false, true);
-            if _e253 {
-                phi_876_ = _e671;
-            } else {
-                phi_876_ = true;
-            }
-            let _e674 = phi_876_;
-            if _e674 {
                 if _e639 {
-                    if _e645.has_moved {
-                        let _e677 = p.member.moving_pattern;
-                        phi_891_ = _e677;
-                    } else {
-                        let _e679 = p.member.still_pattern;
-                        phi_891_ = _e679;
-                    }
-                    let _e681 = phi_891_;
-                    phi_893_ = 0u;
-                    phi_896_ = _e672;
-                    loop {
-                        let _e683 = phi_893_;
-                        let _e685 = phi_896_;
-                        local_1 = _e685;
-                        if (1u <= _e681) {
-                            if (_e681 <= 4u) {
-                                phi_908_ = false;
-                            } else {
-                                phi_908_ = true;
-                            }
-                            let _e689 = phi_908_;
-                            phi_909_ = _e689;
-                        } else {
-                            phi_909_ = true;
-                        }
-                        let _e691 = phi_909_;
-                        if _e691 {
-                            switch bitcast<i32>(_e681) {
-                                case 5: {
-                                    phi_918_ = 4u;
-                                    break;
-                                }
-                                case 6: {
-                                    phi_918_ = 25u;
-                                    break;
-                                }
-                                case 7: {
-                                    phi_918_ = 13u;
-                                    break;
-                                }
-                                default: {
-                                    phi_918_ = 9u;
-                                    break;
-                                }
-                            }
-                            let _e694 = phi_918_;
-                            phi_919_ = _e694;
-                        } else {
-                            phi_919_ = 5u;
-                        }
-                        let _e696 = phi_919_;
-                        let _e697 = (_e683 < _e696);
-                        if _e697 {
-                            let _e703 = p.member.frame;
-                            let _e707 = p.member.current.size[0u];
-                            let _e709 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e681) {
-                                case 1: {
-                                    let _e719 = lt_mask_pattern_plus(_e683);
-                                    phi_999_ = vec2<i32>(_e719.x, _e719.y);
-                                    break;
-                                }
-                                case 2: {
-                                    let _e723 = lt_mask_pattern_cross(_e683);
-                                    phi_999_ = vec2<i32>(_e723.x, _e723.y);
-                                    break;
-                                }
-                                case 3: {
-                                    let _e729 = lt_mask_pattern_plus_or_cross(_e683, ((_e645.pixel.x + _e645.pixel.y) & 1u));
-                                    phi_999_ = vec2<i32>(_e729.x, _e729.y);
-                                    break;
-                                }
-                                case 4: {
-                                    let _e734 = lt_mask_pattern_plus_or_cross(_e683, (_e703 & 1u));
-                                    phi_999_ = vec2<i32>(_e734.x, _e734.y);
-                                    break;
-                                }
-                                case 5: {
-                                    switch bitcast<i32>((_e703 & 3u)) {
-                                        case 0: {
-                                            phi_979_ = vec2(-1i);
-                                            break;
-                                        }
-                                        case 1: {
-                                            phi_979_ = vec2(0i);
-                                            break;
-                                        }
-                                        case 2: {
-                                            phi_979_ = vec2<i32>(0i, -1i);
-                                            break;
-                                        }
-                                        default: {
-                                            phi_979_ = vec2<i32>(-1i, 0i);
-                                            break;
-                                        }
-                                    }
-                                    let _e745 = phi_979_;
-                                    phi_999_ = (_e745 + vec2<i32>(bitcast<i32>((_e683 & 1u)), bitcast<i32>(((_e683 >> bitcast<u32>(1i)) & 1u))));
-                                    break;
-                                }
-                                case 6: {
-                                    phi_999_ = vec2<i32>((bitcast<i32>((_e683 % 5u)) - 2i), (bitcast<i32>(((_e683 / 5u) % 5u)) - 2i));
-                                    break;
-                                }
-                                case 7: {
-                                    let _e762 = lt_mask_pattern_diamond(_e683);
-                                    phi_999_ = vec2<i32>(_e762.x, _e762.y);
-                                    break;
-                                }
-                                default: {
-                                    phi_999_ = vec2<i32>((bitcast<i32>((_e683 % 3u)) - 1i), (bitcast<i32>(((_e683 / 3u) % 3u)) - 1i));
-                                    break;
-                                }
-                            }
-                            let _e767 = phi_999_;
-                            let _e770 = lt_mask_pattern_step_clamped(_e645.pixel.x, _e767.x, _e707);
-                            let _e771 = lt_mask_pattern_step_clamped(_e645.pixel.y, _e767.y, _e709);
-                            let _e775 = ((((_e771 * _e86) + _e770) * _e82) + (_e78 / 32u));
-                            if (_e80 > 29u) {
-                                let _e777 = (_e775 + 1u);
-                                if (_e777 < _e60) {
-                                } else {
-                                    return;
-                                }
-                                let _e781 = last_bits.member[(0u + _e777)];
-                                phi_1024_ = _e781;
-                            } else {
-                                phi_1024_ = 0u;
-                            }
-                            let _e783 = phi_1024_;
-                            if (_e775 < _e60) {
+                    if !(_e645.has_moved) {
+                        let _e659 = ((((_e54.y * _e86) + _e54.x) * _e82) + _e79);
+                        if (_e80 > 29u) {
+                            let _e661 = (_e659 + 1u);
+                            if (_e661 < _e60) {
                             } else {
                                 return;
                             }
-                            let _e787 = last_bits.member[(0u + _e775)];
-                            let _e790 = (_e787 >> bitcast<u32>((_e80 & 31u)));
-                            if (_e80 > 29u) {
-                                phi_1043_ = (_e790 | (_e783 << bitcast<u32>(((32u - _e80) & 31u))));
-                            } else {
-                                phi_1043_ = _e790;
-                            }
-                            let _e798 = phi_1043_;
-                            if ((_e798 & 2u) == 0u) {
-                                phi_1051_ = (_e798 & 1u);
-                            } else {
-                                phi_1051_ = (_e798 & 7u);
-                            }
-                            let _e804 = phi_1051_;
-                            if _e685.any_expands {
-                                phi_1077_ = true;
-                            } else {
-                                if ((_e804 & 2u) != 0u) {
-                                    if (((_e804 & 4u) != 0u) != _e249) {
-                                        phi_1068_ = false;
-                                    } else {
-                                        phi_1068_ = true;
-                                    }
-                                    let _e813 = phi_1068_;
-                                    phi_1069_ = _e813;
-                                } else {
-                                    phi_1069_ = true;
-                                }
-                                let _e815 = phi_1069_;
-                                if _e815 {
-                                    phi_1076_ = (((_e804 & 1u) != 0u) != _e249);
-                                } else {
-                                    phi_1076_ = true;
-                                }
-                                let _e820 = phi_1076_;
-                                phi_1077_ = _e820;
-                            }
-                            let _e822 = phi_1077_;
-                            if _e685.all_remove {
-                                if (((_e804 & 1u) != 0u) == _e249) {
-                                    if ((_e804 & 2u) != 0u) {
-                                        phi_1095_ = (((_e804 & 4u) != 0u) == _e249);
-                                    } else {
-                                        phi_1095_ = true;
-                                    }
-                                    let _e832 = phi_1095_;
-                                    phi_1096_ = _e832;
-                                } else {
-                                    phi_1096_ = false;
-                                }
-                                let _e834 = phi_1096_;
-                                phi_1097_ = _e834;
-                            } else {
-                                phi_1097_ = false;
-                            }
-                            let _e836 = phi_1097_;
-                            phi_894_ = (_e683 + 1u);
-                            phi_897_ = lt_mask_Neighbourhood(_e822, _e836);
+                            let _e665 = last_bits.member[(0u + _e661)];
+                            phi_878_ = _e665;
                         } else {
-                            phi_894_ = u32();
-                            phi_897_ = lt_mask_Neighbourhood();
+                            phi_878_ = 0u;
                         }
-                        let _e840 = phi_894_;
-                        let _e842 = phi_897_;
-                        continue;
-                        continuing {
-                            phi_893_ = _e840;
-                            phi_896_ = _e842;
-                            break if !(_e697);
+                        let _e667 = phi_878_;
+                        if (_e659 < _e60) {
+                        } else {
+                            return;
                         }
+                        let _e671 = last_bits.member[(0u + _e659)];
+                        let _e674 = (_e671 >> bitcast<u32>((_e80 & 31u)));
+                        if (_e80 > 29u) {
+                            phi_897_ = (_e674 | (_e667 << bitcast<u32>(((32u - _e80) & 31u))));
+                        } else {
+                            phi_897_ = _e674;
+                        }
+                        let _e682 = phi_897_;
+                        if ((_e682 & 2u) == 0u) {
+                            phi_905_ = (_e682 & 1u);
+                        } else {
+                            phi_905_ = (_e682 & 7u);
+                        }
+                        let _e688 = phi_905_;
+                        phi_906_ = _e688;
+                        phi_907_ = false;
+                    } else {
+                        phi_906_ = u32();
+                        phi_907_ = true;
                     }
-                    let _e1077 = local_1;
-                    phi_1100_ = _e1077;
+                    let _e690 = phi_906_;
+                    let _e692 = phi_907_;
+                    phi_908_ = _e690;
+                    phi_909_ = false;
+                    phi_910_ = _e692;
                 } else {
-                    phi_1100_ = _e672;
+                    phi_908_ = u32();
+                    phi_909_ = true;
+                    phi_910_ = false;
                 }
-                let _e845 = phi_1100_;
-                phi_1101_ = _e845;
-            } else {
-                phi_1101_ = _e672;
+                let _e694 = phi_908_;
+                let _e696 = phi_909_;
+                let _e698 = phi_910_;
+                phi_911_ = _e694;
+                phi_912_ = _e696;
+                phi_913_ = _e698;
             }
-            let _e847 = phi_1101_;
-            let _e850 = p.member.frame;
-            let _e852 = p.member.refresh;
-            if (_e852 == 0u) {
-                phi_1134_ = false;
+            let _e700 = phi_911_;
+            let _e702 = phi_912_;
+            let _e704 = phi_913_;
+            if _e702 {
+                phi_917_ = true;
             } else {
-                if (_e852 == 0u) {
+                phi_917_ = _e704;
+            }
+            let _e706 = phi_917_;
+            if _e706 {
+                phi_921_ = 0u;
+            } else {
+                phi_921_ = _e700;
+            }
+            let _e708 = phi_921_;
+            let _e709 = lt_mask_Neighbourhood(false, true);
+            if _e253 {
+                phi_926_ = _e649;
+            } else {
+                phi_926_ = true;
+            }
+            let _e711 = phi_926_;
+            if _e711 {
+                if _e639 {
+                    if ((_e708 & 2u) != 0u) {
+                        phi_1219_ = _e709;
+                    } else {
+                        let _e715 = p.member.expansion;
+                        if _e645.has_moved {
+                            let _e718 = p.member.moving_pattern;
+                            phi_948_ = _e718;
+                        } else {
+                            let _e720 = p.member.still_pattern;
+                            phi_948_ = _e720;
+                        }
+                        let _e722 = phi_948_;
+                        phi_950_ = 0u;
+                        phi_953_ = _e709;
+                        loop {
+                            let _e724 = phi_950_;
+                            let _e726 = phi_953_;
+                            local_1 = _e726;
+                            if (1u <= _e722) {
+                                if (_e722 <= 4u) {
+                                    phi_965_ = false;
+                                } else {
+                                    phi_965_ = true;
+                                }
+                                let _e730 = phi_965_;
+                                phi_966_ = _e730;
+                            } else {
+                                phi_966_ = true;
+                            }
+                            let _e732 = phi_966_;
+                            if _e732 {
+                                switch bitcast<i32>(_e722) {
+                                    case 5: {
+                                        phi_975_ = 4u;
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_975_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_975_ = 13u;
+                                        break;
+                                    }
+                                    default: {
+                                        phi_975_ = 9u;
+                                        break;
+                                    }
+                                }
+                                let _e735 = phi_975_;
+                                phi_976_ = _e735;
+                            } else {
+                                phi_976_ = 5u;
+                            }
+                            let _e737 = phi_976_;
+                            let _e738 = (_e724 < _e737);
+                            if _e738 {
+                                let _e744 = p.member.frame;
+                                let _e748 = p.member.current.size[0u];
+                                let _e750 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e722) {
+                                    case 1: {
+                                        let _e760 = lt_mask_pattern_plus(_e724);
+                                        phi_1056_ = vec2<i32>(_e760.x, _e760.y);
+                                        break;
+                                    }
+                                    case 2: {
+                                        let _e764 = lt_mask_pattern_cross(_e724);
+                                        phi_1056_ = vec2<i32>(_e764.x, _e764.y);
+                                        break;
+                                    }
+                                    case 3: {
+                                        let _e770 = lt_mask_pattern_plus_or_cross(_e724, ((_e645.pixel.x + _e645.pixel.y) & 1u));
+                                        phi_1056_ = vec2<i32>(_e770.x, _e770.y);
+                                        break;
+                                    }
+                                    case 4: {
+                                        let _e775 = lt_mask_pattern_plus_or_cross(_e724, (_e744 & 1u));
+                                        phi_1056_ = vec2<i32>(_e775.x, _e775.y);
+                                        break;
+                                    }
+                                    case 5: {
+                                        switch bitcast<i32>((_e744 & 3u)) {
+                                            case 0: {
+                                                phi_1036_ = vec2(-1i);
+                                                break;
+                                            }
+                                            case 1: {
+                                                phi_1036_ = vec2(0i);
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1036_ = vec2<i32>(0i, -1i);
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1036_ = vec2<i32>(-1i, 0i);
+                                                break;
+                                            }
+                                        }
+                                        let _e786 = phi_1036_;
+                                        phi_1056_ = (_e786 + vec2<i32>(bitcast<i32>((_e724 & 1u)), bitcast<i32>(((_e724 >> bitcast<u32>(1i)) & 1u))));
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1056_ = vec2<i32>((bitcast<i32>((_e724 % 5u)) - 2i), (bitcast<i32>(((_e724 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e803 = lt_mask_pattern_diamond(_e724);
+                                        phi_1056_ = vec2<i32>(_e803.x, _e803.y);
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1056_ = vec2<i32>((bitcast<i32>((_e724 % 3u)) - 1i), (bitcast<i32>(((_e724 / 3u) % 3u)) - 1i));
+                                        break;
+                                    }
+                                }
+                                let _e808 = phi_1056_;
+                                let _e811 = lt_mask_pattern_step_clamped(_e645.pixel.x, _e808.x, _e748);
+                                let _e812 = lt_mask_pattern_step_clamped(_e645.pixel.y, _e808.y, _e750);
+                                let _e816 = ((((_e812 * _e86) + _e811) * _e82) + _e79);
+                                if (_e80 > 29u) {
+                                    let _e818 = (_e816 + 1u);
+                                    if (_e818 < _e60) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e822 = last_bits.member[(0u + _e818)];
+                                    phi_1081_ = _e822;
+                                } else {
+                                    phi_1081_ = 0u;
+                                }
+                                let _e824 = phi_1081_;
+                                if (_e816 < _e60) {
+                                } else {
+                                    return;
+                                }
+                                let _e828 = last_bits.member[(0u + _e816)];
+                                let _e831 = (_e828 >> bitcast<u32>((_e80 & 31u)));
+                                if (_e80 > 29u) {
+                                    phi_1100_ = (_e831 | (_e824 << bitcast<u32>(((32u - _e80) & 31u))));
+                                } else {
+                                    phi_1100_ = _e831;
+                                }
+                                let _e839 = phi_1100_;
+                                if ((_e839 & 2u) == 0u) {
+                                    phi_1108_ = (_e839 & 1u);
+                                } else {
+                                    phi_1108_ = (_e839 & 7u);
+                                }
+                                let _e845 = phi_1108_;
+                                if _e726.any_expands {
+                                    phi_1196_ = true;
+                                } else {
+                                    if ((_e845 & 2u) != 0u) {
+                                        let _e852 = (((_e845 & 4u) != 0u) != _e249);
+                                        switch bitcast<i32>(_e715) {
+                                            case 1: {
+                                                phi_1136_ = bool();
+                                                phi_1137_ = false;
+                                                phi_1138_ = true;
+                                                phi_1139_ = false;
+                                                phi_1140_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e852 {
+                                                    phi_1134_ = (((_e845 & 4u) != 0u) != ((_e845 & 1u) != 0u));
+                                                    phi_1135_ = false;
+                                                } else {
+                                                    phi_1134_ = bool();
+                                                    phi_1135_ = true;
+                                                }
+                                                let _e860 = phi_1134_;
+                                                let _e862 = phi_1135_;
+                                                phi_1136_ = _e860;
+                                                phi_1137_ = false;
+                                                phi_1138_ = false;
+                                                phi_1139_ = _e862;
+                                                phi_1140_ = _e852;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1136_ = bool();
+                                                phi_1137_ = true;
+                                                phi_1138_ = false;
+                                                phi_1139_ = false;
+                                                phi_1140_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e864 = phi_1136_;
+                                        let _e866 = phi_1137_;
+                                        let _e868 = phi_1138_;
+                                        let _e870 = phi_1139_;
+                                        let _e872 = phi_1140_;
+                                        phi_1148_ = _e852;
+                                        phi_1149_ = _e864;
+                                        phi_1150_ = _e866;
+                                        phi_1151_ = _e868;
+                                        phi_1152_ = _e870;
+                                        phi_1153_ = _e872;
+                                    } else {
+                                        switch bitcast<i32>(_e715) {
+                                            case 1: {
+                                                phi_1145_ = false;
+                                                phi_1146_ = true;
+                                                phi_1147_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1145_ = false;
+                                                phi_1146_ = false;
+                                                phi_1147_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1145_ = true;
+                                                phi_1146_ = false;
+                                                phi_1147_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e875 = phi_1145_;
+                                        let _e877 = phi_1146_;
+                                        let _e879 = phi_1147_;
+                                        phi_1148_ = false;
+                                        phi_1149_ = bool();
+                                        phi_1150_ = _e875;
+                                        phi_1151_ = _e877;
+                                        phi_1152_ = _e879;
+                                        phi_1153_ = false;
+                                    }
+                                    let _e881 = phi_1148_;
+                                    let _e883 = phi_1149_;
+                                    let _e885 = phi_1150_;
+                                    let _e887 = phi_1151_;
+                                    let _e889 = phi_1152_;
+                                    let _e891 = phi_1153_;
+                                    if _e885 {
+                                        if ((_e845 & 2u) != 0u) {
+                                            if (((_e845 & 4u) != 0u) != _e249) {
+                                                phi_1168_ = false;
+                                            } else {
+                                                phi_1168_ = true;
+                                            }
+                                            let _e898 = phi_1168_;
+                                            phi_1169_ = _e898;
+                                        } else {
+                                            phi_1169_ = true;
+                                        }
+                                        let _e900 = phi_1169_;
+                                        if _e900 {
+                                            phi_1176_ = (((_e845 & 1u) != 0u) != _e249);
+                                        } else {
+                                            phi_1176_ = true;
+                                        }
+                                        let _e905 = phi_1176_;
+                                        phi_1177_ = _e905;
+                                        phi_1178_ = false;
+                                        phi_1179_ = false;
+                                        phi_1180_ = false;
+                                    } else {
+                                        phi_1177_ = bool();
+                                        phi_1178_ = _e887;
+                                        phi_1179_ = _e889;
+                                        phi_1180_ = _e891;
+                                    }
+                                    let _e907 = phi_1177_;
+                                    let _e909 = phi_1178_;
+                                    let _e911 = phi_1179_;
+                                    let _e913 = phi_1180_;
+                                    if _e909 {
+                                        phi_1184_ = _e881;
+                                        phi_1185_ = false;
+                                        phi_1186_ = false;
+                                    } else {
+                                        phi_1184_ = _e907;
+                                        phi_1185_ = _e911;
+                                        phi_1186_ = _e913;
+                                    }
+                                    let _e915 = phi_1184_;
+                                    let _e917 = phi_1185_;
+                                    let _e919 = phi_1186_;
+                                    if _e917 {
+                                        phi_1190_ = false;
+                                        phi_1191_ = true;
+                                    } else {
+                                        phi_1190_ = _e883;
+                                        phi_1191_ = _e919;
+                                    }
+                                    let _e921 = phi_1190_;
+                                    let _e923 = phi_1191_;
+                                    if _e923 {
+                                        phi_1195_ = _e921;
+                                    } else {
+                                        phi_1195_ = _e915;
+                                    }
+                                    let _e925 = phi_1195_;
+                                    phi_1196_ = _e925;
+                                }
+                                let _e927 = phi_1196_;
+                                if _e726.all_remove {
+                                    if (((_e845 & 1u) != 0u) == _e249) {
+                                        if ((_e845 & 2u) != 0u) {
+                                            phi_1214_ = (((_e845 & 4u) != 0u) == _e249);
+                                        } else {
+                                            phi_1214_ = true;
+                                        }
+                                        let _e937 = phi_1214_;
+                                        phi_1215_ = _e937;
+                                    } else {
+                                        phi_1215_ = false;
+                                    }
+                                    let _e939 = phi_1215_;
+                                    phi_1216_ = _e939;
+                                } else {
+                                    phi_1216_ = false;
+                                }
+                                let _e941 = phi_1216_;
+                                phi_951_ = (_e724 + 1u);
+                                phi_954_ = lt_mask_Neighbourhood(_e927, _e941);
+                            } else {
+                                phi_951_ = u32();
+                                phi_954_ = lt_mask_Neighbourhood();
+                            }
+                            let _e945 = phi_951_;
+                            let _e947 = phi_954_;
+                            continue;
+                            continuing {
+                                phi_950_ = _e945;
+                                phi_953_ = _e947;
+                                break if !(_e738);
+                            }
+                        }
+                        let _e1249 = local_1;
+                        phi_1219_ = _e1249;
+                    }
+                    let _e950 = phi_1219_;
+                    phi_1220_ = _e950;
+                } else {
+                    phi_1220_ = _e709;
+                }
+                let _e952 = phi_1220_;
+                phi_1221_ = _e952;
+            } else {
+                phi_1221_ = _e709;
+            }
+            let _e954 = phi_1221_;
+            let _e957 = p.member.frame;
+            let _e959 = p.member.refresh;
+            if (_e959 == 0u) {
+                phi_1254_ = false;
+            } else {
+                if (_e959 == 0u) {
                     return;
                 }
-                let _e861 = ((_e54.x + (_e54.y * (((_e852 * 5u) / 8u) | 1u))) + (_e850 % _e852));
-                if (_e852 == 0u) {
-                    phi_1133_ = (_e861 == 0u);
+                let _e968 = ((_e54.x + (_e54.y * (((_e959 * 5u) / 8u) | 1u))) + (_e957 % _e959));
+                if (_e959 == 0u) {
+                    phi_1253_ = (_e968 == 0u);
                 } else {
-                    if (_e852 == 0u) {
+                    if (_e959 == 0u) {
                         return;
                     }
-                    phi_1133_ = ((_e861 % _e852) == 0u);
+                    phi_1253_ = ((_e968 % _e959) == 0u);
                 }
-                let _e868 = phi_1133_;
-                phi_1134_ = _e868;
+                let _e975 = phi_1253_;
+                phi_1254_ = _e975;
             }
-            let _e870 = phi_1134_;
-            if (_e91 != 0.5f) {
-                if _e639 {
-                    if _e870 {
-                        phi_1189_ = 6u;
-                    } else {
-                        if _e253 {
-                            phi_1164_ = true;
+            let _e977 = phi_1254_;
+            if _e639 {
+                if _e977 {
+                    phi_1276_ = bool();
+                } else {
+                    phi_1276_ = ((_e708 & 2u) != 0u);
+                }
+                let _e983 = phi_1276_;
+                phi_1277_ = _e983;
+                phi_1278_ = _e977;
+            } else {
+                phi_1277_ = bool();
+                phi_1278_ = true;
+            }
+            let _e985 = phi_1277_;
+            let _e987 = phi_1278_;
+            if _e987 {
+                phi_1282_ = false;
+            } else {
+                phi_1282_ = _e985;
+            }
+            let _e989 = phi_1282_;
+            if _e989 {
+                phi_1333_ = 7u;
+            } else {
+                if (_e91 != 0.5f) {
+                    if _e639 {
+                        if _e977 {
+                            phi_1330_ = 6u;
                         } else {
-                            if _e847.any_expands {
-                                phi_1163_ = false;
-                            } else {
-                                phi_1163_ = true;
-                            }
-                            let _e874 = phi_1163_;
-                            phi_1164_ = _e874;
-                        }
-                        let _e876 = phi_1164_;
-                        if _e876 {
                             if _e253 {
-                                if _e671 {
-                                    if _e847.all_remove {
-                                        phi_1177_ = false;
-                                    } else {
-                                        phi_1177_ = true;
-                                    }
-                                    let _e878 = phi_1177_;
-                                    phi_1178_ = _e878;
-                                } else {
-                                    phi_1178_ = true;
-                                }
-                                let _e880 = phi_1178_;
-                                phi_1179_ = _e880;
+                                phi_1305_ = true;
                             } else {
-                                phi_1179_ = true;
+                                if _e954.any_expands {
+                                    phi_1304_ = false;
+                                } else {
+                                    phi_1304_ = true;
+                                }
+                                let _e991 = phi_1304_;
+                                phi_1305_ = _e991;
                             }
-                            let _e882 = phi_1179_;
-                            if _e882 {
+                            let _e993 = phi_1305_;
+                            if _e993 {
                                 if _e253 {
-                                    phi_1186_ = 1u;
+                                    if _e649 {
+                                        if _e954.all_remove {
+                                            phi_1318_ = false;
+                                        } else {
+                                            phi_1318_ = true;
+                                        }
+                                        let _e995 = phi_1318_;
+                                        phi_1319_ = _e995;
+                                    } else {
+                                        phi_1319_ = true;
+                                    }
+                                    let _e997 = phi_1319_;
+                                    phi_1320_ = _e997;
                                 } else {
-                                    phi_1186_ = 0u;
+                                    phi_1320_ = true;
                                 }
-                                let _e884 = phi_1186_;
-                                phi_1187_ = _e884;
+                                let _e999 = phi_1320_;
+                                if _e999 {
+                                    if _e253 {
+                                        phi_1327_ = 1u;
+                                    } else {
+                                        phi_1327_ = 0u;
+                                    }
+                                    let _e1001 = phi_1327_;
+                                    phi_1328_ = _e1001;
+                                } else {
+                                    phi_1328_ = 5u;
+                                }
+                                let _e1003 = phi_1328_;
+                                phi_1329_ = _e1003;
                             } else {
-                                phi_1187_ = 5u;
+                                phi_1329_ = 4u;
                             }
-                            let _e886 = phi_1187_;
-                            phi_1188_ = _e886;
-                        } else {
-                            phi_1188_ = 4u;
+                            let _e1005 = phi_1329_;
+                            phi_1330_ = _e1005;
                         }
-                        let _e888 = phi_1188_;
-                        phi_1189_ = _e888;
+                        let _e1007 = phi_1330_;
+                        phi_1331_ = _e1007;
+                    } else {
+                        phi_1331_ = 3u;
                     }
-                    let _e890 = phi_1189_;
-                    phi_1190_ = _e890;
+                    let _e1009 = phi_1331_;
+                    phi_1332_ = _e1009;
                 } else {
-                    phi_1190_ = 3u;
+                    phi_1332_ = 2u;
                 }
-                let _e892 = phi_1190_;
-                phi_1191_ = _e892;
-            } else {
-                phi_1191_ = 2u;
+                let _e1011 = phi_1332_;
+                phi_1333_ = _e1011;
             }
-            let _e894 = phi_1191_;
-            if !((_e894 == 0u)) {
-                phi_1199_ = !((_e894 == 5u));
+            let _e1013 = phi_1333_;
+            if !((_e1013 == 0u)) {
+                if !((_e1013 == 5u)) {
+                    phi_1345_ = !(_e989);
+                    phi_1346_ = false;
+                } else {
+                    phi_1345_ = bool();
+                    phi_1346_ = true;
+                }
+                let _e1020 = phi_1345_;
+                let _e1022 = phi_1346_;
+                phi_1347_ = _e1020;
+                phi_1348_ = _e1022;
             } else {
-                phi_1199_ = false;
+                phi_1347_ = bool();
+                phi_1348_ = true;
             }
-            let _e900 = phi_1199_;
-            if _e900 {
+            let _e1024 = phi_1347_;
+            let _e1026 = phi_1348_;
+            if _e1026 {
+                phi_1352_ = false;
+            } else {
+                phi_1352_ = _e1024;
+            }
+            let _e1028 = phi_1352_;
+            if _e989 {
+                phi_1358_ = ((_e708 & 4u) != 0u);
+            } else {
+                phi_1358_ = _e249;
+            }
+            let _e1032 = phi_1358_;
+            if _e1028 {
                 if _e249 {
-                    phi_1207_ = (2u | 1u);
+                    phi_1366_ = (2u | 1u);
                 } else {
-                    phi_1207_ = 2u;
+                    phi_1366_ = 2u;
                 }
-                let _e903 = phi_1207_;
+                let _e1035 = phi_1366_;
                 if false {
-                    phi_1212_ = (_e903 | 4u);
+                    phi_1371_ = (_e1035 | 4u);
                 } else {
-                    phi_1212_ = _e903;
+                    phi_1371_ = _e1035;
                 }
-                let _e906 = phi_1212_;
-                phi_1217_ = _e906;
+                let _e1038 = phi_1371_;
+                phi_1391_ = _e1038;
             } else {
-                if _e249 {
-                    phi_1216_ = 1u;
+                if (_e1013 == 7u) {
+                    if _e249 {
+                        phi_1380_ = (2u | 1u);
+                    } else {
+                        phi_1380_ = 2u;
+                    }
+                    let _e1042 = phi_1380_;
+                    if _e1032 {
+                        phi_1385_ = (_e1042 | 4u);
+                    } else {
+                        phi_1385_ = _e1042;
+                    }
+                    let _e1045 = phi_1385_;
+                    phi_1390_ = _e1045;
                 } else {
-                    phi_1216_ = 0u;
+                    if _e249 {
+                        phi_1389_ = 1u;
+                    } else {
+                        phi_1389_ = 0u;
+                    }
+                    let _e1047 = phi_1389_;
+                    phi_1390_ = _e1047;
                 }
-                let _e908 = phi_1216_;
-                phi_1217_ = _e908;
+                let _e1049 = phi_1390_;
+                phi_1391_ = _e1049;
             }
-            let _e910 = phi_1217_;
-            if _e249 {
-                phi_1221_ = 0f;
+            let _e1051 = phi_1391_;
+            if _e1032 {
+                phi_1395_ = 0f;
             } else {
-                phi_1221_ = 1f;
+                phi_1395_ = 1f;
             }
-            let _e912 = phi_1221_;
-            phi_1223_ = mask_Masked(_e912, _e910, _e900);
+            let _e1053 = phi_1395_;
+            phi_1397_ = mask_Masked(_e1053, _e1051, _e1028);
         }
-        let _e915 = phi_1223_;
-        visibility.member[_e70.shift] = _e915.visibility;
-        let _e920 = p.member.light.number;
-        let _e921 = (_e920 * 3u);
-        let _e923 = (_e921 % 32u);
-        let _e925 = p.member.light.mask_words;
-        let _e927 = ((_e70.shift * _e925) + (_e921 / 32u));
-        let _e929 = bits.member[_e927];
-        bits.member[_e927] = ((_e929 & ~((7u << bitcast<u32>((_e923 & 31u))))) | (_e915.bits << bitcast<u32>((_e923 & 31u))));
-        if (_e923 > 29u) {
-            let _e944 = bits.member[(_e927 + 1u)];
-            let _e946 = (32u - _e923);
-            bits.member[(_e927 + 1u)] = ((_e944 & ~((7u >> bitcast<u32>((_e946 & 31u))))) | (_e915.bits >> bitcast<u32>((_e946 & 31u))));
+        let _e1056 = phi_1397_;
+        visibility.member[_e70.shift] = _e1056.visibility;
+        let _e1061 = p.member.light.number;
+        let _e1062 = (_e1061 * 3u);
+        let _e1064 = (_e1062 % 32u);
+        let _e1066 = p.member.light.mask_words;
+        let _e1068 = ((_e70.shift * _e1066) + (_e1062 / 32u));
+        let _e1070 = bits.member[_e1068];
+        bits.member[_e1068] = ((_e1070 & ~((7u << bitcast<u32>((_e1064 & 31u))))) | (_e1056.bits << bitcast<u32>((_e1064 & 31u))));
+        if (_e1064 > 29u) {
+            let _e1085 = bits.member[(_e1068 + 1u)];
+            let _e1087 = (32u - _e1064);
+            bits.member[(_e1068 + 1u)] = ((_e1085 & ~((7u >> bitcast<u32>((_e1087 & 31u))))) | (_e1056.bits >> bitcast<u32>((_e1087 & 31u))));
         }
-        phi_1273_ = _e915.needs_ray;
-        phi_1274_ = _e70.shift;
+        phi_1447_ = _e1056.needs_ray;
+        phi_1448_ = _e70.shift;
     } else {
-        phi_1273_ = false;
-        phi_1274_ = 0u;
+        phi_1447_ = false;
+        phi_1448_ = 0u;
     }
-    let _e960 = phi_1273_;
-    let _e962 = phi_1274_;
+    let _e1101 = phi_1447_;
+    let _e1103 = phi_1448_;
     if (_e55 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e960 {
-        let _e966 = atomicAdd((&shared_[0u]), 1u);
-        phi_1285_ = _e966;
+    if _e1101 {
+        let _e1107 = atomicAdd((&shared_[0u]), 1u);
+        phi_1459_ = _e1107;
     } else {
-        phi_1285_ = 0u;
+        phi_1459_ = 0u;
     }
-    let _e968 = phi_1285_;
+    let _e1109 = phi_1459_;
     workgroupBarrier();
     if (_e55 == 0u) {
-        let _e972 = atomicLoad((&shared_[0u]));
-        let _e973 = atomicAdd((&list.member[3u]), _e972);
-        atomicStore((&shared_[1u]), _e973);
+        let _e1113 = atomicLoad((&shared_[0u]));
+        let _e1114 = atomicAdd((&list.member[3u]), _e1113);
+        atomicStore((&shared_[1u]), _e1114);
     }
     workgroupBarrier();
-    if _e960 {
-        let _e976 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e976) + _e968)]), _e962);
+    if _e1101 {
+        let _e1117 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1117) + _e1109)]), _e1103);
     }
     return;
 }

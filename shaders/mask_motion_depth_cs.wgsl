@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -347,67 +347,112 @@ fn function_() {
     var phi_907_: bool;
     var phi_911_: bool;
     var phi_912_: lt_mask_Reprojection;
-    var phi_926_: bool;
-    var phi_937_: bool;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_940_: bool;
-    var phi_941_: bool;
-    var phi_942_: bool;
-    var phi_946_: bool;
-    var phi_951_: bool;
-    var phi_966_: u32;
-    var phi_968_: u32;
-    var phi_971_: lt_mask_Neighbourhood;
-    var phi_983_: bool;
+    var phi_955_: u32;
+    var phi_974_: u32;
+    var phi_982_: u32;
+    var phi_983_: u32;
     var phi_984_: bool;
-    var phi_993_: u32;
-    var phi_994_: u32;
-    var phi_1054_: vec2<i32>;
-    var phi_1074_: vec2<i32>;
-    var phi_1101_: u32;
-    var phi_1120_: u32;
-    var phi_1128_: u32;
-    var phi_1145_: bool;
-    var phi_1146_: bool;
-    var phi_1153_: bool;
-    var phi_1154_: bool;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
-    var phi_1174_: bool;
-    var phi_969_: u32;
-    var phi_972_: lt_mask_Neighbourhood;
-    var phi_1177_: lt_mask_Neighbourhood;
-    var phi_1178_: lt_mask_Neighbourhood;
-    var phi_1210_: bool;
-    var phi_1211_: bool;
-    var phi_1240_: bool;
-    var phi_1241_: bool;
-    var phi_1254_: bool;
+    var phi_985_: u32;
+    var phi_986_: bool;
+    var phi_987_: bool;
+    var phi_988_: u32;
+    var phi_989_: bool;
+    var phi_990_: bool;
+    var phi_994_: bool;
+    var phi_998_: u32;
+    var phi_1003_: bool;
+    var phi_1025_: u32;
+    var phi_1027_: u32;
+    var phi_1030_: lt_mask_Neighbourhood;
+    var phi_1042_: bool;
+    var phi_1043_: bool;
+    var phi_1052_: u32;
+    var phi_1053_: u32;
+    var phi_1113_: vec2<i32>;
+    var phi_1133_: vec2<i32>;
+    var phi_1160_: u32;
+    var phi_1179_: u32;
+    var phi_1187_: u32;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1217_: bool;
+    var phi_1218_: bool;
+    var phi_1219_: bool;
+    var phi_1224_: bool;
+    var phi_1225_: bool;
+    var phi_1226_: bool;
+    var phi_1227_: bool;
+    var phi_1228_: bool;
+    var phi_1229_: bool;
+    var phi_1230_: bool;
+    var phi_1231_: bool;
+    var phi_1232_: bool;
+    var phi_1247_: bool;
+    var phi_1248_: bool;
     var phi_1255_: bool;
     var phi_1256_: bool;
-    var phi_1263_: u32;
-    var phi_1264_: u32;
-    var phi_1265_: u32;
-    var phi_1266_: u32;
-    var phi_1267_: u32;
-    var phi_1268_: u32;
-    var phi_1276_: bool;
-    var phi_1284_: u32;
-    var phi_1289_: u32;
-    var phi_1293_: u32;
-    var phi_1294_: u32;
-    var phi_1298_: f32;
-    var phi_1300_: mask_Masked;
-    var phi_1372_: bool;
-    var phi_1373_: bool;
-    var phi_1374_: bool;
-    var phi_1375_: bool;
-    var phi_1379_: bool;
-    var phi_1407_: f32;
-    var phi_1410_: bool;
+    var phi_1257_: bool;
+    var phi_1258_: bool;
+    var phi_1259_: bool;
+    var phi_1263_: bool;
+    var phi_1264_: bool;
+    var phi_1265_: bool;
+    var phi_1269_: bool;
+    var phi_1270_: bool;
+    var phi_1274_: bool;
+    var phi_1275_: bool;
+    var phi_1293_: bool;
+    var phi_1294_: bool;
+    var phi_1295_: bool;
+    var phi_1028_: u32;
+    var phi_1031_: lt_mask_Neighbourhood;
+    var phi_1298_: lt_mask_Neighbourhood;
+    var phi_1299_: lt_mask_Neighbourhood;
+    var phi_1300_: lt_mask_Neighbourhood;
+    var phi_1332_: bool;
+    var phi_1333_: bool;
+    var phi_1355_: bool;
+    var phi_1356_: bool;
+    var phi_1357_: bool;
+    var phi_1361_: bool;
+    var phi_1383_: bool;
+    var phi_1384_: bool;
+    var phi_1397_: bool;
+    var phi_1398_: bool;
+    var phi_1399_: bool;
+    var phi_1406_: u32;
+    var phi_1407_: u32;
+    var phi_1408_: u32;
+    var phi_1409_: u32;
+    var phi_1410_: u32;
     var phi_1411_: u32;
-    var phi_1422_: u32;
+    var phi_1412_: u32;
+    var phi_1424_: bool;
+    var phi_1425_: bool;
+    var phi_1426_: bool;
+    var phi_1427_: bool;
+    var phi_1431_: bool;
+    var phi_1437_: bool;
+    var phi_1445_: u32;
+    var phi_1450_: u32;
+    var phi_1459_: u32;
+    var phi_1464_: u32;
+    var phi_1468_: u32;
+    var phi_1469_: u32;
+    var phi_1470_: u32;
+    var phi_1474_: f32;
+    var phi_1476_: mask_Masked;
+    var phi_1548_: bool;
+    var phi_1549_: bool;
+    var phi_1550_: bool;
+    var phi_1551_: bool;
+    var phi_1555_: bool;
+    var phi_1583_: f32;
+    var phi_1586_: bool;
+    var phi_1587_: u32;
+    var phi_1598_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e59 = id_1;
@@ -518,7 +563,7 @@ fn function_() {
         }
         let _e268 = phi_466_;
         if _e268.unnamed_1 {
-            phi_1300_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
+            phi_1476_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
         } else {
             let _e273 = (_e115 < 0.5f);
             if (_e115 > 0f) {
@@ -813,479 +858,720 @@ fn function_() {
             let _e716 = phi_912_;
             let _e720 = lt_mask_Reprojection(_e716.pixel, _e714, _e716.has_moved);
             let _e722 = p.member.flags;
-            if _e720.has_moved {
-                let _e727 = p.member.flags;
-                phi_926_ = ((_e727 & 4u) == 0u);
+            let _e724 = ((_e722 & 2u) != 0u);
+            let _e726 = p.member.flags;
+            if ((_e726 & 4u) == 0u) {
+                phi_988_ = u32();
+                phi_989_ = true;
+                phi_990_ = false;
             } else {
-                phi_926_ = false;
-            }
-            let _e731 = phi_926_;
-            if ((_e722 & 2u) != 0u) {
-                if false {
-                    phi_939_ = bool();
-                    phi_940_ = true;
-                } else {
-                    if true {
-                        phi_937_ = !(_e731);
-                        phi_938_ = false;
-                    } else {
-                        phi_937_ = bool();
-                        phi_938_ = true;
-                    }
-                    let _e734 = phi_937_;
-                    let _e736 = phi_938_;
-                    phi_939_ = _e734;
-                    phi_940_ = _e736;
-                }
-                let _e738 = phi_939_;
-                let _e740 = phi_940_;
-                phi_941_ = _e738;
-                phi_942_ = _e740;
-            } else {
-                phi_941_ = bool();
-                phi_942_ = true;
-            }
-            let _e742 = phi_941_;
-            let _e744 = phi_942_;
-            if _e744 {
-                phi_946_ = false;
-            } else {
-                phi_946_ = _e742;
-            }
-            let _e746 = phi_946_;
-            let _e747 = lt_mask_Neighbourhood(false, true);
-            if _e277 {
-                phi_951_ = _e746;
-            } else {
-                phi_951_ = true;
-            }
-            let _e749 = phi_951_;
-            if _e749 {
                 if _e714 {
-                    if _e720.has_moved {
-                        let _e752 = p.member.moving_pattern;
-                        phi_966_ = _e752;
-                    } else {
-                        let _e754 = p.member.still_pattern;
-                        phi_966_ = _e754;
-                    }
-                    let _e756 = phi_966_;
-                    phi_968_ = 0u;
-                    phi_971_ = _e747;
-                    loop {
-                        let _e758 = phi_968_;
-                        let _e760 = phi_971_;
-                        local_1 = _e760;
-                        if (1u <= _e756) {
-                            if (_e756 <= 4u) {
-                                phi_983_ = false;
-                            } else {
-                                phi_983_ = true;
-                            }
-                            let _e764 = phi_983_;
-                            phi_984_ = _e764;
-                        } else {
-                            phi_984_ = true;
-                        }
-                        let _e766 = phi_984_;
-                        if _e766 {
-                            switch bitcast<i32>(_e756) {
-                                case 5: {
-                                    phi_993_ = 4u;
-                                    break;
-                                }
-                                case 6: {
-                                    phi_993_ = 25u;
-                                    break;
-                                }
-                                case 7: {
-                                    phi_993_ = 13u;
-                                    break;
-                                }
-                                default: {
-                                    phi_993_ = 9u;
-                                    break;
-                                }
-                            }
-                            let _e769 = phi_993_;
-                            phi_994_ = _e769;
-                        } else {
-                            phi_994_ = 5u;
-                        }
-                        let _e771 = phi_994_;
-                        let _e772 = (_e758 < _e771);
-                        if _e772 {
-                            let _e778 = p.member.frame;
-                            let _e782 = p.member.current.size[0u];
-                            let _e784 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e756) {
-                                case 1: {
-                                    let _e794 = lt_mask_pattern_plus(_e758);
-                                    phi_1074_ = vec2<i32>(_e794.x, _e794.y);
-                                    break;
-                                }
-                                case 2: {
-                                    let _e798 = lt_mask_pattern_cross(_e758);
-                                    phi_1074_ = vec2<i32>(_e798.x, _e798.y);
-                                    break;
-                                }
-                                case 3: {
-                                    let _e804 = lt_mask_pattern_plus_or_cross(_e758, ((_e720.pixel.x + _e720.pixel.y) & 1u));
-                                    phi_1074_ = vec2<i32>(_e804.x, _e804.y);
-                                    break;
-                                }
-                                case 4: {
-                                    let _e809 = lt_mask_pattern_plus_or_cross(_e758, (_e778 & 1u));
-                                    phi_1074_ = vec2<i32>(_e809.x, _e809.y);
-                                    break;
-                                }
-                                case 5: {
-                                    switch bitcast<i32>((_e778 & 3u)) {
-                                        case 0: {
-                                            phi_1054_ = vec2(-1i);
-                                            break;
-                                        }
-                                        case 1: {
-                                            phi_1054_ = vec2(0i);
-                                            break;
-                                        }
-                                        case 2: {
-                                            phi_1054_ = vec2<i32>(0i, -1i);
-                                            break;
-                                        }
-                                        default: {
-                                            phi_1054_ = vec2<i32>(-1i, 0i);
-                                            break;
-                                        }
-                                    }
-                                    let _e820 = phi_1054_;
-                                    phi_1074_ = (_e820 + vec2<i32>(bitcast<i32>((_e758 & 1u)), bitcast<i32>(((_e758 >> bitcast<u32>(1i)) & 1u))));
-                                    break;
-                                }
-                                case 6: {
-                                    phi_1074_ = vec2<i32>((bitcast<i32>((_e758 % 5u)) - 2i), (bitcast<i32>(((_e758 / 5u) % 5u)) - 2i));
-                                    break;
-                                }
-                                case 7: {
-                                    let _e837 = lt_mask_pattern_diamond(_e758);
-                                    phi_1074_ = vec2<i32>(_e837.x, _e837.y);
-                                    break;
-                                }
-                                default: {
-                                    phi_1074_ = vec2<i32>((bitcast<i32>((_e758 % 3u)) - 1i), (bitcast<i32>(((_e758 / 3u) % 3u)) - 1i));
-                                    break;
-                                }
-                            }
-                            let _e842 = phi_1074_;
-                            let _e845 = lt_mask_pattern_step_clamped(_e720.pixel.x, _e842.x, _e782);
-                            let _e846 = lt_mask_pattern_step_clamped(_e720.pixel.y, _e842.y, _e784);
-                            let _e853 = ((((_e846 * _e110) + _e845) * _e106.words) + _e106.light.word);
-                            if (_e106.light.shift > 29u) {
-                                let _e857 = (_e853 + 1u);
-                                if (_e857 < _e65) {
-                                } else {
-                                    return;
-                                }
-                                let _e861 = last_bits.member[(0u + _e857)];
-                                phi_1101_ = _e861;
-                            } else {
-                                phi_1101_ = 0u;
-                            }
-                            let _e863 = phi_1101_;
-                            if (_e853 < _e65) {
+                    if !(_e720.has_moved) {
+                        let _e737 = ((((_e59.y * _e110) + _e59.x) * _e106.words) + _e106.light.word);
+                        if (_e106.light.shift > 29u) {
+                            let _e741 = (_e737 + 1u);
+                            if (_e741 < _e65) {
                             } else {
                                 return;
                             }
-                            let _e869 = last_bits.member[(0u + _e853)];
-                            let _e872 = (_e869 >> bitcast<u32>((_e106.light.shift & 31u)));
-                            if (_e106.light.shift > 29u) {
-                                phi_1120_ = (_e872 | (_e863 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
-                            } else {
-                                phi_1120_ = _e872;
-                            }
-                            let _e880 = phi_1120_;
-                            if ((_e880 & 2u) == 0u) {
-                                phi_1128_ = (_e880 & 1u);
-                            } else {
-                                phi_1128_ = (_e880 & 7u);
-                            }
-                            let _e886 = phi_1128_;
-                            if _e760.any_expands {
-                                phi_1154_ = true;
-                            } else {
-                                if ((_e886 & 2u) != 0u) {
-                                    if (((_e886 & 4u) != 0u) != _e273) {
-                                        phi_1145_ = false;
-                                    } else {
-                                        phi_1145_ = true;
-                                    }
-                                    let _e895 = phi_1145_;
-                                    phi_1146_ = _e895;
-                                } else {
-                                    phi_1146_ = true;
-                                }
-                                let _e897 = phi_1146_;
-                                if _e897 {
-                                    phi_1153_ = (((_e886 & 1u) != 0u) != _e273);
-                                } else {
-                                    phi_1153_ = true;
-                                }
-                                let _e902 = phi_1153_;
-                                phi_1154_ = _e902;
-                            }
-                            let _e904 = phi_1154_;
-                            if _e760.all_remove {
-                                if (((_e886 & 1u) != 0u) == _e273) {
-                                    if ((_e886 & 2u) != 0u) {
-                                        phi_1172_ = (((_e886 & 4u) != 0u) == _e273);
-                                    } else {
-                                        phi_1172_ = true;
-                                    }
-                                    let _e914 = phi_1172_;
-                                    phi_1173_ = _e914;
-                                } else {
-                                    phi_1173_ = false;
-                                }
-                                let _e916 = phi_1173_;
-                                phi_1174_ = _e916;
-                            } else {
-                                phi_1174_ = false;
-                            }
-                            let _e918 = phi_1174_;
-                            phi_969_ = (_e758 + 1u);
-                            phi_972_ = lt_mask_Neighbourhood(_e904, _e918);
+                            let _e745 = last_bits.member[(0u + _e741)];
+                            phi_955_ = _e745;
                         } else {
-                            phi_969_ = u32();
-                            phi_972_ = lt_mask_Neighbourhood();
+                            phi_955_ = 0u;
                         }
-                        let _e922 = phi_969_;
-                        let _e924 = phi_972_;
-                        continue;
-                        continuing {
-                            phi_968_ = _e922;
-                            phi_971_ = _e924;
-                            break if !(_e772);
+                        let _e747 = phi_955_;
+                        if (_e737 < _e65) {
+                        } else {
+                            return;
                         }
+                        let _e753 = last_bits.member[(0u + _e737)];
+                        let _e756 = (_e753 >> bitcast<u32>((_e106.light.shift & 31u)));
+                        if (_e106.light.shift > 29u) {
+                            phi_974_ = (_e756 | (_e747 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                        } else {
+                            phi_974_ = _e756;
+                        }
+                        let _e764 = phi_974_;
+                        if ((_e764 & 2u) == 0u) {
+                            phi_982_ = (_e764 & 1u);
+                        } else {
+                            phi_982_ = (_e764 & 7u);
+                        }
+                        let _e770 = phi_982_;
+                        phi_983_ = _e770;
+                        phi_984_ = false;
+                    } else {
+                        phi_983_ = u32();
+                        phi_984_ = true;
                     }
-                    let _e1216 = local_1;
-                    phi_1177_ = _e1216;
+                    let _e772 = phi_983_;
+                    let _e774 = phi_984_;
+                    phi_985_ = _e772;
+                    phi_986_ = false;
+                    phi_987_ = _e774;
                 } else {
-                    phi_1177_ = _e747;
+                    phi_985_ = u32();
+                    phi_986_ = true;
+                    phi_987_ = false;
                 }
-                let _e927 = phi_1177_;
-                phi_1178_ = _e927;
-            } else {
-                phi_1178_ = _e747;
+                let _e776 = phi_985_;
+                let _e778 = phi_986_;
+                let _e780 = phi_987_;
+                phi_988_ = _e776;
+                phi_989_ = _e778;
+                phi_990_ = _e780;
             }
-            let _e929 = phi_1178_;
-            let _e932 = p.member.frame;
-            let _e934 = p.member.refresh;
-            if (_e934 == 0u) {
-                phi_1211_ = false;
+            let _e782 = phi_988_;
+            let _e784 = phi_989_;
+            let _e786 = phi_990_;
+            if _e784 {
+                phi_994_ = true;
             } else {
-                if (_e934 == 0u) {
+                phi_994_ = _e786;
+            }
+            let _e788 = phi_994_;
+            if _e788 {
+                phi_998_ = 0u;
+            } else {
+                phi_998_ = _e782;
+            }
+            let _e790 = phi_998_;
+            let _e791 = lt_mask_Neighbourhood(false, true);
+            if _e277 {
+                phi_1003_ = _e724;
+            } else {
+                phi_1003_ = true;
+            }
+            let _e793 = phi_1003_;
+            if _e793 {
+                if _e714 {
+                    if ((_e790 & 2u) != 0u) {
+                        phi_1298_ = _e791;
+                    } else {
+                        let _e797 = p.member.expansion;
+                        if _e720.has_moved {
+                            let _e800 = p.member.moving_pattern;
+                            phi_1025_ = _e800;
+                        } else {
+                            let _e802 = p.member.still_pattern;
+                            phi_1025_ = _e802;
+                        }
+                        let _e804 = phi_1025_;
+                        phi_1027_ = 0u;
+                        phi_1030_ = _e791;
+                        loop {
+                            let _e806 = phi_1027_;
+                            let _e808 = phi_1030_;
+                            local_1 = _e808;
+                            if (1u <= _e804) {
+                                if (_e804 <= 4u) {
+                                    phi_1042_ = false;
+                                } else {
+                                    phi_1042_ = true;
+                                }
+                                let _e812 = phi_1042_;
+                                phi_1043_ = _e812;
+                            } else {
+                                phi_1043_ = true;
+                            }
+                            let _e814 = phi_1043_;
+                            if _e814 {
+                                switch bitcast<i32>(_e804) {
+                                    case 5: {
+                                        phi_1052_ = 4u;
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1052_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_1052_ = 13u;
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1052_ = 9u;
+                                        break;
+                                    }
+                                }
+                                let _e817 = phi_1052_;
+                                phi_1053_ = _e817;
+                            } else {
+                                phi_1053_ = 5u;
+                            }
+                            let _e819 = phi_1053_;
+                            let _e820 = (_e806 < _e819);
+                            if _e820 {
+                                let _e826 = p.member.frame;
+                                let _e830 = p.member.current.size[0u];
+                                let _e832 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e804) {
+                                    case 1: {
+                                        let _e842 = lt_mask_pattern_plus(_e806);
+                                        phi_1133_ = vec2<i32>(_e842.x, _e842.y);
+                                        break;
+                                    }
+                                    case 2: {
+                                        let _e846 = lt_mask_pattern_cross(_e806);
+                                        phi_1133_ = vec2<i32>(_e846.x, _e846.y);
+                                        break;
+                                    }
+                                    case 3: {
+                                        let _e852 = lt_mask_pattern_plus_or_cross(_e806, ((_e720.pixel.x + _e720.pixel.y) & 1u));
+                                        phi_1133_ = vec2<i32>(_e852.x, _e852.y);
+                                        break;
+                                    }
+                                    case 4: {
+                                        let _e857 = lt_mask_pattern_plus_or_cross(_e806, (_e826 & 1u));
+                                        phi_1133_ = vec2<i32>(_e857.x, _e857.y);
+                                        break;
+                                    }
+                                    case 5: {
+                                        switch bitcast<i32>((_e826 & 3u)) {
+                                            case 0: {
+                                                phi_1113_ = vec2(-1i);
+                                                break;
+                                            }
+                                            case 1: {
+                                                phi_1113_ = vec2(0i);
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1113_ = vec2<i32>(0i, -1i);
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1113_ = vec2<i32>(-1i, 0i);
+                                                break;
+                                            }
+                                        }
+                                        let _e868 = phi_1113_;
+                                        phi_1133_ = (_e868 + vec2<i32>(bitcast<i32>((_e806 & 1u)), bitcast<i32>(((_e806 >> bitcast<u32>(1i)) & 1u))));
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1133_ = vec2<i32>((bitcast<i32>((_e806 % 5u)) - 2i), (bitcast<i32>(((_e806 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e885 = lt_mask_pattern_diamond(_e806);
+                                        phi_1133_ = vec2<i32>(_e885.x, _e885.y);
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1133_ = vec2<i32>((bitcast<i32>((_e806 % 3u)) - 1i), (bitcast<i32>(((_e806 / 3u) % 3u)) - 1i));
+                                        break;
+                                    }
+                                }
+                                let _e890 = phi_1133_;
+                                let _e893 = lt_mask_pattern_step_clamped(_e720.pixel.x, _e890.x, _e830);
+                                let _e894 = lt_mask_pattern_step_clamped(_e720.pixel.y, _e890.y, _e832);
+                                let _e901 = ((((_e894 * _e110) + _e893) * _e106.words) + _e106.light.word);
+                                if (_e106.light.shift > 29u) {
+                                    let _e905 = (_e901 + 1u);
+                                    if (_e905 < _e65) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e909 = last_bits.member[(0u + _e905)];
+                                    phi_1160_ = _e909;
+                                } else {
+                                    phi_1160_ = 0u;
+                                }
+                                let _e911 = phi_1160_;
+                                if (_e901 < _e65) {
+                                } else {
+                                    return;
+                                }
+                                let _e917 = last_bits.member[(0u + _e901)];
+                                let _e920 = (_e917 >> bitcast<u32>((_e106.light.shift & 31u)));
+                                if (_e106.light.shift > 29u) {
+                                    phi_1179_ = (_e920 | (_e911 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                                } else {
+                                    phi_1179_ = _e920;
+                                }
+                                let _e928 = phi_1179_;
+                                if ((_e928 & 2u) == 0u) {
+                                    phi_1187_ = (_e928 & 1u);
+                                } else {
+                                    phi_1187_ = (_e928 & 7u);
+                                }
+                                let _e934 = phi_1187_;
+                                if _e808.any_expands {
+                                    phi_1275_ = true;
+                                } else {
+                                    if ((_e934 & 2u) != 0u) {
+                                        let _e941 = (((_e934 & 4u) != 0u) != _e273);
+                                        switch bitcast<i32>(_e797) {
+                                            case 1: {
+                                                phi_1215_ = bool();
+                                                phi_1216_ = false;
+                                                phi_1217_ = true;
+                                                phi_1218_ = false;
+                                                phi_1219_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e941 {
+                                                    phi_1213_ = (((_e934 & 4u) != 0u) != ((_e934 & 1u) != 0u));
+                                                    phi_1214_ = false;
+                                                } else {
+                                                    phi_1213_ = bool();
+                                                    phi_1214_ = true;
+                                                }
+                                                let _e949 = phi_1213_;
+                                                let _e951 = phi_1214_;
+                                                phi_1215_ = _e949;
+                                                phi_1216_ = false;
+                                                phi_1217_ = false;
+                                                phi_1218_ = _e951;
+                                                phi_1219_ = _e941;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1215_ = bool();
+                                                phi_1216_ = true;
+                                                phi_1217_ = false;
+                                                phi_1218_ = false;
+                                                phi_1219_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e953 = phi_1215_;
+                                        let _e955 = phi_1216_;
+                                        let _e957 = phi_1217_;
+                                        let _e959 = phi_1218_;
+                                        let _e961 = phi_1219_;
+                                        phi_1227_ = _e941;
+                                        phi_1228_ = _e953;
+                                        phi_1229_ = _e955;
+                                        phi_1230_ = _e957;
+                                        phi_1231_ = _e959;
+                                        phi_1232_ = _e961;
+                                    } else {
+                                        switch bitcast<i32>(_e797) {
+                                            case 1: {
+                                                phi_1224_ = false;
+                                                phi_1225_ = true;
+                                                phi_1226_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1224_ = false;
+                                                phi_1225_ = false;
+                                                phi_1226_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1224_ = true;
+                                                phi_1225_ = false;
+                                                phi_1226_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e964 = phi_1224_;
+                                        let _e966 = phi_1225_;
+                                        let _e968 = phi_1226_;
+                                        phi_1227_ = false;
+                                        phi_1228_ = bool();
+                                        phi_1229_ = _e964;
+                                        phi_1230_ = _e966;
+                                        phi_1231_ = _e968;
+                                        phi_1232_ = false;
+                                    }
+                                    let _e970 = phi_1227_;
+                                    let _e972 = phi_1228_;
+                                    let _e974 = phi_1229_;
+                                    let _e976 = phi_1230_;
+                                    let _e978 = phi_1231_;
+                                    let _e980 = phi_1232_;
+                                    if _e974 {
+                                        if ((_e934 & 2u) != 0u) {
+                                            if (((_e934 & 4u) != 0u) != _e273) {
+                                                phi_1247_ = false;
+                                            } else {
+                                                phi_1247_ = true;
+                                            }
+                                            let _e987 = phi_1247_;
+                                            phi_1248_ = _e987;
+                                        } else {
+                                            phi_1248_ = true;
+                                        }
+                                        let _e989 = phi_1248_;
+                                        if _e989 {
+                                            phi_1255_ = (((_e934 & 1u) != 0u) != _e273);
+                                        } else {
+                                            phi_1255_ = true;
+                                        }
+                                        let _e994 = phi_1255_;
+                                        phi_1256_ = _e994;
+                                        phi_1257_ = false;
+                                        phi_1258_ = false;
+                                        phi_1259_ = false;
+                                    } else {
+                                        phi_1256_ = bool();
+                                        phi_1257_ = _e976;
+                                        phi_1258_ = _e978;
+                                        phi_1259_ = _e980;
+                                    }
+                                    let _e996 = phi_1256_;
+                                    let _e998 = phi_1257_;
+                                    let _e1000 = phi_1258_;
+                                    let _e1002 = phi_1259_;
+                                    if _e998 {
+                                        phi_1263_ = _e970;
+                                        phi_1264_ = false;
+                                        phi_1265_ = false;
+                                    } else {
+                                        phi_1263_ = _e996;
+                                        phi_1264_ = _e1000;
+                                        phi_1265_ = _e1002;
+                                    }
+                                    let _e1004 = phi_1263_;
+                                    let _e1006 = phi_1264_;
+                                    let _e1008 = phi_1265_;
+                                    if _e1006 {
+                                        phi_1269_ = false;
+                                        phi_1270_ = true;
+                                    } else {
+                                        phi_1269_ = _e972;
+                                        phi_1270_ = _e1008;
+                                    }
+                                    let _e1010 = phi_1269_;
+                                    let _e1012 = phi_1270_;
+                                    if _e1012 {
+                                        phi_1274_ = _e1010;
+                                    } else {
+                                        phi_1274_ = _e1004;
+                                    }
+                                    let _e1014 = phi_1274_;
+                                    phi_1275_ = _e1014;
+                                }
+                                let _e1016 = phi_1275_;
+                                if _e808.all_remove {
+                                    if (((_e934 & 1u) != 0u) == _e273) {
+                                        if ((_e934 & 2u) != 0u) {
+                                            phi_1293_ = (((_e934 & 4u) != 0u) == _e273);
+                                        } else {
+                                            phi_1293_ = true;
+                                        }
+                                        let _e1026 = phi_1293_;
+                                        phi_1294_ = _e1026;
+                                    } else {
+                                        phi_1294_ = false;
+                                    }
+                                    let _e1028 = phi_1294_;
+                                    phi_1295_ = _e1028;
+                                } else {
+                                    phi_1295_ = false;
+                                }
+                                let _e1030 = phi_1295_;
+                                phi_1028_ = (_e806 + 1u);
+                                phi_1031_ = lt_mask_Neighbourhood(_e1016, _e1030);
+                            } else {
+                                phi_1028_ = u32();
+                                phi_1031_ = lt_mask_Neighbourhood();
+                            }
+                            let _e1034 = phi_1028_;
+                            let _e1036 = phi_1031_;
+                            continue;
+                            continuing {
+                                phi_1027_ = _e1034;
+                                phi_1030_ = _e1036;
+                                break if !(_e820);
+                            }
+                        }
+                        let _e1395 = local_1;
+                        phi_1298_ = _e1395;
+                    }
+                    let _e1039 = phi_1298_;
+                    phi_1299_ = _e1039;
+                } else {
+                    phi_1299_ = _e791;
+                }
+                let _e1041 = phi_1299_;
+                phi_1300_ = _e1041;
+            } else {
+                phi_1300_ = _e791;
+            }
+            let _e1043 = phi_1300_;
+            let _e1046 = p.member.frame;
+            let _e1048 = p.member.refresh;
+            if (_e1048 == 0u) {
+                phi_1333_ = false;
+            } else {
+                if (_e1048 == 0u) {
                     return;
                 }
-                let _e943 = ((_e59.x + (_e59.y * (((_e934 * 5u) / 8u) | 1u))) + (_e932 % _e934));
-                if (_e934 == 0u) {
-                    phi_1210_ = (_e943 == 0u);
+                let _e1057 = ((_e59.x + (_e59.y * (((_e1048 * 5u) / 8u) | 1u))) + (_e1046 % _e1048));
+                if (_e1048 == 0u) {
+                    phi_1332_ = (_e1057 == 0u);
                 } else {
-                    if (_e934 == 0u) {
+                    if (_e1048 == 0u) {
                         return;
                     }
-                    phi_1210_ = ((_e943 % _e934) == 0u);
+                    phi_1332_ = ((_e1057 % _e1048) == 0u);
                 }
-                let _e950 = phi_1210_;
-                phi_1211_ = _e950;
+                let _e1064 = phi_1332_;
+                phi_1333_ = _e1064;
             }
-            let _e952 = phi_1211_;
-            if (_e115 != 0.5f) {
-                if _e714 {
-                    if _e952 {
-                        phi_1266_ = 6u;
-                    } else {
-                        if _e277 {
-                            phi_1241_ = true;
+            let _e1066 = phi_1333_;
+            if _e714 {
+                if _e1066 {
+                    phi_1355_ = bool();
+                } else {
+                    phi_1355_ = ((_e790 & 2u) != 0u);
+                }
+                let _e1072 = phi_1355_;
+                phi_1356_ = _e1072;
+                phi_1357_ = _e1066;
+            } else {
+                phi_1356_ = bool();
+                phi_1357_ = true;
+            }
+            let _e1074 = phi_1356_;
+            let _e1076 = phi_1357_;
+            if _e1076 {
+                phi_1361_ = false;
+            } else {
+                phi_1361_ = _e1074;
+            }
+            let _e1078 = phi_1361_;
+            if _e1078 {
+                phi_1412_ = 7u;
+            } else {
+                if (_e115 != 0.5f) {
+                    if _e714 {
+                        if _e1066 {
+                            phi_1409_ = 6u;
                         } else {
-                            if _e929.any_expands {
-                                phi_1240_ = false;
-                            } else {
-                                phi_1240_ = true;
-                            }
-                            let _e956 = phi_1240_;
-                            phi_1241_ = _e956;
-                        }
-                        let _e958 = phi_1241_;
-                        if _e958 {
                             if _e277 {
-                                if _e746 {
-                                    if _e929.all_remove {
-                                        phi_1254_ = false;
-                                    } else {
-                                        phi_1254_ = true;
-                                    }
-                                    let _e960 = phi_1254_;
-                                    phi_1255_ = _e960;
-                                } else {
-                                    phi_1255_ = true;
-                                }
-                                let _e962 = phi_1255_;
-                                phi_1256_ = _e962;
+                                phi_1384_ = true;
                             } else {
-                                phi_1256_ = true;
+                                if _e1043.any_expands {
+                                    phi_1383_ = false;
+                                } else {
+                                    phi_1383_ = true;
+                                }
+                                let _e1080 = phi_1383_;
+                                phi_1384_ = _e1080;
                             }
-                            let _e964 = phi_1256_;
-                            if _e964 {
+                            let _e1082 = phi_1384_;
+                            if _e1082 {
                                 if _e277 {
-                                    phi_1263_ = 1u;
+                                    if _e724 {
+                                        if _e1043.all_remove {
+                                            phi_1397_ = false;
+                                        } else {
+                                            phi_1397_ = true;
+                                        }
+                                        let _e1084 = phi_1397_;
+                                        phi_1398_ = _e1084;
+                                    } else {
+                                        phi_1398_ = true;
+                                    }
+                                    let _e1086 = phi_1398_;
+                                    phi_1399_ = _e1086;
                                 } else {
-                                    phi_1263_ = 0u;
+                                    phi_1399_ = true;
                                 }
-                                let _e966 = phi_1263_;
-                                phi_1264_ = _e966;
+                                let _e1088 = phi_1399_;
+                                if _e1088 {
+                                    if _e277 {
+                                        phi_1406_ = 1u;
+                                    } else {
+                                        phi_1406_ = 0u;
+                                    }
+                                    let _e1090 = phi_1406_;
+                                    phi_1407_ = _e1090;
+                                } else {
+                                    phi_1407_ = 5u;
+                                }
+                                let _e1092 = phi_1407_;
+                                phi_1408_ = _e1092;
                             } else {
-                                phi_1264_ = 5u;
+                                phi_1408_ = 4u;
                             }
-                            let _e968 = phi_1264_;
-                            phi_1265_ = _e968;
-                        } else {
-                            phi_1265_ = 4u;
+                            let _e1094 = phi_1408_;
+                            phi_1409_ = _e1094;
                         }
-                        let _e970 = phi_1265_;
-                        phi_1266_ = _e970;
+                        let _e1096 = phi_1409_;
+                        phi_1410_ = _e1096;
+                    } else {
+                        phi_1410_ = 3u;
                     }
-                    let _e972 = phi_1266_;
-                    phi_1267_ = _e972;
+                    let _e1098 = phi_1410_;
+                    phi_1411_ = _e1098;
                 } else {
-                    phi_1267_ = 3u;
+                    phi_1411_ = 2u;
                 }
-                let _e974 = phi_1267_;
-                phi_1268_ = _e974;
-            } else {
-                phi_1268_ = 2u;
+                let _e1100 = phi_1411_;
+                phi_1412_ = _e1100;
             }
-            let _e976 = phi_1268_;
-            if !((_e976 == 0u)) {
-                phi_1276_ = !((_e976 == 5u));
+            let _e1102 = phi_1412_;
+            if !((_e1102 == 0u)) {
+                if !((_e1102 == 5u)) {
+                    phi_1424_ = !(_e1078);
+                    phi_1425_ = false;
+                } else {
+                    phi_1424_ = bool();
+                    phi_1425_ = true;
+                }
+                let _e1109 = phi_1424_;
+                let _e1111 = phi_1425_;
+                phi_1426_ = _e1109;
+                phi_1427_ = _e1111;
             } else {
-                phi_1276_ = false;
+                phi_1426_ = bool();
+                phi_1427_ = true;
             }
-            let _e982 = phi_1276_;
-            if _e982 {
+            let _e1113 = phi_1426_;
+            let _e1115 = phi_1427_;
+            if _e1115 {
+                phi_1431_ = false;
+            } else {
+                phi_1431_ = _e1113;
+            }
+            let _e1117 = phi_1431_;
+            if _e1078 {
+                phi_1437_ = ((_e790 & 4u) != 0u);
+            } else {
+                phi_1437_ = _e273;
+            }
+            let _e1121 = phi_1437_;
+            if _e1117 {
                 if _e273 {
-                    phi_1284_ = (2u | 1u);
+                    phi_1445_ = (2u | 1u);
                 } else {
-                    phi_1284_ = 2u;
+                    phi_1445_ = 2u;
                 }
-                let _e985 = phi_1284_;
+                let _e1124 = phi_1445_;
                 if false {
-                    phi_1289_ = (_e985 | 4u);
+                    phi_1450_ = (_e1124 | 4u);
                 } else {
-                    phi_1289_ = _e985;
+                    phi_1450_ = _e1124;
                 }
-                let _e988 = phi_1289_;
-                phi_1294_ = _e988;
+                let _e1127 = phi_1450_;
+                phi_1470_ = _e1127;
             } else {
-                if _e273 {
-                    phi_1293_ = 1u;
+                if (_e1102 == 7u) {
+                    if _e273 {
+                        phi_1459_ = (2u | 1u);
+                    } else {
+                        phi_1459_ = 2u;
+                    }
+                    let _e1131 = phi_1459_;
+                    if _e1121 {
+                        phi_1464_ = (_e1131 | 4u);
+                    } else {
+                        phi_1464_ = _e1131;
+                    }
+                    let _e1134 = phi_1464_;
+                    phi_1469_ = _e1134;
                 } else {
-                    phi_1293_ = 0u;
+                    if _e273 {
+                        phi_1468_ = 1u;
+                    } else {
+                        phi_1468_ = 0u;
+                    }
+                    let _e1136 = phi_1468_;
+                    phi_1469_ = _e1136;
                 }
-                let _e990 = phi_1293_;
-                phi_1294_ = _e990;
+                let _e1138 = phi_1469_;
+                phi_1470_ = _e1138;
             }
-            let _e992 = phi_1294_;
-            if _e273 {
-                phi_1298_ = 0f;
+            let _e1140 = phi_1470_;
+            if _e1121 {
+                phi_1474_ = 0f;
             } else {
-                phi_1298_ = 1f;
+                phi_1474_ = 1f;
             }
-            let _e994 = phi_1298_;
-            phi_1300_ = mask_Masked(_e994, _e992, _e982);
+            let _e1142 = phi_1474_;
+            phi_1476_ = mask_Masked(_e1142, _e1140, _e1117);
         }
-        let _e997 = phi_1300_;
-        visibility.member[_e79.shift] = _e997.visibility;
-        let _e1002 = p.member.light.number;
-        let _e1003 = (_e1002 * 3u);
-        let _e1005 = (_e1003 % 32u);
-        let _e1007 = p.member.light.mask_words;
-        let _e1009 = ((_e79.shift * _e1007) + (_e1003 / 32u));
-        let _e1011 = bits.member[_e1009];
-        bits.member[_e1009] = ((_e1011 & ~((7u << bitcast<u32>((_e1005 & 31u))))) | (_e997.bits << bitcast<u32>((_e1005 & 31u))));
-        if (_e1005 > 29u) {
-            let _e1026 = bits.member[(_e1009 + 1u)];
-            let _e1028 = (32u - _e1005);
-            bits.member[(_e1009 + 1u)] = ((_e1026 & ~((7u >> bitcast<u32>((_e1028 & 31u))))) | (_e997.bits >> bitcast<u32>((_e1028 & 31u))));
+        let _e1145 = phi_1476_;
+        visibility.member[_e79.shift] = _e1145.visibility;
+        let _e1150 = p.member.light.number;
+        let _e1151 = (_e1150 * 3u);
+        let _e1153 = (_e1151 % 32u);
+        let _e1155 = p.member.light.mask_words;
+        let _e1157 = ((_e79.shift * _e1155) + (_e1151 / 32u));
+        let _e1159 = bits.member[_e1157];
+        bits.member[_e1157] = ((_e1159 & ~((7u << bitcast<u32>((_e1153 & 31u))))) | (_e1145.bits << bitcast<u32>((_e1153 & 31u))));
+        if (_e1153 > 29u) {
+            let _e1174 = bits.member[(_e1157 + 1u)];
+            let _e1176 = (32u - _e1153);
+            bits.member[(_e1157 + 1u)] = ((_e1174 & ~((7u >> bitcast<u32>((_e1176 & 31u))))) | (_e1145.bits >> bitcast<u32>((_e1176 & 31u))));
         }
-        let _e1043 = samples.member[_e79.shift].normal[0u];
-        let _e1045 = global[0u];
-        if (_e1043 == _e1045) {
-            let _e1048 = samples.member[_e79.shift].normal[1u];
-            let _e1050 = global[1u];
-            if (_e1048 == _e1050) {
-                let _e1053 = samples.member[_e79.shift].normal[2u];
-                let _e1055 = global[2u];
-                phi_1372_ = (_e1053 == _e1055);
-                phi_1373_ = false;
+        let _e1191 = samples.member[_e79.shift].normal[0u];
+        let _e1193 = global[0u];
+        if (_e1191 == _e1193) {
+            let _e1196 = samples.member[_e79.shift].normal[1u];
+            let _e1198 = global[1u];
+            if (_e1196 == _e1198) {
+                let _e1201 = samples.member[_e79.shift].normal[2u];
+                let _e1203 = global[2u];
+                phi_1548_ = (_e1201 == _e1203);
+                phi_1549_ = false;
             } else {
-                phi_1372_ = bool();
-                phi_1373_ = true;
+                phi_1548_ = bool();
+                phi_1549_ = true;
             }
-            let _e1058 = phi_1372_;
-            let _e1060 = phi_1373_;
-            phi_1374_ = _e1058;
-            phi_1375_ = _e1060;
+            let _e1206 = phi_1548_;
+            let _e1208 = phi_1549_;
+            phi_1550_ = _e1206;
+            phi_1551_ = _e1208;
         } else {
-            phi_1374_ = bool();
-            phi_1375_ = true;
+            phi_1550_ = bool();
+            phi_1551_ = true;
         }
-        let _e1062 = phi_1374_;
-        let _e1064 = phi_1375_;
-        if _e1064 {
-            phi_1379_ = false;
+        let _e1210 = phi_1550_;
+        let _e1212 = phi_1551_;
+        if _e1212 {
+            phi_1555_ = false;
         } else {
-            phi_1379_ = _e1062;
+            phi_1555_ = _e1210;
         }
-        let _e1066 = phi_1379_;
-        if !(_e1066) {
-            let _e1069 = samples.member[_e79.shift].position;
-            let _e1071 = p.member.current.eye;
-            let _e1082 = p.member.current.forward;
-            phi_1407_ = ((((_e1069.x - _e1071.x) * _e1082.x) + ((_e1069.y - _e1071.y) * _e1082.y)) + ((_e1069.z - _e1071.z) * _e1082.z));
+        let _e1214 = phi_1555_;
+        if !(_e1214) {
+            let _e1217 = samples.member[_e79.shift].position;
+            let _e1219 = p.member.current.eye;
+            let _e1230 = p.member.current.forward;
+            phi_1583_ = ((((_e1217.x - _e1219.x) * _e1230.x) + ((_e1217.y - _e1219.y) * _e1230.y)) + ((_e1217.z - _e1219.z) * _e1230.z));
         } else {
-            phi_1407_ = 0f;
+            phi_1583_ = 0f;
         }
-        let _e1092 = phi_1407_;
-        depths.member[_e79.shift] = _e1092;
-        phi_1410_ = _e997.needs_ray;
-        phi_1411_ = _e79.shift;
+        let _e1240 = phi_1583_;
+        depths.member[_e79.shift] = _e1240;
+        phi_1586_ = _e1145.needs_ray;
+        phi_1587_ = _e79.shift;
     } else {
-        phi_1410_ = false;
-        phi_1411_ = 0u;
+        phi_1586_ = false;
+        phi_1587_ = 0u;
     }
-    let _e1096 = phi_1410_;
-    let _e1098 = phi_1411_;
+    let _e1244 = phi_1586_;
+    let _e1246 = phi_1587_;
     if (_e60 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1096 {
-        let _e1102 = atomicAdd((&shared_[0u]), 1u);
-        phi_1422_ = _e1102;
+    if _e1244 {
+        let _e1250 = atomicAdd((&shared_[0u]), 1u);
+        phi_1598_ = _e1250;
     } else {
-        phi_1422_ = 0u;
+        phi_1598_ = 0u;
     }
-    let _e1104 = phi_1422_;
+    let _e1252 = phi_1598_;
     workgroupBarrier();
     if (_e60 == 0u) {
-        let _e1108 = atomicLoad((&shared_[0u]));
-        let _e1109 = atomicAdd((&list.member[3u]), _e1108);
-        atomicStore((&shared_[1u]), _e1109);
+        let _e1256 = atomicLoad((&shared_[0u]));
+        let _e1257 = atomicAdd((&list.member[3u]), _e1256);
+        atomicStore((&shared_[1u]), _e1257);
     }
     workgroupBarrier();
-    if _e1096 {
-        let _e1112 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1112) + _e1104)]), _e1098);
+    if _e1244 {
+        let _e1260 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1260) + _e1252)]), _e1246);
     }
     return;
 }

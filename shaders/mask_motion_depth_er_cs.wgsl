@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -347,6 +347,7 @@ fn function_() {
     var phi_907_: bool;
     var phi_911_: bool;
     var phi_912_: lt_mask_Reprojection;
+    var phi_918_: bool;
     var phi_940_: u32;
     var phi_942_: u32;
     var phi_945_: lt_mask_Neighbourhood;
@@ -359,47 +360,86 @@ fn function_() {
     var phi_1075_: u32;
     var phi_1094_: u32;
     var phi_1102_: u32;
-    var phi_1119_: bool;
-    var phi_1120_: bool;
-    var phi_1127_: bool;
     var phi_1128_: bool;
+    var phi_1129_: bool;
+    var phi_1130_: bool;
+    var phi_1131_: bool;
+    var phi_1132_: bool;
+    var phi_1133_: bool;
+    var phi_1134_: bool;
+    var phi_1139_: bool;
+    var phi_1140_: bool;
+    var phi_1141_: bool;
+    var phi_1142_: bool;
+    var phi_1143_: bool;
+    var phi_1144_: bool;
+    var phi_1145_: bool;
     var phi_1146_: bool;
     var phi_1147_: bool;
-    var phi_1148_: bool;
+    var phi_1162_: bool;
+    var phi_1163_: bool;
+    var phi_1170_: bool;
+    var phi_1171_: bool;
+    var phi_1172_: bool;
+    var phi_1173_: bool;
+    var phi_1174_: bool;
+    var phi_1178_: bool;
+    var phi_1179_: bool;
+    var phi_1180_: bool;
+    var phi_1184_: bool;
+    var phi_1185_: bool;
+    var phi_1189_: bool;
+    var phi_1190_: bool;
+    var phi_1208_: bool;
+    var phi_1209_: bool;
+    var phi_1210_: bool;
     var phi_943_: u32;
     var phi_946_: lt_mask_Neighbourhood;
-    var phi_1151_: lt_mask_Neighbourhood;
-    var phi_1152_: lt_mask_Neighbourhood;
-    var phi_1153_: lt_mask_Neighbourhood;
-    var phi_1185_: bool;
-    var phi_1186_: bool;
-    var phi_1215_: bool;
-    var phi_1216_: bool;
-    var phi_1229_: bool;
-    var phi_1230_: bool;
-    var phi_1231_: bool;
-    var phi_1238_: u32;
-    var phi_1239_: u32;
-    var phi_1240_: u32;
-    var phi_1241_: u32;
-    var phi_1242_: u32;
-    var phi_1243_: u32;
-    var phi_1251_: bool;
-    var phi_1259_: u32;
-    var phi_1264_: u32;
-    var phi_1268_: u32;
-    var phi_1269_: u32;
-    var phi_1273_: f32;
-    var phi_1275_: mask_Masked;
-    var phi_1347_: bool;
-    var phi_1348_: bool;
-    var phi_1349_: bool;
-    var phi_1350_: bool;
-    var phi_1354_: bool;
-    var phi_1382_: f32;
-    var phi_1385_: bool;
-    var phi_1386_: u32;
-    var phi_1397_: u32;
+    var phi_1213_: lt_mask_Neighbourhood;
+    var phi_1214_: lt_mask_Neighbourhood;
+    var phi_1215_: lt_mask_Neighbourhood;
+    var phi_1247_: bool;
+    var phi_1248_: bool;
+    var phi_1270_: bool;
+    var phi_1271_: bool;
+    var phi_1272_: bool;
+    var phi_1276_: bool;
+    var phi_1298_: bool;
+    var phi_1299_: bool;
+    var phi_1312_: bool;
+    var phi_1313_: bool;
+    var phi_1314_: bool;
+    var phi_1321_: u32;
+    var phi_1322_: u32;
+    var phi_1323_: u32;
+    var phi_1324_: u32;
+    var phi_1325_: u32;
+    var phi_1326_: u32;
+    var phi_1327_: u32;
+    var phi_1339_: bool;
+    var phi_1340_: bool;
+    var phi_1341_: bool;
+    var phi_1342_: bool;
+    var phi_1346_: bool;
+    var phi_1352_: bool;
+    var phi_1360_: u32;
+    var phi_1365_: u32;
+    var phi_1374_: u32;
+    var phi_1379_: u32;
+    var phi_1383_: u32;
+    var phi_1384_: u32;
+    var phi_1385_: u32;
+    var phi_1389_: f32;
+    var phi_1391_: mask_Masked;
+    var phi_1463_: bool;
+    var phi_1464_: bool;
+    var phi_1465_: bool;
+    var phi_1466_: bool;
+    var phi_1470_: bool;
+    var phi_1498_: f32;
+    var phi_1501_: bool;
+    var phi_1502_: u32;
+    var phi_1513_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e59 = id_1;
@@ -510,7 +550,7 @@ fn function_() {
         }
         let _e268 = phi_466_;
         if _e268.unnamed_1 {
-            phi_1275_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
+            phi_1391_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
         } else {
             let _e273 = (_e115 < 0.5f);
             if (_e115 > 0f) {
@@ -804,42 +844,47 @@ fn function_() {
             let _e714 = phi_911_;
             let _e716 = phi_912_;
             let _e720 = lt_mask_Reprojection(_e716.pixel, _e714, _e716.has_moved);
-            if _e720.has_moved {
-            }
-            let _e726 = lt_mask_Neighbourhood(false, true);
+            let _e721 = lt_mask_Neighbourhood(false, true);
             if _e277 {
-                phi_1153_ = _e726;
+                phi_918_ = false;
             } else {
-                if true {
-                    if _e714 {
+                phi_918_ = true;
+            }
+            let _e723 = phi_918_;
+            if _e723 {
+                if _e714 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1213_ = _e721;
+                    } else {
+                        let _e727 = p.member.expansion;
                         if _e720.has_moved {
-                            let _e729 = p.member.moving_pattern;
-                            phi_940_ = _e729;
+                            let _e730 = p.member.moving_pattern;
+                            phi_940_ = _e730;
                         } else {
-                            let _e731 = p.member.still_pattern;
-                            phi_940_ = _e731;
+                            let _e732 = p.member.still_pattern;
+                            phi_940_ = _e732;
                         }
-                        let _e733 = phi_940_;
+                        let _e734 = phi_940_;
                         phi_942_ = 0u;
-                        phi_945_ = _e726;
+                        phi_945_ = _e721;
                         loop {
-                            let _e735 = phi_942_;
-                            let _e737 = phi_945_;
-                            local_1 = _e737;
-                            if (1u <= _e733) {
-                                if (_e733 <= 4u) {
+                            let _e736 = phi_942_;
+                            let _e738 = phi_945_;
+                            local_1 = _e738;
+                            if (1u <= _e734) {
+                                if (_e734 <= 4u) {
                                     phi_957_ = false;
                                 } else {
                                     phi_957_ = true;
                                 }
-                                let _e741 = phi_957_;
-                                phi_958_ = _e741;
+                                let _e742 = phi_957_;
+                                phi_958_ = _e742;
                             } else {
                                 phi_958_ = true;
                             }
-                            let _e743 = phi_958_;
-                            if _e743 {
-                                switch bitcast<i32>(_e733) {
+                            let _e744 = phi_958_;
+                            if _e744 {
+                                switch bitcast<i32>(_e734) {
                                     case 5: {
                                         phi_967_ = 4u;
                                         break;
@@ -857,40 +902,40 @@ fn function_() {
                                         break;
                                     }
                                 }
-                                let _e746 = phi_967_;
-                                phi_968_ = _e746;
+                                let _e747 = phi_967_;
+                                phi_968_ = _e747;
                             } else {
                                 phi_968_ = 5u;
                             }
-                            let _e748 = phi_968_;
-                            let _e749 = (_e735 < _e748);
-                            if _e749 {
-                                let _e755 = p.member.frame;
-                                let _e759 = p.member.current.size[0u];
-                                let _e761 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e733) {
+                            let _e749 = phi_968_;
+                            let _e750 = (_e736 < _e749);
+                            if _e750 {
+                                let _e756 = p.member.frame;
+                                let _e760 = p.member.current.size[0u];
+                                let _e762 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e734) {
                                     case 1: {
-                                        let _e771 = lt_mask_pattern_plus(_e735);
-                                        phi_1048_ = vec2<i32>(_e771.x, _e771.y);
+                                        let _e772 = lt_mask_pattern_plus(_e736);
+                                        phi_1048_ = vec2<i32>(_e772.x, _e772.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e775 = lt_mask_pattern_cross(_e735);
-                                        phi_1048_ = vec2<i32>(_e775.x, _e775.y);
+                                        let _e776 = lt_mask_pattern_cross(_e736);
+                                        phi_1048_ = vec2<i32>(_e776.x, _e776.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e781 = lt_mask_pattern_plus_or_cross(_e735, ((_e720.pixel.x + _e720.pixel.y) & 1u));
-                                        phi_1048_ = vec2<i32>(_e781.x, _e781.y);
+                                        let _e782 = lt_mask_pattern_plus_or_cross(_e736, ((_e720.pixel.x + _e720.pixel.y) & 1u));
+                                        phi_1048_ = vec2<i32>(_e782.x, _e782.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e786 = lt_mask_pattern_plus_or_cross(_e735, (_e755 & 1u));
-                                        phi_1048_ = vec2<i32>(_e786.x, _e786.y);
+                                        let _e787 = lt_mask_pattern_plus_or_cross(_e736, (_e756 & 1u));
+                                        phi_1048_ = vec2<i32>(_e787.x, _e787.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e755 & 3u)) {
+                                        switch bitcast<i32>((_e756 & 3u)) {
                                             case 0: {
                                                 phi_1028_ = vec2(-1i);
                                                 break;
@@ -908,337 +953,533 @@ fn function_() {
                                                 break;
                                             }
                                         }
-                                        let _e797 = phi_1028_;
-                                        phi_1048_ = (_e797 + vec2<i32>(bitcast<i32>((_e735 & 1u)), bitcast<i32>(((_e735 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e798 = phi_1028_;
+                                        phi_1048_ = (_e798 + vec2<i32>(bitcast<i32>((_e736 & 1u)), bitcast<i32>(((_e736 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1048_ = vec2<i32>((bitcast<i32>((_e735 % 5u)) - 2i), (bitcast<i32>(((_e735 / 5u) % 5u)) - 2i));
+                                        phi_1048_ = vec2<i32>((bitcast<i32>((_e736 % 5u)) - 2i), (bitcast<i32>(((_e736 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e814 = lt_mask_pattern_diamond(_e735);
-                                        phi_1048_ = vec2<i32>(_e814.x, _e814.y);
+                                        let _e815 = lt_mask_pattern_diamond(_e736);
+                                        phi_1048_ = vec2<i32>(_e815.x, _e815.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1048_ = vec2<i32>((bitcast<i32>((_e735 % 3u)) - 1i), (bitcast<i32>(((_e735 / 3u) % 3u)) - 1i));
+                                        phi_1048_ = vec2<i32>((bitcast<i32>((_e736 % 3u)) - 1i), (bitcast<i32>(((_e736 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e819 = phi_1048_;
-                                let _e822 = lt_mask_pattern_step_clamped(_e720.pixel.x, _e819.x, _e759);
-                                let _e823 = lt_mask_pattern_step_clamped(_e720.pixel.y, _e819.y, _e761);
-                                let _e830 = ((((_e823 * _e110) + _e822) * _e106.words) + _e106.light.word);
+                                let _e820 = phi_1048_;
+                                let _e823 = lt_mask_pattern_step_clamped(_e720.pixel.x, _e820.x, _e760);
+                                let _e824 = lt_mask_pattern_step_clamped(_e720.pixel.y, _e820.y, _e762);
+                                let _e831 = ((((_e824 * _e110) + _e823) * _e106.words) + _e106.light.word);
                                 if (_e106.light.shift > 29u) {
-                                    let _e834 = (_e830 + 1u);
-                                    if (_e834 < _e65) {
+                                    let _e835 = (_e831 + 1u);
+                                    if (_e835 < _e65) {
                                     } else {
                                         return;
                                     }
-                                    let _e838 = last_bits.member[(0u + _e834)];
-                                    phi_1075_ = _e838;
+                                    let _e839 = last_bits.member[(0u + _e835)];
+                                    phi_1075_ = _e839;
                                 } else {
                                     phi_1075_ = 0u;
                                 }
-                                let _e840 = phi_1075_;
-                                if (_e830 < _e65) {
+                                let _e841 = phi_1075_;
+                                if (_e831 < _e65) {
                                 } else {
                                     return;
                                 }
-                                let _e846 = last_bits.member[(0u + _e830)];
-                                let _e849 = (_e846 >> bitcast<u32>((_e106.light.shift & 31u)));
+                                let _e847 = last_bits.member[(0u + _e831)];
+                                let _e850 = (_e847 >> bitcast<u32>((_e106.light.shift & 31u)));
                                 if (_e106.light.shift > 29u) {
-                                    phi_1094_ = (_e849 | (_e840 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                                    phi_1094_ = (_e850 | (_e841 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
                                 } else {
-                                    phi_1094_ = _e849;
+                                    phi_1094_ = _e850;
                                 }
-                                let _e857 = phi_1094_;
-                                if ((_e857 & 2u) == 0u) {
-                                    phi_1102_ = (_e857 & 1u);
+                                let _e858 = phi_1094_;
+                                if ((_e858 & 2u) == 0u) {
+                                    phi_1102_ = (_e858 & 1u);
                                 } else {
-                                    phi_1102_ = (_e857 & 7u);
+                                    phi_1102_ = (_e858 & 7u);
                                 }
-                                let _e863 = phi_1102_;
-                                if _e737.any_expands {
-                                    phi_1128_ = true;
+                                let _e864 = phi_1102_;
+                                if _e738.any_expands {
+                                    phi_1190_ = true;
                                 } else {
-                                    if ((_e863 & 2u) != 0u) {
-                                        if (((_e863 & 4u) != 0u) != _e273) {
-                                            phi_1119_ = false;
-                                        } else {
-                                            phi_1119_ = true;
+                                    if ((_e864 & 2u) != 0u) {
+                                        let _e871 = (((_e864 & 4u) != 0u) != _e273);
+                                        switch bitcast<i32>(_e727) {
+                                            case 1: {
+                                                phi_1130_ = bool();
+                                                phi_1131_ = false;
+                                                phi_1132_ = true;
+                                                phi_1133_ = false;
+                                                phi_1134_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e871 {
+                                                    phi_1128_ = (((_e864 & 4u) != 0u) != ((_e864 & 1u) != 0u));
+                                                    phi_1129_ = false;
+                                                } else {
+                                                    phi_1128_ = bool();
+                                                    phi_1129_ = true;
+                                                }
+                                                let _e879 = phi_1128_;
+                                                let _e881 = phi_1129_;
+                                                phi_1130_ = _e879;
+                                                phi_1131_ = false;
+                                                phi_1132_ = false;
+                                                phi_1133_ = _e881;
+                                                phi_1134_ = _e871;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1130_ = bool();
+                                                phi_1131_ = true;
+                                                phi_1132_ = false;
+                                                phi_1133_ = false;
+                                                phi_1134_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e872 = phi_1119_;
-                                        phi_1120_ = _e872;
-                                    } else {
-                                        phi_1120_ = true;
-                                    }
-                                    let _e874 = phi_1120_;
-                                    if _e874 {
-                                        phi_1127_ = (((_e863 & 1u) != 0u) != _e273);
-                                    } else {
-                                        phi_1127_ = true;
-                                    }
-                                    let _e879 = phi_1127_;
-                                    phi_1128_ = _e879;
-                                }
-                                let _e881 = phi_1128_;
-                                if _e737.all_remove {
-                                    if (((_e863 & 1u) != 0u) == _e273) {
-                                        if ((_e863 & 2u) != 0u) {
-                                            phi_1146_ = (((_e863 & 4u) != 0u) == _e273);
-                                        } else {
-                                            phi_1146_ = true;
-                                        }
-                                        let _e891 = phi_1146_;
+                                        let _e883 = phi_1130_;
+                                        let _e885 = phi_1131_;
+                                        let _e887 = phi_1132_;
+                                        let _e889 = phi_1133_;
+                                        let _e891 = phi_1134_;
+                                        phi_1142_ = _e871;
+                                        phi_1143_ = _e883;
+                                        phi_1144_ = _e885;
+                                        phi_1145_ = _e887;
+                                        phi_1146_ = _e889;
                                         phi_1147_ = _e891;
                                     } else {
+                                        switch bitcast<i32>(_e727) {
+                                            case 1: {
+                                                phi_1139_ = false;
+                                                phi_1140_ = true;
+                                                phi_1141_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1139_ = false;
+                                                phi_1140_ = false;
+                                                phi_1141_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1139_ = true;
+                                                phi_1140_ = false;
+                                                phi_1141_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e894 = phi_1139_;
+                                        let _e896 = phi_1140_;
+                                        let _e898 = phi_1141_;
+                                        phi_1142_ = false;
+                                        phi_1143_ = bool();
+                                        phi_1144_ = _e894;
+                                        phi_1145_ = _e896;
+                                        phi_1146_ = _e898;
                                         phi_1147_ = false;
                                     }
-                                    let _e893 = phi_1147_;
-                                    phi_1148_ = _e893;
-                                } else {
-                                    phi_1148_ = false;
+                                    let _e900 = phi_1142_;
+                                    let _e902 = phi_1143_;
+                                    let _e904 = phi_1144_;
+                                    let _e906 = phi_1145_;
+                                    let _e908 = phi_1146_;
+                                    let _e910 = phi_1147_;
+                                    if _e904 {
+                                        if ((_e864 & 2u) != 0u) {
+                                            if (((_e864 & 4u) != 0u) != _e273) {
+                                                phi_1162_ = false;
+                                            } else {
+                                                phi_1162_ = true;
+                                            }
+                                            let _e917 = phi_1162_;
+                                            phi_1163_ = _e917;
+                                        } else {
+                                            phi_1163_ = true;
+                                        }
+                                        let _e919 = phi_1163_;
+                                        if _e919 {
+                                            phi_1170_ = (((_e864 & 1u) != 0u) != _e273);
+                                        } else {
+                                            phi_1170_ = true;
+                                        }
+                                        let _e924 = phi_1170_;
+                                        phi_1171_ = _e924;
+                                        phi_1172_ = false;
+                                        phi_1173_ = false;
+                                        phi_1174_ = false;
+                                    } else {
+                                        phi_1171_ = bool();
+                                        phi_1172_ = _e906;
+                                        phi_1173_ = _e908;
+                                        phi_1174_ = _e910;
+                                    }
+                                    let _e926 = phi_1171_;
+                                    let _e928 = phi_1172_;
+                                    let _e930 = phi_1173_;
+                                    let _e932 = phi_1174_;
+                                    if _e928 {
+                                        phi_1178_ = _e900;
+                                        phi_1179_ = false;
+                                        phi_1180_ = false;
+                                    } else {
+                                        phi_1178_ = _e926;
+                                        phi_1179_ = _e930;
+                                        phi_1180_ = _e932;
+                                    }
+                                    let _e934 = phi_1178_;
+                                    let _e936 = phi_1179_;
+                                    let _e938 = phi_1180_;
+                                    if _e936 {
+                                        phi_1184_ = false;
+                                        phi_1185_ = true;
+                                    } else {
+                                        phi_1184_ = _e902;
+                                        phi_1185_ = _e938;
+                                    }
+                                    let _e940 = phi_1184_;
+                                    let _e942 = phi_1185_;
+                                    if _e942 {
+                                        phi_1189_ = _e940;
+                                    } else {
+                                        phi_1189_ = _e934;
+                                    }
+                                    let _e944 = phi_1189_;
+                                    phi_1190_ = _e944;
                                 }
-                                let _e895 = phi_1148_;
-                                phi_943_ = (_e735 + 1u);
-                                phi_946_ = lt_mask_Neighbourhood(_e881, _e895);
+                                let _e946 = phi_1190_;
+                                if _e738.all_remove {
+                                    if (((_e864 & 1u) != 0u) == _e273) {
+                                        if ((_e864 & 2u) != 0u) {
+                                            phi_1208_ = (((_e864 & 4u) != 0u) == _e273);
+                                        } else {
+                                            phi_1208_ = true;
+                                        }
+                                        let _e956 = phi_1208_;
+                                        phi_1209_ = _e956;
+                                    } else {
+                                        phi_1209_ = false;
+                                    }
+                                    let _e958 = phi_1209_;
+                                    phi_1210_ = _e958;
+                                } else {
+                                    phi_1210_ = false;
+                                }
+                                let _e960 = phi_1210_;
+                                phi_943_ = (_e736 + 1u);
+                                phi_946_ = lt_mask_Neighbourhood(_e946, _e960);
                             } else {
                                 phi_943_ = u32();
                                 phi_946_ = lt_mask_Neighbourhood();
                             }
-                            let _e899 = phi_943_;
-                            let _e901 = phi_946_;
+                            let _e964 = phi_943_;
+                            let _e966 = phi_946_;
                             continue;
                             continuing {
-                                phi_942_ = _e899;
-                                phi_945_ = _e901;
-                                break if !(_e749);
+                                phi_942_ = _e964;
+                                phi_945_ = _e966;
+                                break if !(_e750);
                             }
                         }
-                        let _e1186 = local_1;
-                        phi_1151_ = _e1186;
-                    } else {
-                        phi_1151_ = _e726;
+                        let _e1312 = local_1;
+                        phi_1213_ = _e1312;
                     }
-                    let _e904 = phi_1151_;
-                    phi_1152_ = _e904;
+                    let _e969 = phi_1213_;
+                    phi_1214_ = _e969;
                 } else {
-                    phi_1152_ = _e726;
+                    phi_1214_ = _e721;
                 }
-                let _e906 = phi_1152_;
-                phi_1153_ = _e906;
-            }
-            let _e908 = phi_1153_;
-            let _e911 = p.member.frame;
-            let _e913 = p.member.refresh;
-            if (_e913 == 0u) {
-                phi_1186_ = false;
+                let _e971 = phi_1214_;
+                phi_1215_ = _e971;
             } else {
-                if (_e913 == 0u) {
+                phi_1215_ = _e721;
+            }
+            let _e973 = phi_1215_;
+            let _e976 = p.member.frame;
+            let _e978 = p.member.refresh;
+            if (_e978 == 0u) {
+                phi_1248_ = false;
+            } else {
+                if (_e978 == 0u) {
                     return;
                 }
-                let _e922 = ((_e59.x + (_e59.y * (((_e913 * 5u) / 8u) | 1u))) + (_e911 % _e913));
-                if (_e913 == 0u) {
-                    phi_1185_ = (_e922 == 0u);
+                let _e987 = ((_e59.x + (_e59.y * (((_e978 * 5u) / 8u) | 1u))) + (_e976 % _e978));
+                if (_e978 == 0u) {
+                    phi_1247_ = (_e987 == 0u);
                 } else {
-                    if (_e913 == 0u) {
+                    if (_e978 == 0u) {
                         return;
                     }
-                    phi_1185_ = ((_e922 % _e913) == 0u);
+                    phi_1247_ = ((_e987 % _e978) == 0u);
                 }
-                let _e929 = phi_1185_;
-                phi_1186_ = _e929;
+                let _e994 = phi_1247_;
+                phi_1248_ = _e994;
             }
-            let _e931 = phi_1186_;
-            if (_e115 != 0.5f) {
-                if _e714 {
-                    if _e931 {
-                        phi_1241_ = 6u;
-                    } else {
-                        if _e277 {
-                            phi_1216_ = true;
+            let _e996 = phi_1248_;
+            if _e714 {
+                if _e996 {
+                    phi_1270_ = bool();
+                } else {
+                    phi_1270_ = ((0u & 2u) != 0u);
+                }
+                let _e1002 = phi_1270_;
+                phi_1271_ = _e1002;
+                phi_1272_ = _e996;
+            } else {
+                phi_1271_ = bool();
+                phi_1272_ = true;
+            }
+            let _e1004 = phi_1271_;
+            let _e1006 = phi_1272_;
+            if _e1006 {
+                phi_1276_ = false;
+            } else {
+                phi_1276_ = _e1004;
+            }
+            let _e1008 = phi_1276_;
+            if _e1008 {
+                phi_1327_ = 7u;
+            } else {
+                if (_e115 != 0.5f) {
+                    if _e714 {
+                        if _e996 {
+                            phi_1324_ = 6u;
                         } else {
-                            if _e908.any_expands {
-                                phi_1215_ = false;
-                            } else {
-                                phi_1215_ = true;
-                            }
-                            let _e935 = phi_1215_;
-                            phi_1216_ = _e935;
-                        }
-                        let _e937 = phi_1216_;
-                        if _e937 {
                             if _e277 {
-                                if false {
-                                    if _e908.all_remove {
-                                        phi_1229_ = false;
-                                    } else {
-                                        phi_1229_ = true;
-                                    }
-                                    let _e939 = phi_1229_;
-                                    phi_1230_ = _e939;
-                                } else {
-                                    phi_1230_ = true;
-                                }
-                                let _e941 = phi_1230_;
-                                phi_1231_ = _e941;
+                                phi_1299_ = true;
                             } else {
-                                phi_1231_ = true;
+                                if _e973.any_expands {
+                                    phi_1298_ = false;
+                                } else {
+                                    phi_1298_ = true;
+                                }
+                                let _e1010 = phi_1298_;
+                                phi_1299_ = _e1010;
                             }
-                            let _e943 = phi_1231_;
-                            if _e943 {
+                            let _e1012 = phi_1299_;
+                            if _e1012 {
                                 if _e277 {
-                                    phi_1238_ = 1u;
+                                    if false {
+                                        if _e973.all_remove {
+                                            phi_1312_ = false;
+                                        } else {
+                                            phi_1312_ = true;
+                                        }
+                                        let _e1014 = phi_1312_;
+                                        phi_1313_ = _e1014;
+                                    } else {
+                                        phi_1313_ = true;
+                                    }
+                                    let _e1016 = phi_1313_;
+                                    phi_1314_ = _e1016;
                                 } else {
-                                    phi_1238_ = 0u;
+                                    phi_1314_ = true;
                                 }
-                                let _e945 = phi_1238_;
-                                phi_1239_ = _e945;
+                                let _e1018 = phi_1314_;
+                                if _e1018 {
+                                    if _e277 {
+                                        phi_1321_ = 1u;
+                                    } else {
+                                        phi_1321_ = 0u;
+                                    }
+                                    let _e1020 = phi_1321_;
+                                    phi_1322_ = _e1020;
+                                } else {
+                                    phi_1322_ = 5u;
+                                }
+                                let _e1022 = phi_1322_;
+                                phi_1323_ = _e1022;
                             } else {
-                                phi_1239_ = 5u;
+                                phi_1323_ = 4u;
                             }
-                            let _e947 = phi_1239_;
-                            phi_1240_ = _e947;
-                        } else {
-                            phi_1240_ = 4u;
+                            let _e1024 = phi_1323_;
+                            phi_1324_ = _e1024;
                         }
-                        let _e949 = phi_1240_;
-                        phi_1241_ = _e949;
+                        let _e1026 = phi_1324_;
+                        phi_1325_ = _e1026;
+                    } else {
+                        phi_1325_ = 3u;
                     }
-                    let _e951 = phi_1241_;
-                    phi_1242_ = _e951;
+                    let _e1028 = phi_1325_;
+                    phi_1326_ = _e1028;
                 } else {
-                    phi_1242_ = 3u;
+                    phi_1326_ = 2u;
                 }
-                let _e953 = phi_1242_;
-                phi_1243_ = _e953;
-            } else {
-                phi_1243_ = 2u;
+                let _e1030 = phi_1326_;
+                phi_1327_ = _e1030;
             }
-            let _e955 = phi_1243_;
-            if !((_e955 == 0u)) {
-                phi_1251_ = !((_e955 == 5u));
+            let _e1032 = phi_1327_;
+            if !((_e1032 == 0u)) {
+                if !((_e1032 == 5u)) {
+                    phi_1339_ = !(_e1008);
+                    phi_1340_ = false;
+                } else {
+                    phi_1339_ = bool();
+                    phi_1340_ = true;
+                }
+                let _e1039 = phi_1339_;
+                let _e1041 = phi_1340_;
+                phi_1341_ = _e1039;
+                phi_1342_ = _e1041;
             } else {
-                phi_1251_ = false;
+                phi_1341_ = bool();
+                phi_1342_ = true;
             }
-            let _e961 = phi_1251_;
-            if _e961 {
+            let _e1043 = phi_1341_;
+            let _e1045 = phi_1342_;
+            if _e1045 {
+                phi_1346_ = false;
+            } else {
+                phi_1346_ = _e1043;
+            }
+            let _e1047 = phi_1346_;
+            if _e1008 {
+                phi_1352_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1352_ = _e273;
+            }
+            let _e1051 = phi_1352_;
+            if _e1047 {
                 if _e273 {
-                    phi_1259_ = (2u | 1u);
+                    phi_1360_ = (2u | 1u);
                 } else {
-                    phi_1259_ = 2u;
+                    phi_1360_ = 2u;
                 }
-                let _e964 = phi_1259_;
+                let _e1054 = phi_1360_;
                 if false {
-                    phi_1264_ = (_e964 | 4u);
+                    phi_1365_ = (_e1054 | 4u);
                 } else {
-                    phi_1264_ = _e964;
+                    phi_1365_ = _e1054;
                 }
-                let _e967 = phi_1264_;
-                phi_1269_ = _e967;
+                let _e1057 = phi_1365_;
+                phi_1385_ = _e1057;
             } else {
-                if _e273 {
-                    phi_1268_ = 1u;
+                if (_e1032 == 7u) {
+                    if _e273 {
+                        phi_1374_ = (2u | 1u);
+                    } else {
+                        phi_1374_ = 2u;
+                    }
+                    let _e1061 = phi_1374_;
+                    if _e1051 {
+                        phi_1379_ = (_e1061 | 4u);
+                    } else {
+                        phi_1379_ = _e1061;
+                    }
+                    let _e1064 = phi_1379_;
+                    phi_1384_ = _e1064;
                 } else {
-                    phi_1268_ = 0u;
+                    if _e273 {
+                        phi_1383_ = 1u;
+                    } else {
+                        phi_1383_ = 0u;
+                    }
+                    let _e1066 = phi_1383_;
+                    phi_1384_ = _e1066;
                 }
-                let _e969 = phi_1268_;
-                phi_1269_ = _e969;
+                let _e1068 = phi_1384_;
+                phi_1385_ = _e1068;
             }
-            let _e971 = phi_1269_;
-            if _e273 {
-                phi_1273_ = 0f;
+            let _e1070 = phi_1385_;
+            if _e1051 {
+                phi_1389_ = 0f;
             } else {
-                phi_1273_ = 1f;
+                phi_1389_ = 1f;
             }
-            let _e973 = phi_1273_;
-            phi_1275_ = mask_Masked(_e973, _e971, _e961);
+            let _e1072 = phi_1389_;
+            phi_1391_ = mask_Masked(_e1072, _e1070, _e1047);
         }
-        let _e976 = phi_1275_;
-        visibility.member[_e79.shift] = _e976.visibility;
-        let _e981 = p.member.light.number;
-        let _e982 = (_e981 * 3u);
-        let _e984 = (_e982 % 32u);
-        let _e986 = p.member.light.mask_words;
-        let _e988 = ((_e79.shift * _e986) + (_e982 / 32u));
-        let _e990 = bits.member[_e988];
-        bits.member[_e988] = ((_e990 & ~((7u << bitcast<u32>((_e984 & 31u))))) | (_e976.bits << bitcast<u32>((_e984 & 31u))));
-        if (_e984 > 29u) {
-            let _e1005 = bits.member[(_e988 + 1u)];
-            let _e1007 = (32u - _e984);
-            bits.member[(_e988 + 1u)] = ((_e1005 & ~((7u >> bitcast<u32>((_e1007 & 31u))))) | (_e976.bits >> bitcast<u32>((_e1007 & 31u))));
+        let _e1075 = phi_1391_;
+        visibility.member[_e79.shift] = _e1075.visibility;
+        let _e1080 = p.member.light.number;
+        let _e1081 = (_e1080 * 3u);
+        let _e1083 = (_e1081 % 32u);
+        let _e1085 = p.member.light.mask_words;
+        let _e1087 = ((_e79.shift * _e1085) + (_e1081 / 32u));
+        let _e1089 = bits.member[_e1087];
+        bits.member[_e1087] = ((_e1089 & ~((7u << bitcast<u32>((_e1083 & 31u))))) | (_e1075.bits << bitcast<u32>((_e1083 & 31u))));
+        if (_e1083 > 29u) {
+            let _e1104 = bits.member[(_e1087 + 1u)];
+            let _e1106 = (32u - _e1083);
+            bits.member[(_e1087 + 1u)] = ((_e1104 & ~((7u >> bitcast<u32>((_e1106 & 31u))))) | (_e1075.bits >> bitcast<u32>((_e1106 & 31u))));
         }
-        let _e1022 = samples.member[_e79.shift].normal[0u];
-        let _e1024 = global[0u];
-        if (_e1022 == _e1024) {
-            let _e1027 = samples.member[_e79.shift].normal[1u];
-            let _e1029 = global[1u];
-            if (_e1027 == _e1029) {
-                let _e1032 = samples.member[_e79.shift].normal[2u];
-                let _e1034 = global[2u];
-                phi_1347_ = (_e1032 == _e1034);
-                phi_1348_ = false;
+        let _e1121 = samples.member[_e79.shift].normal[0u];
+        let _e1123 = global[0u];
+        if (_e1121 == _e1123) {
+            let _e1126 = samples.member[_e79.shift].normal[1u];
+            let _e1128 = global[1u];
+            if (_e1126 == _e1128) {
+                let _e1131 = samples.member[_e79.shift].normal[2u];
+                let _e1133 = global[2u];
+                phi_1463_ = (_e1131 == _e1133);
+                phi_1464_ = false;
             } else {
-                phi_1347_ = bool();
-                phi_1348_ = true;
+                phi_1463_ = bool();
+                phi_1464_ = true;
             }
-            let _e1037 = phi_1347_;
-            let _e1039 = phi_1348_;
-            phi_1349_ = _e1037;
-            phi_1350_ = _e1039;
+            let _e1136 = phi_1463_;
+            let _e1138 = phi_1464_;
+            phi_1465_ = _e1136;
+            phi_1466_ = _e1138;
         } else {
-            phi_1349_ = bool();
-            phi_1350_ = true;
+            phi_1465_ = bool();
+            phi_1466_ = true;
         }
-        let _e1041 = phi_1349_;
-        let _e1043 = phi_1350_;
-        if _e1043 {
-            phi_1354_ = false;
+        let _e1140 = phi_1465_;
+        let _e1142 = phi_1466_;
+        if _e1142 {
+            phi_1470_ = false;
         } else {
-            phi_1354_ = _e1041;
+            phi_1470_ = _e1140;
         }
-        let _e1045 = phi_1354_;
-        if !(_e1045) {
-            let _e1048 = samples.member[_e79.shift].position;
-            let _e1050 = p.member.current.eye;
-            let _e1061 = p.member.current.forward;
-            phi_1382_ = ((((_e1048.x - _e1050.x) * _e1061.x) + ((_e1048.y - _e1050.y) * _e1061.y)) + ((_e1048.z - _e1050.z) * _e1061.z));
+        let _e1144 = phi_1470_;
+        if !(_e1144) {
+            let _e1147 = samples.member[_e79.shift].position;
+            let _e1149 = p.member.current.eye;
+            let _e1160 = p.member.current.forward;
+            phi_1498_ = ((((_e1147.x - _e1149.x) * _e1160.x) + ((_e1147.y - _e1149.y) * _e1160.y)) + ((_e1147.z - _e1149.z) * _e1160.z));
         } else {
-            phi_1382_ = 0f;
+            phi_1498_ = 0f;
         }
-        let _e1071 = phi_1382_;
-        depths.member[_e79.shift] = _e1071;
-        phi_1385_ = _e976.needs_ray;
-        phi_1386_ = _e79.shift;
+        let _e1170 = phi_1498_;
+        depths.member[_e79.shift] = _e1170;
+        phi_1501_ = _e1075.needs_ray;
+        phi_1502_ = _e79.shift;
     } else {
-        phi_1385_ = false;
-        phi_1386_ = 0u;
+        phi_1501_ = false;
+        phi_1502_ = 0u;
     }
-    let _e1075 = phi_1385_;
-    let _e1077 = phi_1386_;
+    let _e1174 = phi_1501_;
+    let _e1176 = phi_1502_;
     if (_e60 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1075 {
-        let _e1081 = atomicAdd((&shared_[0u]), 1u);
-        phi_1397_ = _e1081;
+    if _e1174 {
+        let _e1180 = atomicAdd((&shared_[0u]), 1u);
+        phi_1513_ = _e1180;
     } else {
-        phi_1397_ = 0u;
+        phi_1513_ = 0u;
     }
-    let _e1083 = phi_1397_;
+    let _e1182 = phi_1513_;
     workgroupBarrier();
     if (_e60 == 0u) {
-        let _e1087 = atomicLoad((&shared_[0u]));
-        let _e1088 = atomicAdd((&list.member[3u]), _e1087);
-        atomicStore((&shared_[1u]), _e1088);
+        let _e1186 = atomicLoad((&shared_[0u]));
+        let _e1187 = atomicAdd((&list.member[3u]), _e1186);
+        atomicStore((&shared_[1u]), _e1187);
     }
     workgroupBarrier();
-    if _e1075 {
-        let _e1091 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1091) + _e1083)]), _e1077);
+    if _e1174 {
+        let _e1190 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1190) + _e1182)]), _e1176);
     }
     return;
 }

@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -335,6 +335,7 @@ fn function_() {
     var phi_832_: bool;
     var phi_836_: bool;
     var phi_837_: lt_mask_Reprojection;
+    var phi_843_: bool;
     var phi_865_: u32;
     var phi_867_: u32;
     var phi_870_: lt_mask_Neighbourhood;
@@ -347,41 +348,80 @@ fn function_() {
     var phi_998_: u32;
     var phi_1017_: u32;
     var phi_1025_: u32;
-    var phi_1042_: bool;
-    var phi_1043_: bool;
-    var phi_1050_: bool;
     var phi_1051_: bool;
+    var phi_1052_: bool;
+    var phi_1053_: bool;
+    var phi_1054_: bool;
+    var phi_1055_: bool;
+    var phi_1056_: bool;
+    var phi_1057_: bool;
+    var phi_1062_: bool;
+    var phi_1063_: bool;
+    var phi_1064_: bool;
+    var phi_1065_: bool;
+    var phi_1066_: bool;
+    var phi_1067_: bool;
+    var phi_1068_: bool;
     var phi_1069_: bool;
     var phi_1070_: bool;
-    var phi_1071_: bool;
+    var phi_1085_: bool;
+    var phi_1086_: bool;
+    var phi_1093_: bool;
+    var phi_1094_: bool;
+    var phi_1095_: bool;
+    var phi_1096_: bool;
+    var phi_1097_: bool;
+    var phi_1101_: bool;
+    var phi_1102_: bool;
+    var phi_1103_: bool;
+    var phi_1107_: bool;
+    var phi_1108_: bool;
+    var phi_1112_: bool;
+    var phi_1113_: bool;
+    var phi_1131_: bool;
+    var phi_1132_: bool;
+    var phi_1133_: bool;
     var phi_868_: u32;
     var phi_871_: lt_mask_Neighbourhood;
-    var phi_1074_: lt_mask_Neighbourhood;
-    var phi_1075_: lt_mask_Neighbourhood;
-    var phi_1076_: lt_mask_Neighbourhood;
-    var phi_1108_: bool;
-    var phi_1109_: bool;
-    var phi_1138_: bool;
-    var phi_1139_: bool;
-    var phi_1152_: bool;
-    var phi_1153_: bool;
-    var phi_1154_: bool;
-    var phi_1161_: u32;
-    var phi_1162_: u32;
-    var phi_1163_: u32;
-    var phi_1164_: u32;
-    var phi_1165_: u32;
-    var phi_1166_: u32;
-    var phi_1174_: bool;
-    var phi_1182_: u32;
-    var phi_1187_: u32;
-    var phi_1191_: u32;
-    var phi_1192_: u32;
-    var phi_1196_: f32;
-    var phi_1198_: mask_Masked;
-    var phi_1248_: bool;
+    var phi_1136_: lt_mask_Neighbourhood;
+    var phi_1137_: lt_mask_Neighbourhood;
+    var phi_1138_: lt_mask_Neighbourhood;
+    var phi_1170_: bool;
+    var phi_1171_: bool;
+    var phi_1193_: bool;
+    var phi_1194_: bool;
+    var phi_1195_: bool;
+    var phi_1199_: bool;
+    var phi_1221_: bool;
+    var phi_1222_: bool;
+    var phi_1235_: bool;
+    var phi_1236_: bool;
+    var phi_1237_: bool;
+    var phi_1244_: u32;
+    var phi_1245_: u32;
+    var phi_1246_: u32;
+    var phi_1247_: u32;
+    var phi_1248_: u32;
     var phi_1249_: u32;
-    var phi_1260_: u32;
+    var phi_1250_: u32;
+    var phi_1262_: bool;
+    var phi_1263_: bool;
+    var phi_1264_: bool;
+    var phi_1265_: bool;
+    var phi_1269_: bool;
+    var phi_1275_: bool;
+    var phi_1283_: u32;
+    var phi_1288_: u32;
+    var phi_1297_: u32;
+    var phi_1302_: u32;
+    var phi_1306_: u32;
+    var phi_1307_: u32;
+    var phi_1308_: u32;
+    var phi_1312_: f32;
+    var phi_1314_: mask_Masked;
+    var phi_1364_: bool;
+    var phi_1365_: u32;
+    var phi_1376_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e54 = id_1;
@@ -490,7 +530,7 @@ fn function_() {
         }
         let _e244 = phi_455_;
         if _e244.unnamed_1 {
-            phi_1198_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
+            phi_1314_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
         } else {
             let _e249 = (_e91 < 0.5f);
             if (_e91 > 0f) {
@@ -751,42 +791,47 @@ fn function_() {
             let _e639 = phi_836_;
             let _e641 = phi_837_;
             let _e645 = lt_mask_Reprojection(_e641.pixel, _e639, _e641.has_moved);
-            if _e645.has_moved {
-            }
-            let _e651 = lt_mask_Neighbourhood(false, true);
+            let _e646 = lt_mask_Neighbourhood(false, true);
             if _e253 {
-                phi_1076_ = _e651;
+                phi_843_ = false;
             } else {
-                if true {
-                    if _e639 {
+                phi_843_ = true;
+            }
+            let _e648 = phi_843_;
+            if _e648 {
+                if _e639 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1136_ = _e646;
+                    } else {
+                        let _e652 = p.member.expansion;
                         if _e645.has_moved {
-                            let _e654 = p.member.moving_pattern;
-                            phi_865_ = _e654;
+                            let _e655 = p.member.moving_pattern;
+                            phi_865_ = _e655;
                         } else {
-                            let _e656 = p.member.still_pattern;
-                            phi_865_ = _e656;
+                            let _e657 = p.member.still_pattern;
+                            phi_865_ = _e657;
                         }
-                        let _e658 = phi_865_;
+                        let _e659 = phi_865_;
                         phi_867_ = 0u;
-                        phi_870_ = _e651;
+                        phi_870_ = _e646;
                         loop {
-                            let _e660 = phi_867_;
-                            let _e662 = phi_870_;
-                            local_1 = _e662;
-                            if (1u <= _e658) {
-                                if (_e658 <= 4u) {
+                            let _e661 = phi_867_;
+                            let _e663 = phi_870_;
+                            local_1 = _e663;
+                            if (1u <= _e659) {
+                                if (_e659 <= 4u) {
                                     phi_882_ = false;
                                 } else {
                                     phi_882_ = true;
                                 }
-                                let _e666 = phi_882_;
-                                phi_883_ = _e666;
+                                let _e667 = phi_882_;
+                                phi_883_ = _e667;
                             } else {
                                 phi_883_ = true;
                             }
-                            let _e668 = phi_883_;
-                            if _e668 {
-                                switch bitcast<i32>(_e658) {
+                            let _e669 = phi_883_;
+                            if _e669 {
+                                switch bitcast<i32>(_e659) {
                                     case 5: {
                                         phi_892_ = 4u;
                                         break;
@@ -804,40 +849,40 @@ fn function_() {
                                         break;
                                     }
                                 }
-                                let _e671 = phi_892_;
-                                phi_893_ = _e671;
+                                let _e672 = phi_892_;
+                                phi_893_ = _e672;
                             } else {
                                 phi_893_ = 5u;
                             }
-                            let _e673 = phi_893_;
-                            let _e674 = (_e660 < _e673);
-                            if _e674 {
-                                let _e680 = p.member.frame;
-                                let _e684 = p.member.current.size[0u];
-                                let _e686 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e658) {
+                            let _e674 = phi_893_;
+                            let _e675 = (_e661 < _e674);
+                            if _e675 {
+                                let _e681 = p.member.frame;
+                                let _e685 = p.member.current.size[0u];
+                                let _e687 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e659) {
                                     case 1: {
-                                        let _e696 = lt_mask_pattern_plus(_e660);
-                                        phi_973_ = vec2<i32>(_e696.x, _e696.y);
+                                        let _e697 = lt_mask_pattern_plus(_e661);
+                                        phi_973_ = vec2<i32>(_e697.x, _e697.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e700 = lt_mask_pattern_cross(_e660);
-                                        phi_973_ = vec2<i32>(_e700.x, _e700.y);
+                                        let _e701 = lt_mask_pattern_cross(_e661);
+                                        phi_973_ = vec2<i32>(_e701.x, _e701.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e706 = lt_mask_pattern_plus_or_cross(_e660, ((_e645.pixel.x + _e645.pixel.y) & 1u));
-                                        phi_973_ = vec2<i32>(_e706.x, _e706.y);
+                                        let _e707 = lt_mask_pattern_plus_or_cross(_e661, ((_e645.pixel.x + _e645.pixel.y) & 1u));
+                                        phi_973_ = vec2<i32>(_e707.x, _e707.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e711 = lt_mask_pattern_plus_or_cross(_e660, (_e680 & 1u));
-                                        phi_973_ = vec2<i32>(_e711.x, _e711.y);
+                                        let _e712 = lt_mask_pattern_plus_or_cross(_e661, (_e681 & 1u));
+                                        phi_973_ = vec2<i32>(_e712.x, _e712.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e680 & 3u)) {
+                                        switch bitcast<i32>((_e681 & 3u)) {
                                             case 0: {
                                                 phi_953_ = vec2(-1i);
                                                 break;
@@ -855,297 +900,493 @@ fn function_() {
                                                 break;
                                             }
                                         }
-                                        let _e722 = phi_953_;
-                                        phi_973_ = (_e722 + vec2<i32>(bitcast<i32>((_e660 & 1u)), bitcast<i32>(((_e660 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e723 = phi_953_;
+                                        phi_973_ = (_e723 + vec2<i32>(bitcast<i32>((_e661 & 1u)), bitcast<i32>(((_e661 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_973_ = vec2<i32>((bitcast<i32>((_e660 % 5u)) - 2i), (bitcast<i32>(((_e660 / 5u) % 5u)) - 2i));
+                                        phi_973_ = vec2<i32>((bitcast<i32>((_e661 % 5u)) - 2i), (bitcast<i32>(((_e661 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e739 = lt_mask_pattern_diamond(_e660);
-                                        phi_973_ = vec2<i32>(_e739.x, _e739.y);
+                                        let _e740 = lt_mask_pattern_diamond(_e661);
+                                        phi_973_ = vec2<i32>(_e740.x, _e740.y);
                                         break;
                                     }
                                     default: {
-                                        phi_973_ = vec2<i32>((bitcast<i32>((_e660 % 3u)) - 1i), (bitcast<i32>(((_e660 / 3u) % 3u)) - 1i));
+                                        phi_973_ = vec2<i32>((bitcast<i32>((_e661 % 3u)) - 1i), (bitcast<i32>(((_e661 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e744 = phi_973_;
-                                let _e747 = lt_mask_pattern_step_clamped(_e645.pixel.x, _e744.x, _e684);
-                                let _e748 = lt_mask_pattern_step_clamped(_e645.pixel.y, _e744.y, _e686);
-                                let _e752 = ((((_e748 * _e86) + _e747) * _e82) + (_e78 / 32u));
+                                let _e745 = phi_973_;
+                                let _e748 = lt_mask_pattern_step_clamped(_e645.pixel.x, _e745.x, _e685);
+                                let _e749 = lt_mask_pattern_step_clamped(_e645.pixel.y, _e745.y, _e687);
+                                let _e753 = ((((_e749 * _e86) + _e748) * _e82) + (_e78 / 32u));
                                 if (_e80 > 29u) {
-                                    let _e754 = (_e752 + 1u);
-                                    if (_e754 < _e60) {
+                                    let _e755 = (_e753 + 1u);
+                                    if (_e755 < _e60) {
                                     } else {
                                         return;
                                     }
-                                    let _e758 = last_bits.member[(0u + _e754)];
-                                    phi_998_ = _e758;
+                                    let _e759 = last_bits.member[(0u + _e755)];
+                                    phi_998_ = _e759;
                                 } else {
                                     phi_998_ = 0u;
                                 }
-                                let _e760 = phi_998_;
-                                if (_e752 < _e60) {
+                                let _e761 = phi_998_;
+                                if (_e753 < _e60) {
                                 } else {
                                     return;
                                 }
-                                let _e764 = last_bits.member[(0u + _e752)];
-                                let _e767 = (_e764 >> bitcast<u32>((_e80 & 31u)));
+                                let _e765 = last_bits.member[(0u + _e753)];
+                                let _e768 = (_e765 >> bitcast<u32>((_e80 & 31u)));
                                 if (_e80 > 29u) {
-                                    phi_1017_ = (_e767 | (_e760 << bitcast<u32>(((32u - _e80) & 31u))));
+                                    phi_1017_ = (_e768 | (_e761 << bitcast<u32>(((32u - _e80) & 31u))));
                                 } else {
-                                    phi_1017_ = _e767;
+                                    phi_1017_ = _e768;
                                 }
-                                let _e775 = phi_1017_;
-                                if ((_e775 & 2u) == 0u) {
-                                    phi_1025_ = (_e775 & 1u);
+                                let _e776 = phi_1017_;
+                                if ((_e776 & 2u) == 0u) {
+                                    phi_1025_ = (_e776 & 1u);
                                 } else {
-                                    phi_1025_ = (_e775 & 7u);
+                                    phi_1025_ = (_e776 & 7u);
                                 }
-                                let _e781 = phi_1025_;
-                                if _e662.any_expands {
-                                    phi_1051_ = true;
+                                let _e782 = phi_1025_;
+                                if _e663.any_expands {
+                                    phi_1113_ = true;
                                 } else {
-                                    if ((_e781 & 2u) != 0u) {
-                                        if (((_e781 & 4u) != 0u) != _e249) {
-                                            phi_1042_ = false;
-                                        } else {
-                                            phi_1042_ = true;
+                                    if ((_e782 & 2u) != 0u) {
+                                        let _e789 = (((_e782 & 4u) != 0u) != _e249);
+                                        switch bitcast<i32>(_e652) {
+                                            case 1: {
+                                                phi_1053_ = bool();
+                                                phi_1054_ = false;
+                                                phi_1055_ = true;
+                                                phi_1056_ = false;
+                                                phi_1057_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e789 {
+                                                    phi_1051_ = (((_e782 & 4u) != 0u) != ((_e782 & 1u) != 0u));
+                                                    phi_1052_ = false;
+                                                } else {
+                                                    phi_1051_ = bool();
+                                                    phi_1052_ = true;
+                                                }
+                                                let _e797 = phi_1051_;
+                                                let _e799 = phi_1052_;
+                                                phi_1053_ = _e797;
+                                                phi_1054_ = false;
+                                                phi_1055_ = false;
+                                                phi_1056_ = _e799;
+                                                phi_1057_ = _e789;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1053_ = bool();
+                                                phi_1054_ = true;
+                                                phi_1055_ = false;
+                                                phi_1056_ = false;
+                                                phi_1057_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e790 = phi_1042_;
-                                        phi_1043_ = _e790;
-                                    } else {
-                                        phi_1043_ = true;
-                                    }
-                                    let _e792 = phi_1043_;
-                                    if _e792 {
-                                        phi_1050_ = (((_e781 & 1u) != 0u) != _e249);
-                                    } else {
-                                        phi_1050_ = true;
-                                    }
-                                    let _e797 = phi_1050_;
-                                    phi_1051_ = _e797;
-                                }
-                                let _e799 = phi_1051_;
-                                if _e662.all_remove {
-                                    if (((_e781 & 1u) != 0u) == _e249) {
-                                        if ((_e781 & 2u) != 0u) {
-                                            phi_1069_ = (((_e781 & 4u) != 0u) == _e249);
-                                        } else {
-                                            phi_1069_ = true;
-                                        }
-                                        let _e809 = phi_1069_;
+                                        let _e801 = phi_1053_;
+                                        let _e803 = phi_1054_;
+                                        let _e805 = phi_1055_;
+                                        let _e807 = phi_1056_;
+                                        let _e809 = phi_1057_;
+                                        phi_1065_ = _e789;
+                                        phi_1066_ = _e801;
+                                        phi_1067_ = _e803;
+                                        phi_1068_ = _e805;
+                                        phi_1069_ = _e807;
                                         phi_1070_ = _e809;
                                     } else {
+                                        switch bitcast<i32>(_e652) {
+                                            case 1: {
+                                                phi_1062_ = false;
+                                                phi_1063_ = true;
+                                                phi_1064_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1062_ = false;
+                                                phi_1063_ = false;
+                                                phi_1064_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1062_ = true;
+                                                phi_1063_ = false;
+                                                phi_1064_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e812 = phi_1062_;
+                                        let _e814 = phi_1063_;
+                                        let _e816 = phi_1064_;
+                                        phi_1065_ = false;
+                                        phi_1066_ = bool();
+                                        phi_1067_ = _e812;
+                                        phi_1068_ = _e814;
+                                        phi_1069_ = _e816;
                                         phi_1070_ = false;
                                     }
-                                    let _e811 = phi_1070_;
-                                    phi_1071_ = _e811;
-                                } else {
-                                    phi_1071_ = false;
+                                    let _e818 = phi_1065_;
+                                    let _e820 = phi_1066_;
+                                    let _e822 = phi_1067_;
+                                    let _e824 = phi_1068_;
+                                    let _e826 = phi_1069_;
+                                    let _e828 = phi_1070_;
+                                    if _e822 {
+                                        if ((_e782 & 2u) != 0u) {
+                                            if (((_e782 & 4u) != 0u) != _e249) {
+                                                phi_1085_ = false;
+                                            } else {
+                                                phi_1085_ = true;
+                                            }
+                                            let _e835 = phi_1085_;
+                                            phi_1086_ = _e835;
+                                        } else {
+                                            phi_1086_ = true;
+                                        }
+                                        let _e837 = phi_1086_;
+                                        if _e837 {
+                                            phi_1093_ = (((_e782 & 1u) != 0u) != _e249);
+                                        } else {
+                                            phi_1093_ = true;
+                                        }
+                                        let _e842 = phi_1093_;
+                                        phi_1094_ = _e842;
+                                        phi_1095_ = false;
+                                        phi_1096_ = false;
+                                        phi_1097_ = false;
+                                    } else {
+                                        phi_1094_ = bool();
+                                        phi_1095_ = _e824;
+                                        phi_1096_ = _e826;
+                                        phi_1097_ = _e828;
+                                    }
+                                    let _e844 = phi_1094_;
+                                    let _e846 = phi_1095_;
+                                    let _e848 = phi_1096_;
+                                    let _e850 = phi_1097_;
+                                    if _e846 {
+                                        phi_1101_ = _e818;
+                                        phi_1102_ = false;
+                                        phi_1103_ = false;
+                                    } else {
+                                        phi_1101_ = _e844;
+                                        phi_1102_ = _e848;
+                                        phi_1103_ = _e850;
+                                    }
+                                    let _e852 = phi_1101_;
+                                    let _e854 = phi_1102_;
+                                    let _e856 = phi_1103_;
+                                    if _e854 {
+                                        phi_1107_ = false;
+                                        phi_1108_ = true;
+                                    } else {
+                                        phi_1107_ = _e820;
+                                        phi_1108_ = _e856;
+                                    }
+                                    let _e858 = phi_1107_;
+                                    let _e860 = phi_1108_;
+                                    if _e860 {
+                                        phi_1112_ = _e858;
+                                    } else {
+                                        phi_1112_ = _e852;
+                                    }
+                                    let _e862 = phi_1112_;
+                                    phi_1113_ = _e862;
                                 }
-                                let _e813 = phi_1071_;
-                                phi_868_ = (_e660 + 1u);
-                                phi_871_ = lt_mask_Neighbourhood(_e799, _e813);
+                                let _e864 = phi_1113_;
+                                if _e663.all_remove {
+                                    if (((_e782 & 1u) != 0u) == _e249) {
+                                        if ((_e782 & 2u) != 0u) {
+                                            phi_1131_ = (((_e782 & 4u) != 0u) == _e249);
+                                        } else {
+                                            phi_1131_ = true;
+                                        }
+                                        let _e874 = phi_1131_;
+                                        phi_1132_ = _e874;
+                                    } else {
+                                        phi_1132_ = false;
+                                    }
+                                    let _e876 = phi_1132_;
+                                    phi_1133_ = _e876;
+                                } else {
+                                    phi_1133_ = false;
+                                }
+                                let _e878 = phi_1133_;
+                                phi_868_ = (_e661 + 1u);
+                                phi_871_ = lt_mask_Neighbourhood(_e864, _e878);
                             } else {
                                 phi_868_ = u32();
                                 phi_871_ = lt_mask_Neighbourhood();
                             }
-                            let _e817 = phi_868_;
-                            let _e819 = phi_871_;
+                            let _e882 = phi_868_;
+                            let _e884 = phi_871_;
                             continue;
                             continuing {
-                                phi_867_ = _e817;
-                                phi_870_ = _e819;
-                                break if !(_e674);
+                                phi_867_ = _e882;
+                                phi_870_ = _e884;
+                                break if !(_e675);
                             }
                         }
-                        let _e1047 = local_1;
-                        phi_1074_ = _e1047;
-                    } else {
-                        phi_1074_ = _e651;
+                        let _e1173 = local_1;
+                        phi_1136_ = _e1173;
                     }
-                    let _e822 = phi_1074_;
-                    phi_1075_ = _e822;
+                    let _e887 = phi_1136_;
+                    phi_1137_ = _e887;
                 } else {
-                    phi_1075_ = _e651;
+                    phi_1137_ = _e646;
                 }
-                let _e824 = phi_1075_;
-                phi_1076_ = _e824;
-            }
-            let _e826 = phi_1076_;
-            let _e829 = p.member.frame;
-            let _e831 = p.member.refresh;
-            if (_e831 == 0u) {
-                phi_1109_ = false;
+                let _e889 = phi_1137_;
+                phi_1138_ = _e889;
             } else {
-                if (_e831 == 0u) {
+                phi_1138_ = _e646;
+            }
+            let _e891 = phi_1138_;
+            let _e894 = p.member.frame;
+            let _e896 = p.member.refresh;
+            if (_e896 == 0u) {
+                phi_1171_ = false;
+            } else {
+                if (_e896 == 0u) {
                     return;
                 }
-                let _e840 = ((_e54.x + (_e54.y * (((_e831 * 5u) / 8u) | 1u))) + (_e829 % _e831));
-                if (_e831 == 0u) {
-                    phi_1108_ = (_e840 == 0u);
+                let _e905 = ((_e54.x + (_e54.y * (((_e896 * 5u) / 8u) | 1u))) + (_e894 % _e896));
+                if (_e896 == 0u) {
+                    phi_1170_ = (_e905 == 0u);
                 } else {
-                    if (_e831 == 0u) {
+                    if (_e896 == 0u) {
                         return;
                     }
-                    phi_1108_ = ((_e840 % _e831) == 0u);
+                    phi_1170_ = ((_e905 % _e896) == 0u);
                 }
-                let _e847 = phi_1108_;
-                phi_1109_ = _e847;
+                let _e912 = phi_1170_;
+                phi_1171_ = _e912;
             }
-            let _e849 = phi_1109_;
-            if (_e91 != 0.5f) {
-                if _e639 {
-                    if _e849 {
-                        phi_1164_ = 6u;
-                    } else {
-                        if _e253 {
-                            phi_1139_ = true;
+            let _e914 = phi_1171_;
+            if _e639 {
+                if _e914 {
+                    phi_1193_ = bool();
+                } else {
+                    phi_1193_ = ((0u & 2u) != 0u);
+                }
+                let _e920 = phi_1193_;
+                phi_1194_ = _e920;
+                phi_1195_ = _e914;
+            } else {
+                phi_1194_ = bool();
+                phi_1195_ = true;
+            }
+            let _e922 = phi_1194_;
+            let _e924 = phi_1195_;
+            if _e924 {
+                phi_1199_ = false;
+            } else {
+                phi_1199_ = _e922;
+            }
+            let _e926 = phi_1199_;
+            if _e926 {
+                phi_1250_ = 7u;
+            } else {
+                if (_e91 != 0.5f) {
+                    if _e639 {
+                        if _e914 {
+                            phi_1247_ = 6u;
                         } else {
-                            if _e826.any_expands {
-                                phi_1138_ = false;
-                            } else {
-                                phi_1138_ = true;
-                            }
-                            let _e853 = phi_1138_;
-                            phi_1139_ = _e853;
-                        }
-                        let _e855 = phi_1139_;
-                        if _e855 {
                             if _e253 {
-                                if false {
-                                    if _e826.all_remove {
-                                        phi_1152_ = false;
-                                    } else {
-                                        phi_1152_ = true;
-                                    }
-                                    let _e857 = phi_1152_;
-                                    phi_1153_ = _e857;
-                                } else {
-                                    phi_1153_ = true;
-                                }
-                                let _e859 = phi_1153_;
-                                phi_1154_ = _e859;
+                                phi_1222_ = true;
                             } else {
-                                phi_1154_ = true;
+                                if _e891.any_expands {
+                                    phi_1221_ = false;
+                                } else {
+                                    phi_1221_ = true;
+                                }
+                                let _e928 = phi_1221_;
+                                phi_1222_ = _e928;
                             }
-                            let _e861 = phi_1154_;
-                            if _e861 {
+                            let _e930 = phi_1222_;
+                            if _e930 {
                                 if _e253 {
-                                    phi_1161_ = 1u;
+                                    if false {
+                                        if _e891.all_remove {
+                                            phi_1235_ = false;
+                                        } else {
+                                            phi_1235_ = true;
+                                        }
+                                        let _e932 = phi_1235_;
+                                        phi_1236_ = _e932;
+                                    } else {
+                                        phi_1236_ = true;
+                                    }
+                                    let _e934 = phi_1236_;
+                                    phi_1237_ = _e934;
                                 } else {
-                                    phi_1161_ = 0u;
+                                    phi_1237_ = true;
                                 }
-                                let _e863 = phi_1161_;
-                                phi_1162_ = _e863;
+                                let _e936 = phi_1237_;
+                                if _e936 {
+                                    if _e253 {
+                                        phi_1244_ = 1u;
+                                    } else {
+                                        phi_1244_ = 0u;
+                                    }
+                                    let _e938 = phi_1244_;
+                                    phi_1245_ = _e938;
+                                } else {
+                                    phi_1245_ = 5u;
+                                }
+                                let _e940 = phi_1245_;
+                                phi_1246_ = _e940;
                             } else {
-                                phi_1162_ = 5u;
+                                phi_1246_ = 4u;
                             }
-                            let _e865 = phi_1162_;
-                            phi_1163_ = _e865;
-                        } else {
-                            phi_1163_ = 4u;
+                            let _e942 = phi_1246_;
+                            phi_1247_ = _e942;
                         }
-                        let _e867 = phi_1163_;
-                        phi_1164_ = _e867;
+                        let _e944 = phi_1247_;
+                        phi_1248_ = _e944;
+                    } else {
+                        phi_1248_ = 3u;
                     }
-                    let _e869 = phi_1164_;
-                    phi_1165_ = _e869;
+                    let _e946 = phi_1248_;
+                    phi_1249_ = _e946;
                 } else {
-                    phi_1165_ = 3u;
+                    phi_1249_ = 2u;
                 }
-                let _e871 = phi_1165_;
-                phi_1166_ = _e871;
-            } else {
-                phi_1166_ = 2u;
+                let _e948 = phi_1249_;
+                phi_1250_ = _e948;
             }
-            let _e873 = phi_1166_;
-            if !((_e873 == 0u)) {
-                phi_1174_ = !((_e873 == 5u));
+            let _e950 = phi_1250_;
+            if !((_e950 == 0u)) {
+                if !((_e950 == 5u)) {
+                    phi_1262_ = !(_e926);
+                    phi_1263_ = false;
+                } else {
+                    phi_1262_ = bool();
+                    phi_1263_ = true;
+                }
+                let _e957 = phi_1262_;
+                let _e959 = phi_1263_;
+                phi_1264_ = _e957;
+                phi_1265_ = _e959;
             } else {
-                phi_1174_ = false;
+                phi_1264_ = bool();
+                phi_1265_ = true;
             }
-            let _e879 = phi_1174_;
-            if _e879 {
+            let _e961 = phi_1264_;
+            let _e963 = phi_1265_;
+            if _e963 {
+                phi_1269_ = false;
+            } else {
+                phi_1269_ = _e961;
+            }
+            let _e965 = phi_1269_;
+            if _e926 {
+                phi_1275_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1275_ = _e249;
+            }
+            let _e969 = phi_1275_;
+            if _e965 {
                 if _e249 {
-                    phi_1182_ = (2u | 1u);
+                    phi_1283_ = (2u | 1u);
                 } else {
-                    phi_1182_ = 2u;
+                    phi_1283_ = 2u;
                 }
-                let _e882 = phi_1182_;
+                let _e972 = phi_1283_;
                 if false {
-                    phi_1187_ = (_e882 | 4u);
+                    phi_1288_ = (_e972 | 4u);
                 } else {
-                    phi_1187_ = _e882;
+                    phi_1288_ = _e972;
                 }
-                let _e885 = phi_1187_;
-                phi_1192_ = _e885;
+                let _e975 = phi_1288_;
+                phi_1308_ = _e975;
             } else {
-                if _e249 {
-                    phi_1191_ = 1u;
+                if (_e950 == 7u) {
+                    if _e249 {
+                        phi_1297_ = (2u | 1u);
+                    } else {
+                        phi_1297_ = 2u;
+                    }
+                    let _e979 = phi_1297_;
+                    if _e969 {
+                        phi_1302_ = (_e979 | 4u);
+                    } else {
+                        phi_1302_ = _e979;
+                    }
+                    let _e982 = phi_1302_;
+                    phi_1307_ = _e982;
                 } else {
-                    phi_1191_ = 0u;
+                    if _e249 {
+                        phi_1306_ = 1u;
+                    } else {
+                        phi_1306_ = 0u;
+                    }
+                    let _e984 = phi_1306_;
+                    phi_1307_ = _e984;
                 }
-                let _e887 = phi_1191_;
-                phi_1192_ = _e887;
+                let _e986 = phi_1307_;
+                phi_1308_ = _e986;
             }
-            let _e889 = phi_1192_;
-            if _e249 {
-                phi_1196_ = 0f;
+            let _e988 = phi_1308_;
+            if _e969 {
+                phi_1312_ = 0f;
             } else {
-                phi_1196_ = 1f;
+                phi_1312_ = 1f;
             }
-            let _e891 = phi_1196_;
-            phi_1198_ = mask_Masked(_e891, _e889, _e879);
+            let _e990 = phi_1312_;
+            phi_1314_ = mask_Masked(_e990, _e988, _e965);
         }
-        let _e894 = phi_1198_;
-        visibility.member[_e70.shift] = _e894.visibility;
-        let _e899 = p.member.light.number;
-        let _e900 = (_e899 * 3u);
-        let _e902 = (_e900 % 32u);
-        let _e904 = p.member.light.mask_words;
-        let _e906 = ((_e70.shift * _e904) + (_e900 / 32u));
-        let _e908 = bits.member[_e906];
-        bits.member[_e906] = ((_e908 & ~((7u << bitcast<u32>((_e902 & 31u))))) | (_e894.bits << bitcast<u32>((_e902 & 31u))));
-        if (_e902 > 29u) {
-            let _e923 = bits.member[(_e906 + 1u)];
-            let _e925 = (32u - _e902);
-            bits.member[(_e906 + 1u)] = ((_e923 & ~((7u >> bitcast<u32>((_e925 & 31u))))) | (_e894.bits >> bitcast<u32>((_e925 & 31u))));
+        let _e993 = phi_1314_;
+        visibility.member[_e70.shift] = _e993.visibility;
+        let _e998 = p.member.light.number;
+        let _e999 = (_e998 * 3u);
+        let _e1001 = (_e999 % 32u);
+        let _e1003 = p.member.light.mask_words;
+        let _e1005 = ((_e70.shift * _e1003) + (_e999 / 32u));
+        let _e1007 = bits.member[_e1005];
+        bits.member[_e1005] = ((_e1007 & ~((7u << bitcast<u32>((_e1001 & 31u))))) | (_e993.bits << bitcast<u32>((_e1001 & 31u))));
+        if (_e1001 > 29u) {
+            let _e1022 = bits.member[(_e1005 + 1u)];
+            let _e1024 = (32u - _e1001);
+            bits.member[(_e1005 + 1u)] = ((_e1022 & ~((7u >> bitcast<u32>((_e1024 & 31u))))) | (_e993.bits >> bitcast<u32>((_e1024 & 31u))));
         }
-        phi_1248_ = _e894.needs_ray;
-        phi_1249_ = _e70.shift;
+        phi_1364_ = _e993.needs_ray;
+        phi_1365_ = _e70.shift;
     } else {
-        phi_1248_ = false;
-        phi_1249_ = 0u;
+        phi_1364_ = false;
+        phi_1365_ = 0u;
     }
-    let _e939 = phi_1248_;
-    let _e941 = phi_1249_;
+    let _e1038 = phi_1364_;
+    let _e1040 = phi_1365_;
     if (_e55 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e939 {
-        let _e945 = atomicAdd((&shared_[0u]), 1u);
-        phi_1260_ = _e945;
+    if _e1038 {
+        let _e1044 = atomicAdd((&shared_[0u]), 1u);
+        phi_1376_ = _e1044;
     } else {
-        phi_1260_ = 0u;
+        phi_1376_ = 0u;
     }
-    let _e947 = phi_1260_;
+    let _e1046 = phi_1376_;
     workgroupBarrier();
     if (_e55 == 0u) {
-        let _e951 = atomicLoad((&shared_[0u]));
-        let _e952 = atomicAdd((&list.member[3u]), _e951);
-        atomicStore((&shared_[1u]), _e952);
+        let _e1050 = atomicLoad((&shared_[0u]));
+        let _e1051 = atomicAdd((&list.member[3u]), _e1050);
+        atomicStore((&shared_[1u]), _e1051);
     }
     workgroupBarrier();
-    if _e939 {
-        let _e955 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e955) + _e947)]), _e941);
+    if _e1038 {
+        let _e1054 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1054) + _e1046)]), _e1040);
     }
     return;
 }

@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -341,61 +341,106 @@ fn function_() {
     var phi_836_: bool;
     var phi_840_: bool;
     var phi_841_: lt_mask_Reprojection;
-    var phi_855_: bool;
-    var phi_866_: bool;
-    var phi_867_: bool;
-    var phi_868_: bool;
-    var phi_869_: bool;
-    var phi_870_: bool;
-    var phi_871_: bool;
-    var phi_875_: bool;
-    var phi_880_: bool;
-    var phi_895_: u32;
-    var phi_897_: u32;
-    var phi_900_: lt_mask_Neighbourhood;
-    var phi_912_: bool;
+    var phi_882_: u32;
+    var phi_901_: u32;
+    var phi_909_: u32;
+    var phi_910_: u32;
+    var phi_911_: bool;
+    var phi_912_: u32;
     var phi_913_: bool;
-    var phi_922_: u32;
-    var phi_923_: u32;
-    var phi_983_: vec2<i32>;
-    var phi_1003_: vec2<i32>;
-    var phi_1028_: u32;
-    var phi_1047_: u32;
-    var phi_1055_: u32;
-    var phi_1072_: bool;
-    var phi_1073_: bool;
-    var phi_1080_: bool;
-    var phi_1081_: bool;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1101_: bool;
-    var phi_898_: u32;
-    var phi_901_: lt_mask_Neighbourhood;
-    var phi_1104_: lt_mask_Neighbourhood;
-    var phi_1105_: lt_mask_Neighbourhood;
-    var phi_1137_: bool;
+    var phi_914_: bool;
+    var phi_915_: u32;
+    var phi_916_: bool;
+    var phi_917_: bool;
+    var phi_921_: bool;
+    var phi_925_: u32;
+    var phi_930_: bool;
+    var phi_952_: u32;
+    var phi_954_: u32;
+    var phi_957_: lt_mask_Neighbourhood;
+    var phi_969_: bool;
+    var phi_970_: bool;
+    var phi_979_: u32;
+    var phi_980_: u32;
+    var phi_1040_: vec2<i32>;
+    var phi_1060_: vec2<i32>;
+    var phi_1085_: u32;
+    var phi_1104_: u32;
+    var phi_1112_: u32;
     var phi_1138_: bool;
-    var phi_1167_: bool;
-    var phi_1168_: bool;
+    var phi_1139_: bool;
+    var phi_1140_: bool;
+    var phi_1141_: bool;
+    var phi_1142_: bool;
+    var phi_1143_: bool;
+    var phi_1144_: bool;
+    var phi_1149_: bool;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1154_: bool;
+    var phi_1155_: bool;
+    var phi_1156_: bool;
+    var phi_1157_: bool;
+    var phi_1172_: bool;
+    var phi_1173_: bool;
+    var phi_1180_: bool;
     var phi_1181_: bool;
     var phi_1182_: bool;
     var phi_1183_: bool;
-    var phi_1190_: u32;
-    var phi_1191_: u32;
-    var phi_1192_: u32;
-    var phi_1193_: u32;
-    var phi_1194_: u32;
-    var phi_1195_: u32;
-    var phi_1203_: bool;
-    var phi_1211_: u32;
-    var phi_1216_: u32;
-    var phi_1220_: u32;
-    var phi_1221_: u32;
-    var phi_1225_: f32;
-    var phi_1227_: mask_Masked;
-    var phi_1277_: bool;
-    var phi_1278_: u32;
-    var phi_1289_: u32;
+    var phi_1184_: bool;
+    var phi_1188_: bool;
+    var phi_1189_: bool;
+    var phi_1190_: bool;
+    var phi_1194_: bool;
+    var phi_1195_: bool;
+    var phi_1199_: bool;
+    var phi_1200_: bool;
+    var phi_1218_: bool;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
+    var phi_955_: u32;
+    var phi_958_: lt_mask_Neighbourhood;
+    var phi_1223_: lt_mask_Neighbourhood;
+    var phi_1224_: lt_mask_Neighbourhood;
+    var phi_1225_: lt_mask_Neighbourhood;
+    var phi_1257_: bool;
+    var phi_1258_: bool;
+    var phi_1280_: bool;
+    var phi_1281_: bool;
+    var phi_1282_: bool;
+    var phi_1286_: bool;
+    var phi_1308_: bool;
+    var phi_1309_: bool;
+    var phi_1322_: bool;
+    var phi_1323_: bool;
+    var phi_1324_: bool;
+    var phi_1331_: u32;
+    var phi_1332_: u32;
+    var phi_1333_: u32;
+    var phi_1334_: u32;
+    var phi_1335_: u32;
+    var phi_1336_: u32;
+    var phi_1337_: u32;
+    var phi_1349_: bool;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
+    var phi_1352_: bool;
+    var phi_1356_: bool;
+    var phi_1362_: bool;
+    var phi_1370_: u32;
+    var phi_1375_: u32;
+    var phi_1384_: u32;
+    var phi_1389_: u32;
+    var phi_1393_: u32;
+    var phi_1394_: u32;
+    var phi_1395_: u32;
+    var phi_1399_: f32;
+    var phi_1401_: mask_Masked;
+    var phi_1451_: bool;
+    var phi_1452_: u32;
+    var phi_1463_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e55 = id_1;
@@ -407,6 +452,7 @@ fn function_() {
     if (bitcast<i32>(_e72.word) != 0i) {
         let _e79 = p.member.light.number;
         let _e80 = (_e79 * 3u);
+        let _e81 = (_e80 / 32u);
         let _e82 = (_e80 % 32u);
         let _e84 = p.member.light.mask_words;
         let _e88 = p.member.current.size[0u];
@@ -504,7 +550,7 @@ fn function_() {
         }
         let _e249 = phi_465_;
         if _e249.unnamed_1 {
-            phi_1227_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
+            phi_1401_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
         } else {
             let _e254 = (_e96 < 0.5f);
             if (_e96 > 0f) {
@@ -766,439 +812,680 @@ fn function_() {
             let _e640 = phi_841_;
             let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
             let _e646 = p.member.flags;
-            if _e644.has_moved {
-                let _e651 = p.member.flags;
-                phi_855_ = ((_e651 & 4u) == 0u);
+            let _e648 = ((_e646 & 2u) != 0u);
+            let _e650 = p.member.flags;
+            if ((_e650 & 4u) == 0u) {
+                phi_915_ = u32();
+                phi_916_ = true;
+                phi_917_ = false;
             } else {
-                phi_855_ = false;
-            }
-            let _e655 = phi_855_;
-            if ((_e646 & 2u) != 0u) {
-                if false {
-                    phi_868_ = bool();
-                    phi_869_ = true;
-                } else {
-                    if true {
-                        phi_866_ = !(_e655);
-                        phi_867_ = false;
-                    } else {
-                        phi_866_ = bool();
-                        phi_867_ = true;
-                    }
-                    let _e658 = phi_866_;
-                    let _e660 = phi_867_;
-                    phi_868_ = _e658;
-                    phi_869_ = _e660;
-                }
-                let _e662 = phi_868_;
-                let _e664 = phi_869_;
-                phi_870_ = _e662;
-                phi_871_ = _e664;
-            } else {
-                phi_870_ = bool();
-                phi_871_ = true;
-            }
-            let _e666 = phi_870_;
-            let _e668 = phi_871_;
-            if _e668 {
-                phi_875_ = false;
-            } else {
-                phi_875_ = _e666;
-            }
-            let _e670 = phi_875_;
-            let _e671 = lt_mask_Neighbourhood(false, true);
-            if _e258 {
-                phi_880_ = _e670;
-            } else {
-                phi_880_ = true;
-            }
-            let _e673 = phi_880_;
-            if _e673 {
                 if _e638 {
-                    if _e644.has_moved {
-                        let _e676 = p.member.moving_pattern;
-                        phi_895_ = _e676;
-                    } else {
-                        let _e678 = p.member.still_pattern;
-                        phi_895_ = _e678;
-                    }
-                    let _e680 = phi_895_;
-                    phi_897_ = 0u;
-                    phi_900_ = _e671;
-                    loop {
-                        let _e682 = phi_897_;
-                        let _e684 = phi_900_;
-                        local_1 = _e684;
-                        if (1u <= _e680) {
-                            if (_e680 <= 4u) {
-                                phi_912_ = false;
-                            } else {
-                                phi_912_ = true;
-                            }
-                            let _e688 = phi_912_;
-                            phi_913_ = _e688;
-                        } else {
-                            phi_913_ = true;
-                        }
-                        let _e690 = phi_913_;
-                        if _e690 {
-                            switch bitcast<i32>(_e680) {
-                                case 5: {
-                                    phi_922_ = 4u;
-                                    break;
-                                }
-                                case 6: {
-                                    phi_922_ = 25u;
-                                    break;
-                                }
-                                case 7: {
-                                    phi_922_ = 13u;
-                                    break;
-                                }
-                                default: {
-                                    phi_922_ = 9u;
-                                    break;
-                                }
-                            }
-                            let _e693 = phi_922_;
-                            phi_923_ = _e693;
-                        } else {
-                            phi_923_ = 5u;
-                        }
-                        let _e695 = phi_923_;
-                        let _e696 = (_e682 < _e695);
-                        if _e696 {
-                            let _e702 = p.member.frame;
-                            let _e706 = p.member.current.size[0u];
-                            let _e708 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e680) {
-                                case 1: {
-                                    let _e718 = lt_mask_pattern_plus(_e682);
-                                    phi_1003_ = vec2<i32>(_e718.x, _e718.y);
-                                    break;
-                                }
-                                case 2: {
-                                    let _e722 = lt_mask_pattern_cross(_e682);
-                                    phi_1003_ = vec2<i32>(_e722.x, _e722.y);
-                                    break;
-                                }
-                                case 3: {
-                                    let _e728 = lt_mask_pattern_plus_or_cross(_e682, ((_e644.pixel.x + _e644.pixel.y) & 1u));
-                                    phi_1003_ = vec2<i32>(_e728.x, _e728.y);
-                                    break;
-                                }
-                                case 4: {
-                                    let _e733 = lt_mask_pattern_plus_or_cross(_e682, (_e702 & 1u));
-                                    phi_1003_ = vec2<i32>(_e733.x, _e733.y);
-                                    break;
-                                }
-                                case 5: {
-                                    switch bitcast<i32>((_e702 & 3u)) {
-                                        case 0: {
-                                            phi_983_ = vec2(-1i);
-                                            break;
-                                        }
-                                        case 1: {
-                                            phi_983_ = vec2(0i);
-                                            break;
-                                        }
-                                        case 2: {
-                                            phi_983_ = vec2<i32>(0i, -1i);
-                                            break;
-                                        }
-                                        default: {
-                                            phi_983_ = vec2<i32>(-1i, 0i);
-                                            break;
-                                        }
-                                    }
-                                    let _e744 = phi_983_;
-                                    phi_1003_ = (_e744 + vec2<i32>(bitcast<i32>((_e682 & 1u)), bitcast<i32>(((_e682 >> bitcast<u32>(1i)) & 1u))));
-                                    break;
-                                }
-                                case 6: {
-                                    phi_1003_ = vec2<i32>((bitcast<i32>((_e682 % 5u)) - 2i), (bitcast<i32>(((_e682 / 5u) % 5u)) - 2i));
-                                    break;
-                                }
-                                case 7: {
-                                    let _e761 = lt_mask_pattern_diamond(_e682);
-                                    phi_1003_ = vec2<i32>(_e761.x, _e761.y);
-                                    break;
-                                }
-                                default: {
-                                    phi_1003_ = vec2<i32>((bitcast<i32>((_e682 % 3u)) - 1i), (bitcast<i32>(((_e682 / 3u) % 3u)) - 1i));
-                                    break;
-                                }
-                            }
-                            let _e766 = phi_1003_;
-                            let _e769 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e766.x, _e706);
-                            let _e770 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e766.y, _e708);
-                            let _e774 = ((((_e770 * _e88) + _e769) * _e84) + (_e80 / 32u));
-                            if (_e82 > 29u) {
-                                let _e776 = (_e774 + 1u);
-                                if (_e776 < _e61) {
-                                } else {
-                                    return;
-                                }
-                                let _e780 = last_bits.member[(0u + _e776)];
-                                phi_1028_ = _e780;
-                            } else {
-                                phi_1028_ = 0u;
-                            }
-                            let _e782 = phi_1028_;
-                            if (_e774 < _e61) {
+                    if !(_e644.has_moved) {
+                        let _e658 = ((((_e55.y * _e88) + _e55.x) * _e84) + _e81);
+                        if (_e82 > 29u) {
+                            let _e660 = (_e658 + 1u);
+                            if (_e660 < _e61) {
                             } else {
                                 return;
                             }
-                            let _e786 = last_bits.member[(0u + _e774)];
-                            let _e789 = (_e786 >> bitcast<u32>((_e82 & 31u)));
-                            if (_e82 > 29u) {
-                                phi_1047_ = (_e789 | (_e782 << bitcast<u32>(((32u - _e82) & 31u))));
-                            } else {
-                                phi_1047_ = _e789;
-                            }
-                            let _e797 = phi_1047_;
-                            if ((_e797 & 2u) == 0u) {
-                                phi_1055_ = (_e797 & 1u);
-                            } else {
-                                phi_1055_ = (_e797 & 7u);
-                            }
-                            let _e803 = phi_1055_;
-                            if _e684.any_expands {
-                                phi_1081_ = true;
-                            } else {
-                                if ((_e803 & 2u) != 0u) {
-                                    if (((_e803 & 4u) != 0u) != _e254) {
-                                        phi_1072_ = false;
-                                    } else {
-                                        phi_1072_ = true;
-                                    }
-                                    let _e812 = phi_1072_;
-                                    phi_1073_ = _e812;
-                                } else {
-                                    phi_1073_ = true;
-                                }
-                                let _e814 = phi_1073_;
-                                if _e814 {
-                                    phi_1080_ = (((_e803 & 1u) != 0u) != _e254);
-                                } else {
-                                    phi_1080_ = true;
-                                }
-                                let _e819 = phi_1080_;
-                                phi_1081_ = _e819;
-                            }
-                            let _e821 = phi_1081_;
-                            if _e684.all_remove {
-                                if (((_e803 & 1u) != 0u) == _e254) {
-                                    if ((_e803 & 2u) != 0u) {
-                                        phi_1099_ = (((_e803 & 4u) != 0u) == _e254);
-                                    } else {
-                                        phi_1099_ = true;
-                                    }
-                                    let _e831 = phi_1099_;
-                                    phi_1100_ = _e831;
-                                } else {
-                                    phi_1100_ = false;
-                                }
-                                let _e833 = phi_1100_;
-                                phi_1101_ = _e833;
-                            } else {
-                                phi_1101_ = false;
-                            }
-                            let _e835 = phi_1101_;
-                            phi_898_ = (_e682 + 1u);
-                            phi_901_ = lt_mask_Neighbourhood(_e821, _e835);
+                            let _e664 = last_bits.member[(0u + _e660)];
+                            phi_882_ = _e664;
                         } else {
-                            phi_898_ = u32();
-                            phi_901_ = lt_mask_Neighbourhood();
+                            phi_882_ = 0u;
                         }
-                        let _e839 = phi_898_;
-                        let _e841 = phi_901_;
-                        continue;
-                        continuing {
-                            phi_897_ = _e839;
-                            phi_900_ = _e841;
-                            break if !(_e696);
+                        let _e666 = phi_882_;
+                        if (_e658 < _e61) {
+                        } else {
+                            return;
                         }
+                        let _e670 = last_bits.member[(0u + _e658)];
+                        let _e673 = (_e670 >> bitcast<u32>((_e82 & 31u)));
+                        if (_e82 > 29u) {
+                            phi_901_ = (_e673 | (_e666 << bitcast<u32>(((32u - _e82) & 31u))));
+                        } else {
+                            phi_901_ = _e673;
+                        }
+                        let _e681 = phi_901_;
+                        if ((_e681 & 2u) == 0u) {
+                            phi_909_ = (_e681 & 1u);
+                        } else {
+                            phi_909_ = (_e681 & 7u);
+                        }
+                        let _e687 = phi_909_;
+                        phi_910_ = _e687;
+                        phi_911_ = false;
+                    } else {
+                        phi_910_ = u32();
+                        phi_911_ = true;
                     }
-                    let _e1076 = local_1;
-                    phi_1104_ = _e1076;
+                    let _e689 = phi_910_;
+                    let _e691 = phi_911_;
+                    phi_912_ = _e689;
+                    phi_913_ = false;
+                    phi_914_ = _e691;
                 } else {
-                    phi_1104_ = _e671;
+                    phi_912_ = u32();
+                    phi_913_ = true;
+                    phi_914_ = false;
                 }
-                let _e844 = phi_1104_;
-                phi_1105_ = _e844;
-            } else {
-                phi_1105_ = _e671;
+                let _e693 = phi_912_;
+                let _e695 = phi_913_;
+                let _e697 = phi_914_;
+                phi_915_ = _e693;
+                phi_916_ = _e695;
+                phi_917_ = _e697;
             }
-            let _e846 = phi_1105_;
-            let _e849 = p.member.frame;
-            let _e851 = p.member.refresh;
-            if (_e851 == 0u) {
-                phi_1138_ = false;
+            let _e699 = phi_915_;
+            let _e701 = phi_916_;
+            let _e703 = phi_917_;
+            if _e701 {
+                phi_921_ = true;
             } else {
-                if (_e851 == 0u) {
+                phi_921_ = _e703;
+            }
+            let _e705 = phi_921_;
+            if _e705 {
+                phi_925_ = 0u;
+            } else {
+                phi_925_ = _e699;
+            }
+            let _e707 = phi_925_;
+            let _e708 = lt_mask_Neighbourhood(false, true);
+            if _e258 {
+                phi_930_ = _e648;
+            } else {
+                phi_930_ = true;
+            }
+            let _e710 = phi_930_;
+            if _e710 {
+                if _e638 {
+                    if ((_e707 & 2u) != 0u) {
+                        phi_1223_ = _e708;
+                    } else {
+                        let _e714 = p.member.expansion;
+                        if _e644.has_moved {
+                            let _e717 = p.member.moving_pattern;
+                            phi_952_ = _e717;
+                        } else {
+                            let _e719 = p.member.still_pattern;
+                            phi_952_ = _e719;
+                        }
+                        let _e721 = phi_952_;
+                        phi_954_ = 0u;
+                        phi_957_ = _e708;
+                        loop {
+                            let _e723 = phi_954_;
+                            let _e725 = phi_957_;
+                            local_1 = _e725;
+                            if (1u <= _e721) {
+                                if (_e721 <= 4u) {
+                                    phi_969_ = false;
+                                } else {
+                                    phi_969_ = true;
+                                }
+                                let _e729 = phi_969_;
+                                phi_970_ = _e729;
+                            } else {
+                                phi_970_ = true;
+                            }
+                            let _e731 = phi_970_;
+                            if _e731 {
+                                switch bitcast<i32>(_e721) {
+                                    case 5: {
+                                        phi_979_ = 4u;
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_979_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_979_ = 13u;
+                                        break;
+                                    }
+                                    default: {
+                                        phi_979_ = 9u;
+                                        break;
+                                    }
+                                }
+                                let _e734 = phi_979_;
+                                phi_980_ = _e734;
+                            } else {
+                                phi_980_ = 5u;
+                            }
+                            let _e736 = phi_980_;
+                            let _e737 = (_e723 < _e736);
+                            if _e737 {
+                                let _e743 = p.member.frame;
+                                let _e747 = p.member.current.size[0u];
+                                let _e749 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e721) {
+                                    case 1: {
+                                        let _e759 = lt_mask_pattern_plus(_e723);
+                                        phi_1060_ = vec2<i32>(_e759.x, _e759.y);
+                                        break;
+                                    }
+                                    case 2: {
+                                        let _e763 = lt_mask_pattern_cross(_e723);
+                                        phi_1060_ = vec2<i32>(_e763.x, _e763.y);
+                                        break;
+                                    }
+                                    case 3: {
+                                        let _e769 = lt_mask_pattern_plus_or_cross(_e723, ((_e644.pixel.x + _e644.pixel.y) & 1u));
+                                        phi_1060_ = vec2<i32>(_e769.x, _e769.y);
+                                        break;
+                                    }
+                                    case 4: {
+                                        let _e774 = lt_mask_pattern_plus_or_cross(_e723, (_e743 & 1u));
+                                        phi_1060_ = vec2<i32>(_e774.x, _e774.y);
+                                        break;
+                                    }
+                                    case 5: {
+                                        switch bitcast<i32>((_e743 & 3u)) {
+                                            case 0: {
+                                                phi_1040_ = vec2(-1i);
+                                                break;
+                                            }
+                                            case 1: {
+                                                phi_1040_ = vec2(0i);
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1040_ = vec2<i32>(0i, -1i);
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1040_ = vec2<i32>(-1i, 0i);
+                                                break;
+                                            }
+                                        }
+                                        let _e785 = phi_1040_;
+                                        phi_1060_ = (_e785 + vec2<i32>(bitcast<i32>((_e723 & 1u)), bitcast<i32>(((_e723 >> bitcast<u32>(1i)) & 1u))));
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1060_ = vec2<i32>((bitcast<i32>((_e723 % 5u)) - 2i), (bitcast<i32>(((_e723 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e802 = lt_mask_pattern_diamond(_e723);
+                                        phi_1060_ = vec2<i32>(_e802.x, _e802.y);
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1060_ = vec2<i32>((bitcast<i32>((_e723 % 3u)) - 1i), (bitcast<i32>(((_e723 / 3u) % 3u)) - 1i));
+                                        break;
+                                    }
+                                }
+                                let _e807 = phi_1060_;
+                                let _e810 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e807.x, _e747);
+                                let _e811 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e807.y, _e749);
+                                let _e815 = ((((_e811 * _e88) + _e810) * _e84) + _e81);
+                                if (_e82 > 29u) {
+                                    let _e817 = (_e815 + 1u);
+                                    if (_e817 < _e61) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e821 = last_bits.member[(0u + _e817)];
+                                    phi_1085_ = _e821;
+                                } else {
+                                    phi_1085_ = 0u;
+                                }
+                                let _e823 = phi_1085_;
+                                if (_e815 < _e61) {
+                                } else {
+                                    return;
+                                }
+                                let _e827 = last_bits.member[(0u + _e815)];
+                                let _e830 = (_e827 >> bitcast<u32>((_e82 & 31u)));
+                                if (_e82 > 29u) {
+                                    phi_1104_ = (_e830 | (_e823 << bitcast<u32>(((32u - _e82) & 31u))));
+                                } else {
+                                    phi_1104_ = _e830;
+                                }
+                                let _e838 = phi_1104_;
+                                if ((_e838 & 2u) == 0u) {
+                                    phi_1112_ = (_e838 & 1u);
+                                } else {
+                                    phi_1112_ = (_e838 & 7u);
+                                }
+                                let _e844 = phi_1112_;
+                                if _e725.any_expands {
+                                    phi_1200_ = true;
+                                } else {
+                                    if ((_e844 & 2u) != 0u) {
+                                        let _e851 = (((_e844 & 4u) != 0u) != _e254);
+                                        switch bitcast<i32>(_e714) {
+                                            case 1: {
+                                                phi_1140_ = bool();
+                                                phi_1141_ = false;
+                                                phi_1142_ = true;
+                                                phi_1143_ = false;
+                                                phi_1144_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e851 {
+                                                    phi_1138_ = (((_e844 & 4u) != 0u) != ((_e844 & 1u) != 0u));
+                                                    phi_1139_ = false;
+                                                } else {
+                                                    phi_1138_ = bool();
+                                                    phi_1139_ = true;
+                                                }
+                                                let _e859 = phi_1138_;
+                                                let _e861 = phi_1139_;
+                                                phi_1140_ = _e859;
+                                                phi_1141_ = false;
+                                                phi_1142_ = false;
+                                                phi_1143_ = _e861;
+                                                phi_1144_ = _e851;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1140_ = bool();
+                                                phi_1141_ = true;
+                                                phi_1142_ = false;
+                                                phi_1143_ = false;
+                                                phi_1144_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e863 = phi_1140_;
+                                        let _e865 = phi_1141_;
+                                        let _e867 = phi_1142_;
+                                        let _e869 = phi_1143_;
+                                        let _e871 = phi_1144_;
+                                        phi_1152_ = _e851;
+                                        phi_1153_ = _e863;
+                                        phi_1154_ = _e865;
+                                        phi_1155_ = _e867;
+                                        phi_1156_ = _e869;
+                                        phi_1157_ = _e871;
+                                    } else {
+                                        switch bitcast<i32>(_e714) {
+                                            case 1: {
+                                                phi_1149_ = false;
+                                                phi_1150_ = true;
+                                                phi_1151_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1149_ = false;
+                                                phi_1150_ = false;
+                                                phi_1151_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1149_ = true;
+                                                phi_1150_ = false;
+                                                phi_1151_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e874 = phi_1149_;
+                                        let _e876 = phi_1150_;
+                                        let _e878 = phi_1151_;
+                                        phi_1152_ = false;
+                                        phi_1153_ = bool();
+                                        phi_1154_ = _e874;
+                                        phi_1155_ = _e876;
+                                        phi_1156_ = _e878;
+                                        phi_1157_ = false;
+                                    }
+                                    let _e880 = phi_1152_;
+                                    let _e882 = phi_1153_;
+                                    let _e884 = phi_1154_;
+                                    let _e886 = phi_1155_;
+                                    let _e888 = phi_1156_;
+                                    let _e890 = phi_1157_;
+                                    if _e884 {
+                                        if ((_e844 & 2u) != 0u) {
+                                            if (((_e844 & 4u) != 0u) != _e254) {
+                                                phi_1172_ = false;
+                                            } else {
+                                                phi_1172_ = true;
+                                            }
+                                            let _e897 = phi_1172_;
+                                            phi_1173_ = _e897;
+                                        } else {
+                                            phi_1173_ = true;
+                                        }
+                                        let _e899 = phi_1173_;
+                                        if _e899 {
+                                            phi_1180_ = (((_e844 & 1u) != 0u) != _e254);
+                                        } else {
+                                            phi_1180_ = true;
+                                        }
+                                        let _e904 = phi_1180_;
+                                        phi_1181_ = _e904;
+                                        phi_1182_ = false;
+                                        phi_1183_ = false;
+                                        phi_1184_ = false;
+                                    } else {
+                                        phi_1181_ = bool();
+                                        phi_1182_ = _e886;
+                                        phi_1183_ = _e888;
+                                        phi_1184_ = _e890;
+                                    }
+                                    let _e906 = phi_1181_;
+                                    let _e908 = phi_1182_;
+                                    let _e910 = phi_1183_;
+                                    let _e912 = phi_1184_;
+                                    if _e908 {
+                                        phi_1188_ = _e880;
+                                        phi_1189_ = false;
+                                        phi_1190_ = false;
+                                    } else {
+                                        phi_1188_ = _e906;
+                                        phi_1189_ = _e910;
+                                        phi_1190_ = _e912;
+                                    }
+                                    let _e914 = phi_1188_;
+                                    let _e916 = phi_1189_;
+                                    let _e918 = phi_1190_;
+                                    if _e916 {
+                                        phi_1194_ = false;
+                                        phi_1195_ = true;
+                                    } else {
+                                        phi_1194_ = _e882;
+                                        phi_1195_ = _e918;
+                                    }
+                                    let _e920 = phi_1194_;
+                                    let _e922 = phi_1195_;
+                                    if _e922 {
+                                        phi_1199_ = _e920;
+                                    } else {
+                                        phi_1199_ = _e914;
+                                    }
+                                    let _e924 = phi_1199_;
+                                    phi_1200_ = _e924;
+                                }
+                                let _e926 = phi_1200_;
+                                if _e725.all_remove {
+                                    if (((_e844 & 1u) != 0u) == _e254) {
+                                        if ((_e844 & 2u) != 0u) {
+                                            phi_1218_ = (((_e844 & 4u) != 0u) == _e254);
+                                        } else {
+                                            phi_1218_ = true;
+                                        }
+                                        let _e936 = phi_1218_;
+                                        phi_1219_ = _e936;
+                                    } else {
+                                        phi_1219_ = false;
+                                    }
+                                    let _e938 = phi_1219_;
+                                    phi_1220_ = _e938;
+                                } else {
+                                    phi_1220_ = false;
+                                }
+                                let _e940 = phi_1220_;
+                                phi_955_ = (_e723 + 1u);
+                                phi_958_ = lt_mask_Neighbourhood(_e926, _e940);
+                            } else {
+                                phi_955_ = u32();
+                                phi_958_ = lt_mask_Neighbourhood();
+                            }
+                            let _e944 = phi_955_;
+                            let _e946 = phi_958_;
+                            continue;
+                            continuing {
+                                phi_954_ = _e944;
+                                phi_957_ = _e946;
+                                break if !(_e737);
+                            }
+                        }
+                        let _e1248 = local_1;
+                        phi_1223_ = _e1248;
+                    }
+                    let _e949 = phi_1223_;
+                    phi_1224_ = _e949;
+                } else {
+                    phi_1224_ = _e708;
+                }
+                let _e951 = phi_1224_;
+                phi_1225_ = _e951;
+            } else {
+                phi_1225_ = _e708;
+            }
+            let _e953 = phi_1225_;
+            let _e956 = p.member.frame;
+            let _e958 = p.member.refresh;
+            if (_e958 == 0u) {
+                phi_1258_ = false;
+            } else {
+                if (_e958 == 0u) {
                     return;
                 }
-                let _e860 = ((_e55.x + (_e55.y * (((_e851 * 5u) / 8u) | 1u))) + (_e849 % _e851));
-                if (_e851 == 0u) {
-                    phi_1137_ = (_e860 == 0u);
+                let _e967 = ((_e55.x + (_e55.y * (((_e958 * 5u) / 8u) | 1u))) + (_e956 % _e958));
+                if (_e958 == 0u) {
+                    phi_1257_ = (_e967 == 0u);
                 } else {
-                    if (_e851 == 0u) {
+                    if (_e958 == 0u) {
                         return;
                     }
-                    phi_1137_ = ((_e860 % _e851) == 0u);
+                    phi_1257_ = ((_e967 % _e958) == 0u);
                 }
-                let _e867 = phi_1137_;
-                phi_1138_ = _e867;
+                let _e974 = phi_1257_;
+                phi_1258_ = _e974;
             }
-            let _e869 = phi_1138_;
-            if (_e96 != 0.5f) {
-                if _e638 {
-                    if _e869 {
-                        phi_1193_ = 6u;
-                    } else {
-                        if _e258 {
-                            phi_1168_ = true;
+            let _e976 = phi_1258_;
+            if _e638 {
+                if _e976 {
+                    phi_1280_ = bool();
+                } else {
+                    phi_1280_ = ((_e707 & 2u) != 0u);
+                }
+                let _e982 = phi_1280_;
+                phi_1281_ = _e982;
+                phi_1282_ = _e976;
+            } else {
+                phi_1281_ = bool();
+                phi_1282_ = true;
+            }
+            let _e984 = phi_1281_;
+            let _e986 = phi_1282_;
+            if _e986 {
+                phi_1286_ = false;
+            } else {
+                phi_1286_ = _e984;
+            }
+            let _e988 = phi_1286_;
+            if _e988 {
+                phi_1337_ = 7u;
+            } else {
+                if (_e96 != 0.5f) {
+                    if _e638 {
+                        if _e976 {
+                            phi_1334_ = 6u;
                         } else {
-                            if _e846.any_expands {
-                                phi_1167_ = false;
-                            } else {
-                                phi_1167_ = true;
-                            }
-                            let _e873 = phi_1167_;
-                            phi_1168_ = _e873;
-                        }
-                        let _e875 = phi_1168_;
-                        if _e875 {
                             if _e258 {
-                                if _e670 {
-                                    if _e846.all_remove {
-                                        phi_1181_ = false;
-                                    } else {
-                                        phi_1181_ = true;
-                                    }
-                                    let _e877 = phi_1181_;
-                                    phi_1182_ = _e877;
-                                } else {
-                                    phi_1182_ = true;
-                                }
-                                let _e879 = phi_1182_;
-                                phi_1183_ = _e879;
+                                phi_1309_ = true;
                             } else {
-                                phi_1183_ = true;
+                                if _e953.any_expands {
+                                    phi_1308_ = false;
+                                } else {
+                                    phi_1308_ = true;
+                                }
+                                let _e990 = phi_1308_;
+                                phi_1309_ = _e990;
                             }
-                            let _e881 = phi_1183_;
-                            if _e881 {
+                            let _e992 = phi_1309_;
+                            if _e992 {
                                 if _e258 {
-                                    phi_1190_ = 1u;
+                                    if _e648 {
+                                        if _e953.all_remove {
+                                            phi_1322_ = false;
+                                        } else {
+                                            phi_1322_ = true;
+                                        }
+                                        let _e994 = phi_1322_;
+                                        phi_1323_ = _e994;
+                                    } else {
+                                        phi_1323_ = true;
+                                    }
+                                    let _e996 = phi_1323_;
+                                    phi_1324_ = _e996;
                                 } else {
-                                    phi_1190_ = 0u;
+                                    phi_1324_ = true;
                                 }
-                                let _e883 = phi_1190_;
-                                phi_1191_ = _e883;
+                                let _e998 = phi_1324_;
+                                if _e998 {
+                                    if _e258 {
+                                        phi_1331_ = 1u;
+                                    } else {
+                                        phi_1331_ = 0u;
+                                    }
+                                    let _e1000 = phi_1331_;
+                                    phi_1332_ = _e1000;
+                                } else {
+                                    phi_1332_ = 5u;
+                                }
+                                let _e1002 = phi_1332_;
+                                phi_1333_ = _e1002;
                             } else {
-                                phi_1191_ = 5u;
+                                phi_1333_ = 4u;
                             }
-                            let _e885 = phi_1191_;
-                            phi_1192_ = _e885;
-                        } else {
-                            phi_1192_ = 4u;
+                            let _e1004 = phi_1333_;
+                            phi_1334_ = _e1004;
                         }
-                        let _e887 = phi_1192_;
-                        phi_1193_ = _e887;
+                        let _e1006 = phi_1334_;
+                        phi_1335_ = _e1006;
+                    } else {
+                        phi_1335_ = 3u;
                     }
-                    let _e889 = phi_1193_;
-                    phi_1194_ = _e889;
+                    let _e1008 = phi_1335_;
+                    phi_1336_ = _e1008;
                 } else {
-                    phi_1194_ = 3u;
+                    phi_1336_ = 2u;
                 }
-                let _e891 = phi_1194_;
-                phi_1195_ = _e891;
-            } else {
-                phi_1195_ = 2u;
+                let _e1010 = phi_1336_;
+                phi_1337_ = _e1010;
             }
-            let _e893 = phi_1195_;
-            if !((_e893 == 0u)) {
-                phi_1203_ = !((_e893 == 5u));
+            let _e1012 = phi_1337_;
+            if !((_e1012 == 0u)) {
+                if !((_e1012 == 5u)) {
+                    phi_1349_ = !(_e988);
+                    phi_1350_ = false;
+                } else {
+                    phi_1349_ = bool();
+                    phi_1350_ = true;
+                }
+                let _e1019 = phi_1349_;
+                let _e1021 = phi_1350_;
+                phi_1351_ = _e1019;
+                phi_1352_ = _e1021;
             } else {
-                phi_1203_ = false;
+                phi_1351_ = bool();
+                phi_1352_ = true;
             }
-            let _e899 = phi_1203_;
-            if _e899 {
+            let _e1023 = phi_1351_;
+            let _e1025 = phi_1352_;
+            if _e1025 {
+                phi_1356_ = false;
+            } else {
+                phi_1356_ = _e1023;
+            }
+            let _e1027 = phi_1356_;
+            if _e988 {
+                phi_1362_ = ((_e707 & 4u) != 0u);
+            } else {
+                phi_1362_ = _e254;
+            }
+            let _e1031 = phi_1362_;
+            if _e1027 {
                 if _e254 {
-                    phi_1211_ = (2u | 1u);
+                    phi_1370_ = (2u | 1u);
                 } else {
-                    phi_1211_ = 2u;
+                    phi_1370_ = 2u;
                 }
-                let _e902 = phi_1211_;
+                let _e1034 = phi_1370_;
                 if false {
-                    phi_1216_ = (_e902 | 4u);
+                    phi_1375_ = (_e1034 | 4u);
                 } else {
-                    phi_1216_ = _e902;
+                    phi_1375_ = _e1034;
                 }
-                let _e905 = phi_1216_;
-                phi_1221_ = _e905;
+                let _e1037 = phi_1375_;
+                phi_1395_ = _e1037;
             } else {
-                if _e254 {
-                    phi_1220_ = 1u;
+                if (_e1012 == 7u) {
+                    if _e254 {
+                        phi_1384_ = (2u | 1u);
+                    } else {
+                        phi_1384_ = 2u;
+                    }
+                    let _e1041 = phi_1384_;
+                    if _e1031 {
+                        phi_1389_ = (_e1041 | 4u);
+                    } else {
+                        phi_1389_ = _e1041;
+                    }
+                    let _e1044 = phi_1389_;
+                    phi_1394_ = _e1044;
                 } else {
-                    phi_1220_ = 0u;
+                    if _e254 {
+                        phi_1393_ = 1u;
+                    } else {
+                        phi_1393_ = 0u;
+                    }
+                    let _e1046 = phi_1393_;
+                    phi_1394_ = _e1046;
                 }
-                let _e907 = phi_1220_;
-                phi_1221_ = _e907;
+                let _e1048 = phi_1394_;
+                phi_1395_ = _e1048;
             }
-            let _e909 = phi_1221_;
-            if _e254 {
-                phi_1225_ = 0f;
+            let _e1050 = phi_1395_;
+            if _e1031 {
+                phi_1399_ = 0f;
             } else {
-                phi_1225_ = 1f;
+                phi_1399_ = 1f;
             }
-            let _e911 = phi_1225_;
-            phi_1227_ = mask_Masked(_e911, _e909, _e899);
+            let _e1052 = phi_1399_;
+            phi_1401_ = mask_Masked(_e1052, _e1050, _e1027);
         }
-        let _e914 = phi_1227_;
-        visibility.member[_e72.shift] = _e914.visibility;
-        let _e919 = p.member.light.number;
-        let _e920 = (_e919 * 3u);
-        let _e922 = (_e920 % 32u);
-        let _e924 = p.member.light.mask_words;
-        let _e926 = ((_e72.shift * _e924) + (_e920 / 32u));
-        let _e928 = bits.member[_e926];
-        bits.member[_e926] = ((_e928 & ~((7u << bitcast<u32>((_e922 & 31u))))) | (_e914.bits << bitcast<u32>((_e922 & 31u))));
-        if (_e922 > 29u) {
-            let _e943 = bits.member[(_e926 + 1u)];
-            let _e945 = (32u - _e922);
-            bits.member[(_e926 + 1u)] = ((_e943 & ~((7u >> bitcast<u32>((_e945 & 31u))))) | (_e914.bits >> bitcast<u32>((_e945 & 31u))));
+        let _e1055 = phi_1401_;
+        visibility.member[_e72.shift] = _e1055.visibility;
+        let _e1060 = p.member.light.number;
+        let _e1061 = (_e1060 * 3u);
+        let _e1063 = (_e1061 % 32u);
+        let _e1065 = p.member.light.mask_words;
+        let _e1067 = ((_e72.shift * _e1065) + (_e1061 / 32u));
+        let _e1069 = bits.member[_e1067];
+        bits.member[_e1067] = ((_e1069 & ~((7u << bitcast<u32>((_e1063 & 31u))))) | (_e1055.bits << bitcast<u32>((_e1063 & 31u))));
+        if (_e1063 > 29u) {
+            let _e1084 = bits.member[(_e1067 + 1u)];
+            let _e1086 = (32u - _e1063);
+            bits.member[(_e1067 + 1u)] = ((_e1084 & ~((7u >> bitcast<u32>((_e1086 & 31u))))) | (_e1055.bits >> bitcast<u32>((_e1086 & 31u))));
         }
-        phi_1277_ = _e914.needs_ray;
-        phi_1278_ = _e72.shift;
+        phi_1451_ = _e1055.needs_ray;
+        phi_1452_ = _e72.shift;
     } else {
-        phi_1277_ = false;
-        phi_1278_ = 0u;
+        phi_1451_ = false;
+        phi_1452_ = 0u;
     }
-    let _e959 = phi_1277_;
-    let _e961 = phi_1278_;
+    let _e1100 = phi_1451_;
+    let _e1102 = phi_1452_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e959 {
-        let _e965 = atomicAdd((&shared_[0u]), 1u);
-        phi_1289_ = _e965;
+    if _e1100 {
+        let _e1106 = atomicAdd((&shared_[0u]), 1u);
+        phi_1463_ = _e1106;
     } else {
-        phi_1289_ = 0u;
+        phi_1463_ = 0u;
     }
-    let _e967 = phi_1289_;
+    let _e1108 = phi_1463_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e971 = atomicLoad((&shared_[0u]));
-        let _e972 = atomicAdd((&list.member[3u]), _e971);
-        atomicStore((&shared_[1u]), _e972);
+        let _e1112 = atomicLoad((&shared_[0u]));
+        let _e1113 = atomicAdd((&list.member[3u]), _e1112);
+        atomicStore((&shared_[1u]), _e1113);
     }
     workgroupBarrier();
-    if _e959 {
-        let _e975 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e975) + _e967)]), _e961);
+    if _e1100 {
+        let _e1116 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1116) + _e1108)]), _e1102);
     }
     return;
 }

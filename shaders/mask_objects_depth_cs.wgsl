@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -353,67 +353,112 @@ fn function_() {
     var phi_908_: bool;
     var phi_912_: bool;
     var phi_913_: lt_mask_Reprojection;
-    var phi_927_: bool;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_940_: bool;
-    var phi_941_: bool;
-    var phi_942_: bool;
-    var phi_943_: bool;
-    var phi_947_: bool;
-    var phi_952_: bool;
-    var phi_967_: u32;
-    var phi_969_: u32;
-    var phi_972_: lt_mask_Neighbourhood;
-    var phi_984_: bool;
+    var phi_956_: u32;
+    var phi_975_: u32;
+    var phi_983_: u32;
+    var phi_984_: u32;
     var phi_985_: bool;
-    var phi_994_: u32;
-    var phi_995_: u32;
-    var phi_1055_: vec2<i32>;
-    var phi_1075_: vec2<i32>;
-    var phi_1102_: u32;
-    var phi_1121_: u32;
-    var phi_1129_: u32;
-    var phi_1146_: bool;
-    var phi_1147_: bool;
-    var phi_1154_: bool;
-    var phi_1155_: bool;
-    var phi_1173_: bool;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_970_: u32;
-    var phi_973_: lt_mask_Neighbourhood;
-    var phi_1178_: lt_mask_Neighbourhood;
-    var phi_1179_: lt_mask_Neighbourhood;
-    var phi_1211_: bool;
-    var phi_1212_: bool;
-    var phi_1241_: bool;
-    var phi_1242_: bool;
-    var phi_1255_: bool;
+    var phi_986_: u32;
+    var phi_987_: bool;
+    var phi_988_: bool;
+    var phi_989_: u32;
+    var phi_990_: bool;
+    var phi_991_: bool;
+    var phi_995_: bool;
+    var phi_999_: u32;
+    var phi_1004_: bool;
+    var phi_1026_: u32;
+    var phi_1028_: u32;
+    var phi_1031_: lt_mask_Neighbourhood;
+    var phi_1043_: bool;
+    var phi_1044_: bool;
+    var phi_1053_: u32;
+    var phi_1054_: u32;
+    var phi_1114_: vec2<i32>;
+    var phi_1134_: vec2<i32>;
+    var phi_1161_: u32;
+    var phi_1180_: u32;
+    var phi_1188_: u32;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1217_: bool;
+    var phi_1218_: bool;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
+    var phi_1225_: bool;
+    var phi_1226_: bool;
+    var phi_1227_: bool;
+    var phi_1228_: bool;
+    var phi_1229_: bool;
+    var phi_1230_: bool;
+    var phi_1231_: bool;
+    var phi_1232_: bool;
+    var phi_1233_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
     var phi_1256_: bool;
     var phi_1257_: bool;
-    var phi_1264_: u32;
-    var phi_1265_: u32;
-    var phi_1266_: u32;
-    var phi_1267_: u32;
-    var phi_1268_: u32;
-    var phi_1269_: u32;
-    var phi_1277_: bool;
-    var phi_1285_: u32;
-    var phi_1290_: u32;
-    var phi_1294_: u32;
-    var phi_1295_: u32;
-    var phi_1299_: f32;
-    var phi_1301_: mask_Masked;
-    var phi_1373_: bool;
-    var phi_1374_: bool;
-    var phi_1375_: bool;
-    var phi_1376_: bool;
-    var phi_1380_: bool;
-    var phi_1408_: f32;
-    var phi_1411_: bool;
+    var phi_1258_: bool;
+    var phi_1259_: bool;
+    var phi_1260_: bool;
+    var phi_1264_: bool;
+    var phi_1265_: bool;
+    var phi_1266_: bool;
+    var phi_1270_: bool;
+    var phi_1271_: bool;
+    var phi_1275_: bool;
+    var phi_1276_: bool;
+    var phi_1294_: bool;
+    var phi_1295_: bool;
+    var phi_1296_: bool;
+    var phi_1029_: u32;
+    var phi_1032_: lt_mask_Neighbourhood;
+    var phi_1299_: lt_mask_Neighbourhood;
+    var phi_1300_: lt_mask_Neighbourhood;
+    var phi_1301_: lt_mask_Neighbourhood;
+    var phi_1333_: bool;
+    var phi_1334_: bool;
+    var phi_1356_: bool;
+    var phi_1357_: bool;
+    var phi_1358_: bool;
+    var phi_1362_: bool;
+    var phi_1384_: bool;
+    var phi_1385_: bool;
+    var phi_1398_: bool;
+    var phi_1399_: bool;
+    var phi_1400_: bool;
+    var phi_1407_: u32;
+    var phi_1408_: u32;
+    var phi_1409_: u32;
+    var phi_1410_: u32;
+    var phi_1411_: u32;
     var phi_1412_: u32;
-    var phi_1423_: u32;
+    var phi_1413_: u32;
+    var phi_1425_: bool;
+    var phi_1426_: bool;
+    var phi_1427_: bool;
+    var phi_1428_: bool;
+    var phi_1432_: bool;
+    var phi_1438_: bool;
+    var phi_1446_: u32;
+    var phi_1451_: u32;
+    var phi_1460_: u32;
+    var phi_1465_: u32;
+    var phi_1469_: u32;
+    var phi_1470_: u32;
+    var phi_1471_: u32;
+    var phi_1475_: f32;
+    var phi_1477_: mask_Masked;
+    var phi_1549_: bool;
+    var phi_1550_: bool;
+    var phi_1551_: bool;
+    var phi_1552_: bool;
+    var phi_1556_: bool;
+    var phi_1584_: f32;
+    var phi_1587_: bool;
+    var phi_1588_: u32;
+    var phi_1599_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e60 = id_1;
@@ -524,7 +569,7 @@ fn function_() {
         }
         let _e273 = phi_476_;
         if _e273.unnamed_1 {
-            phi_1301_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
+            phi_1477_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
         } else {
             let _e278 = (_e120 < 0.5f);
             if (_e120 > 0f) {
@@ -819,479 +864,720 @@ fn function_() {
             let _e712 = phi_913_;
             let _e716 = lt_mask_Reprojection(_e712.pixel, _e710, _e712.has_moved);
             let _e718 = p.member.flags;
-            if _e716.has_moved {
-                let _e723 = p.member.flags;
-                phi_927_ = ((_e723 & 4u) == 0u);
+            let _e720 = ((_e718 & 2u) != 0u);
+            let _e722 = p.member.flags;
+            if ((_e722 & 4u) == 0u) {
+                phi_989_ = u32();
+                phi_990_ = true;
+                phi_991_ = false;
             } else {
-                phi_927_ = false;
-            }
-            let _e727 = phi_927_;
-            if ((_e718 & 2u) != 0u) {
-                if false {
-                    phi_940_ = bool();
-                    phi_941_ = true;
-                } else {
-                    if true {
-                        phi_938_ = !(_e727);
-                        phi_939_ = false;
-                    } else {
-                        phi_938_ = bool();
-                        phi_939_ = true;
-                    }
-                    let _e730 = phi_938_;
-                    let _e732 = phi_939_;
-                    phi_940_ = _e730;
-                    phi_941_ = _e732;
-                }
-                let _e734 = phi_940_;
-                let _e736 = phi_941_;
-                phi_942_ = _e734;
-                phi_943_ = _e736;
-            } else {
-                phi_942_ = bool();
-                phi_943_ = true;
-            }
-            let _e738 = phi_942_;
-            let _e740 = phi_943_;
-            if _e740 {
-                phi_947_ = false;
-            } else {
-                phi_947_ = _e738;
-            }
-            let _e742 = phi_947_;
-            let _e743 = lt_mask_Neighbourhood(false, true);
-            if _e282 {
-                phi_952_ = _e742;
-            } else {
-                phi_952_ = true;
-            }
-            let _e745 = phi_952_;
-            if _e745 {
                 if _e710 {
-                    if _e716.has_moved {
-                        let _e748 = p.member.moving_pattern;
-                        phi_967_ = _e748;
-                    } else {
-                        let _e750 = p.member.still_pattern;
-                        phi_967_ = _e750;
-                    }
-                    let _e752 = phi_967_;
-                    phi_969_ = 0u;
-                    phi_972_ = _e743;
-                    loop {
-                        let _e754 = phi_969_;
-                        let _e756 = phi_972_;
-                        local_1 = _e756;
-                        if (1u <= _e752) {
-                            if (_e752 <= 4u) {
-                                phi_984_ = false;
-                            } else {
-                                phi_984_ = true;
-                            }
-                            let _e760 = phi_984_;
-                            phi_985_ = _e760;
-                        } else {
-                            phi_985_ = true;
-                        }
-                        let _e762 = phi_985_;
-                        if _e762 {
-                            switch bitcast<i32>(_e752) {
-                                case 5: {
-                                    phi_994_ = 4u;
-                                    break;
-                                }
-                                case 6: {
-                                    phi_994_ = 25u;
-                                    break;
-                                }
-                                case 7: {
-                                    phi_994_ = 13u;
-                                    break;
-                                }
-                                default: {
-                                    phi_994_ = 9u;
-                                    break;
-                                }
-                            }
-                            let _e765 = phi_994_;
-                            phi_995_ = _e765;
-                        } else {
-                            phi_995_ = 5u;
-                        }
-                        let _e767 = phi_995_;
-                        let _e768 = (_e754 < _e767);
-                        if _e768 {
-                            let _e774 = p.member.frame;
-                            let _e778 = p.member.current.size[0u];
-                            let _e780 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e752) {
-                                case 1: {
-                                    let _e790 = lt_mask_pattern_plus(_e754);
-                                    phi_1075_ = vec2<i32>(_e790.x, _e790.y);
-                                    break;
-                                }
-                                case 2: {
-                                    let _e794 = lt_mask_pattern_cross(_e754);
-                                    phi_1075_ = vec2<i32>(_e794.x, _e794.y);
-                                    break;
-                                }
-                                case 3: {
-                                    let _e800 = lt_mask_pattern_plus_or_cross(_e754, ((_e716.pixel.x + _e716.pixel.y) & 1u));
-                                    phi_1075_ = vec2<i32>(_e800.x, _e800.y);
-                                    break;
-                                }
-                                case 4: {
-                                    let _e805 = lt_mask_pattern_plus_or_cross(_e754, (_e774 & 1u));
-                                    phi_1075_ = vec2<i32>(_e805.x, _e805.y);
-                                    break;
-                                }
-                                case 5: {
-                                    switch bitcast<i32>((_e774 & 3u)) {
-                                        case 0: {
-                                            phi_1055_ = vec2(-1i);
-                                            break;
-                                        }
-                                        case 1: {
-                                            phi_1055_ = vec2(0i);
-                                            break;
-                                        }
-                                        case 2: {
-                                            phi_1055_ = vec2<i32>(0i, -1i);
-                                            break;
-                                        }
-                                        default: {
-                                            phi_1055_ = vec2<i32>(-1i, 0i);
-                                            break;
-                                        }
-                                    }
-                                    let _e816 = phi_1055_;
-                                    phi_1075_ = (_e816 + vec2<i32>(bitcast<i32>((_e754 & 1u)), bitcast<i32>(((_e754 >> bitcast<u32>(1i)) & 1u))));
-                                    break;
-                                }
-                                case 6: {
-                                    phi_1075_ = vec2<i32>((bitcast<i32>((_e754 % 5u)) - 2i), (bitcast<i32>(((_e754 / 5u) % 5u)) - 2i));
-                                    break;
-                                }
-                                case 7: {
-                                    let _e833 = lt_mask_pattern_diamond(_e754);
-                                    phi_1075_ = vec2<i32>(_e833.x, _e833.y);
-                                    break;
-                                }
-                                default: {
-                                    phi_1075_ = vec2<i32>((bitcast<i32>((_e754 % 3u)) - 1i), (bitcast<i32>(((_e754 / 3u) % 3u)) - 1i));
-                                    break;
-                                }
-                            }
-                            let _e838 = phi_1075_;
-                            let _e841 = lt_mask_pattern_step_clamped(_e716.pixel.x, _e838.x, _e778);
-                            let _e842 = lt_mask_pattern_step_clamped(_e716.pixel.y, _e838.y, _e780);
-                            let _e849 = ((((_e842 * _e112) + _e841) * _e108.words) + _e108.light.word);
-                            if (_e108.light.shift > 29u) {
-                                let _e853 = (_e849 + 1u);
-                                if (_e853 < _e66) {
-                                } else {
-                                    return;
-                                }
-                                let _e857 = last_bits.member[(0u + _e853)];
-                                phi_1102_ = _e857;
-                            } else {
-                                phi_1102_ = 0u;
-                            }
-                            let _e859 = phi_1102_;
-                            if (_e849 < _e66) {
+                    if !(_e716.has_moved) {
+                        let _e733 = ((((_e60.y * _e112) + _e60.x) * _e108.words) + _e108.light.word);
+                        if (_e108.light.shift > 29u) {
+                            let _e737 = (_e733 + 1u);
+                            if (_e737 < _e66) {
                             } else {
                                 return;
                             }
-                            let _e865 = last_bits.member[(0u + _e849)];
-                            let _e868 = (_e865 >> bitcast<u32>((_e108.light.shift & 31u)));
-                            if (_e108.light.shift > 29u) {
-                                phi_1121_ = (_e868 | (_e859 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
-                            } else {
-                                phi_1121_ = _e868;
-                            }
-                            let _e876 = phi_1121_;
-                            if ((_e876 & 2u) == 0u) {
-                                phi_1129_ = (_e876 & 1u);
-                            } else {
-                                phi_1129_ = (_e876 & 7u);
-                            }
-                            let _e882 = phi_1129_;
-                            if _e756.any_expands {
-                                phi_1155_ = true;
-                            } else {
-                                if ((_e882 & 2u) != 0u) {
-                                    if (((_e882 & 4u) != 0u) != _e278) {
-                                        phi_1146_ = false;
-                                    } else {
-                                        phi_1146_ = true;
-                                    }
-                                    let _e891 = phi_1146_;
-                                    phi_1147_ = _e891;
-                                } else {
-                                    phi_1147_ = true;
-                                }
-                                let _e893 = phi_1147_;
-                                if _e893 {
-                                    phi_1154_ = (((_e882 & 1u) != 0u) != _e278);
-                                } else {
-                                    phi_1154_ = true;
-                                }
-                                let _e898 = phi_1154_;
-                                phi_1155_ = _e898;
-                            }
-                            let _e900 = phi_1155_;
-                            if _e756.all_remove {
-                                if (((_e882 & 1u) != 0u) == _e278) {
-                                    if ((_e882 & 2u) != 0u) {
-                                        phi_1173_ = (((_e882 & 4u) != 0u) == _e278);
-                                    } else {
-                                        phi_1173_ = true;
-                                    }
-                                    let _e910 = phi_1173_;
-                                    phi_1174_ = _e910;
-                                } else {
-                                    phi_1174_ = false;
-                                }
-                                let _e912 = phi_1174_;
-                                phi_1175_ = _e912;
-                            } else {
-                                phi_1175_ = false;
-                            }
-                            let _e914 = phi_1175_;
-                            phi_970_ = (_e754 + 1u);
-                            phi_973_ = lt_mask_Neighbourhood(_e900, _e914);
+                            let _e741 = last_bits.member[(0u + _e737)];
+                            phi_956_ = _e741;
                         } else {
-                            phi_970_ = u32();
-                            phi_973_ = lt_mask_Neighbourhood();
+                            phi_956_ = 0u;
                         }
-                        let _e918 = phi_970_;
-                        let _e920 = phi_973_;
-                        continue;
-                        continuing {
-                            phi_969_ = _e918;
-                            phi_972_ = _e920;
-                            break if !(_e768);
+                        let _e743 = phi_956_;
+                        if (_e733 < _e66) {
+                        } else {
+                            return;
                         }
+                        let _e749 = last_bits.member[(0u + _e733)];
+                        let _e752 = (_e749 >> bitcast<u32>((_e108.light.shift & 31u)));
+                        if (_e108.light.shift > 29u) {
+                            phi_975_ = (_e752 | (_e743 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                        } else {
+                            phi_975_ = _e752;
+                        }
+                        let _e760 = phi_975_;
+                        if ((_e760 & 2u) == 0u) {
+                            phi_983_ = (_e760 & 1u);
+                        } else {
+                            phi_983_ = (_e760 & 7u);
+                        }
+                        let _e766 = phi_983_;
+                        phi_984_ = _e766;
+                        phi_985_ = false;
+                    } else {
+                        phi_984_ = u32();
+                        phi_985_ = true;
                     }
-                    let _e1212 = local_1;
-                    phi_1178_ = _e1212;
+                    let _e768 = phi_984_;
+                    let _e770 = phi_985_;
+                    phi_986_ = _e768;
+                    phi_987_ = false;
+                    phi_988_ = _e770;
                 } else {
-                    phi_1178_ = _e743;
+                    phi_986_ = u32();
+                    phi_987_ = true;
+                    phi_988_ = false;
                 }
-                let _e923 = phi_1178_;
-                phi_1179_ = _e923;
-            } else {
-                phi_1179_ = _e743;
+                let _e772 = phi_986_;
+                let _e774 = phi_987_;
+                let _e776 = phi_988_;
+                phi_989_ = _e772;
+                phi_990_ = _e774;
+                phi_991_ = _e776;
             }
-            let _e925 = phi_1179_;
-            let _e928 = p.member.frame;
-            let _e930 = p.member.refresh;
-            if (_e930 == 0u) {
-                phi_1212_ = false;
+            let _e778 = phi_989_;
+            let _e780 = phi_990_;
+            let _e782 = phi_991_;
+            if _e780 {
+                phi_995_ = true;
             } else {
-                if (_e930 == 0u) {
+                phi_995_ = _e782;
+            }
+            let _e784 = phi_995_;
+            if _e784 {
+                phi_999_ = 0u;
+            } else {
+                phi_999_ = _e778;
+            }
+            let _e786 = phi_999_;
+            let _e787 = lt_mask_Neighbourhood(false, true);
+            if _e282 {
+                phi_1004_ = _e720;
+            } else {
+                phi_1004_ = true;
+            }
+            let _e789 = phi_1004_;
+            if _e789 {
+                if _e710 {
+                    if ((_e786 & 2u) != 0u) {
+                        phi_1299_ = _e787;
+                    } else {
+                        let _e793 = p.member.expansion;
+                        if _e716.has_moved {
+                            let _e796 = p.member.moving_pattern;
+                            phi_1026_ = _e796;
+                        } else {
+                            let _e798 = p.member.still_pattern;
+                            phi_1026_ = _e798;
+                        }
+                        let _e800 = phi_1026_;
+                        phi_1028_ = 0u;
+                        phi_1031_ = _e787;
+                        loop {
+                            let _e802 = phi_1028_;
+                            let _e804 = phi_1031_;
+                            local_1 = _e804;
+                            if (1u <= _e800) {
+                                if (_e800 <= 4u) {
+                                    phi_1043_ = false;
+                                } else {
+                                    phi_1043_ = true;
+                                }
+                                let _e808 = phi_1043_;
+                                phi_1044_ = _e808;
+                            } else {
+                                phi_1044_ = true;
+                            }
+                            let _e810 = phi_1044_;
+                            if _e810 {
+                                switch bitcast<i32>(_e800) {
+                                    case 5: {
+                                        phi_1053_ = 4u;
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1053_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_1053_ = 13u;
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1053_ = 9u;
+                                        break;
+                                    }
+                                }
+                                let _e813 = phi_1053_;
+                                phi_1054_ = _e813;
+                            } else {
+                                phi_1054_ = 5u;
+                            }
+                            let _e815 = phi_1054_;
+                            let _e816 = (_e802 < _e815);
+                            if _e816 {
+                                let _e822 = p.member.frame;
+                                let _e826 = p.member.current.size[0u];
+                                let _e828 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e800) {
+                                    case 1: {
+                                        let _e838 = lt_mask_pattern_plus(_e802);
+                                        phi_1134_ = vec2<i32>(_e838.x, _e838.y);
+                                        break;
+                                    }
+                                    case 2: {
+                                        let _e842 = lt_mask_pattern_cross(_e802);
+                                        phi_1134_ = vec2<i32>(_e842.x, _e842.y);
+                                        break;
+                                    }
+                                    case 3: {
+                                        let _e848 = lt_mask_pattern_plus_or_cross(_e802, ((_e716.pixel.x + _e716.pixel.y) & 1u));
+                                        phi_1134_ = vec2<i32>(_e848.x, _e848.y);
+                                        break;
+                                    }
+                                    case 4: {
+                                        let _e853 = lt_mask_pattern_plus_or_cross(_e802, (_e822 & 1u));
+                                        phi_1134_ = vec2<i32>(_e853.x, _e853.y);
+                                        break;
+                                    }
+                                    case 5: {
+                                        switch bitcast<i32>((_e822 & 3u)) {
+                                            case 0: {
+                                                phi_1114_ = vec2(-1i);
+                                                break;
+                                            }
+                                            case 1: {
+                                                phi_1114_ = vec2(0i);
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1114_ = vec2<i32>(0i, -1i);
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1114_ = vec2<i32>(-1i, 0i);
+                                                break;
+                                            }
+                                        }
+                                        let _e864 = phi_1114_;
+                                        phi_1134_ = (_e864 + vec2<i32>(bitcast<i32>((_e802 & 1u)), bitcast<i32>(((_e802 >> bitcast<u32>(1i)) & 1u))));
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1134_ = vec2<i32>((bitcast<i32>((_e802 % 5u)) - 2i), (bitcast<i32>(((_e802 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e881 = lt_mask_pattern_diamond(_e802);
+                                        phi_1134_ = vec2<i32>(_e881.x, _e881.y);
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1134_ = vec2<i32>((bitcast<i32>((_e802 % 3u)) - 1i), (bitcast<i32>(((_e802 / 3u) % 3u)) - 1i));
+                                        break;
+                                    }
+                                }
+                                let _e886 = phi_1134_;
+                                let _e889 = lt_mask_pattern_step_clamped(_e716.pixel.x, _e886.x, _e826);
+                                let _e890 = lt_mask_pattern_step_clamped(_e716.pixel.y, _e886.y, _e828);
+                                let _e897 = ((((_e890 * _e112) + _e889) * _e108.words) + _e108.light.word);
+                                if (_e108.light.shift > 29u) {
+                                    let _e901 = (_e897 + 1u);
+                                    if (_e901 < _e66) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e905 = last_bits.member[(0u + _e901)];
+                                    phi_1161_ = _e905;
+                                } else {
+                                    phi_1161_ = 0u;
+                                }
+                                let _e907 = phi_1161_;
+                                if (_e897 < _e66) {
+                                } else {
+                                    return;
+                                }
+                                let _e913 = last_bits.member[(0u + _e897)];
+                                let _e916 = (_e913 >> bitcast<u32>((_e108.light.shift & 31u)));
+                                if (_e108.light.shift > 29u) {
+                                    phi_1180_ = (_e916 | (_e907 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                                } else {
+                                    phi_1180_ = _e916;
+                                }
+                                let _e924 = phi_1180_;
+                                if ((_e924 & 2u) == 0u) {
+                                    phi_1188_ = (_e924 & 1u);
+                                } else {
+                                    phi_1188_ = (_e924 & 7u);
+                                }
+                                let _e930 = phi_1188_;
+                                if _e804.any_expands {
+                                    phi_1276_ = true;
+                                } else {
+                                    if ((_e930 & 2u) != 0u) {
+                                        let _e937 = (((_e930 & 4u) != 0u) != _e278);
+                                        switch bitcast<i32>(_e793) {
+                                            case 1: {
+                                                phi_1216_ = bool();
+                                                phi_1217_ = false;
+                                                phi_1218_ = true;
+                                                phi_1219_ = false;
+                                                phi_1220_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e937 {
+                                                    phi_1214_ = (((_e930 & 4u) != 0u) != ((_e930 & 1u) != 0u));
+                                                    phi_1215_ = false;
+                                                } else {
+                                                    phi_1214_ = bool();
+                                                    phi_1215_ = true;
+                                                }
+                                                let _e945 = phi_1214_;
+                                                let _e947 = phi_1215_;
+                                                phi_1216_ = _e945;
+                                                phi_1217_ = false;
+                                                phi_1218_ = false;
+                                                phi_1219_ = _e947;
+                                                phi_1220_ = _e937;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1216_ = bool();
+                                                phi_1217_ = true;
+                                                phi_1218_ = false;
+                                                phi_1219_ = false;
+                                                phi_1220_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e949 = phi_1216_;
+                                        let _e951 = phi_1217_;
+                                        let _e953 = phi_1218_;
+                                        let _e955 = phi_1219_;
+                                        let _e957 = phi_1220_;
+                                        phi_1228_ = _e937;
+                                        phi_1229_ = _e949;
+                                        phi_1230_ = _e951;
+                                        phi_1231_ = _e953;
+                                        phi_1232_ = _e955;
+                                        phi_1233_ = _e957;
+                                    } else {
+                                        switch bitcast<i32>(_e793) {
+                                            case 1: {
+                                                phi_1225_ = false;
+                                                phi_1226_ = true;
+                                                phi_1227_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1225_ = false;
+                                                phi_1226_ = false;
+                                                phi_1227_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1225_ = true;
+                                                phi_1226_ = false;
+                                                phi_1227_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e960 = phi_1225_;
+                                        let _e962 = phi_1226_;
+                                        let _e964 = phi_1227_;
+                                        phi_1228_ = false;
+                                        phi_1229_ = bool();
+                                        phi_1230_ = _e960;
+                                        phi_1231_ = _e962;
+                                        phi_1232_ = _e964;
+                                        phi_1233_ = false;
+                                    }
+                                    let _e966 = phi_1228_;
+                                    let _e968 = phi_1229_;
+                                    let _e970 = phi_1230_;
+                                    let _e972 = phi_1231_;
+                                    let _e974 = phi_1232_;
+                                    let _e976 = phi_1233_;
+                                    if _e970 {
+                                        if ((_e930 & 2u) != 0u) {
+                                            if (((_e930 & 4u) != 0u) != _e278) {
+                                                phi_1248_ = false;
+                                            } else {
+                                                phi_1248_ = true;
+                                            }
+                                            let _e983 = phi_1248_;
+                                            phi_1249_ = _e983;
+                                        } else {
+                                            phi_1249_ = true;
+                                        }
+                                        let _e985 = phi_1249_;
+                                        if _e985 {
+                                            phi_1256_ = (((_e930 & 1u) != 0u) != _e278);
+                                        } else {
+                                            phi_1256_ = true;
+                                        }
+                                        let _e990 = phi_1256_;
+                                        phi_1257_ = _e990;
+                                        phi_1258_ = false;
+                                        phi_1259_ = false;
+                                        phi_1260_ = false;
+                                    } else {
+                                        phi_1257_ = bool();
+                                        phi_1258_ = _e972;
+                                        phi_1259_ = _e974;
+                                        phi_1260_ = _e976;
+                                    }
+                                    let _e992 = phi_1257_;
+                                    let _e994 = phi_1258_;
+                                    let _e996 = phi_1259_;
+                                    let _e998 = phi_1260_;
+                                    if _e994 {
+                                        phi_1264_ = _e966;
+                                        phi_1265_ = false;
+                                        phi_1266_ = false;
+                                    } else {
+                                        phi_1264_ = _e992;
+                                        phi_1265_ = _e996;
+                                        phi_1266_ = _e998;
+                                    }
+                                    let _e1000 = phi_1264_;
+                                    let _e1002 = phi_1265_;
+                                    let _e1004 = phi_1266_;
+                                    if _e1002 {
+                                        phi_1270_ = false;
+                                        phi_1271_ = true;
+                                    } else {
+                                        phi_1270_ = _e968;
+                                        phi_1271_ = _e1004;
+                                    }
+                                    let _e1006 = phi_1270_;
+                                    let _e1008 = phi_1271_;
+                                    if _e1008 {
+                                        phi_1275_ = _e1006;
+                                    } else {
+                                        phi_1275_ = _e1000;
+                                    }
+                                    let _e1010 = phi_1275_;
+                                    phi_1276_ = _e1010;
+                                }
+                                let _e1012 = phi_1276_;
+                                if _e804.all_remove {
+                                    if (((_e930 & 1u) != 0u) == _e278) {
+                                        if ((_e930 & 2u) != 0u) {
+                                            phi_1294_ = (((_e930 & 4u) != 0u) == _e278);
+                                        } else {
+                                            phi_1294_ = true;
+                                        }
+                                        let _e1022 = phi_1294_;
+                                        phi_1295_ = _e1022;
+                                    } else {
+                                        phi_1295_ = false;
+                                    }
+                                    let _e1024 = phi_1295_;
+                                    phi_1296_ = _e1024;
+                                } else {
+                                    phi_1296_ = false;
+                                }
+                                let _e1026 = phi_1296_;
+                                phi_1029_ = (_e802 + 1u);
+                                phi_1032_ = lt_mask_Neighbourhood(_e1012, _e1026);
+                            } else {
+                                phi_1029_ = u32();
+                                phi_1032_ = lt_mask_Neighbourhood();
+                            }
+                            let _e1030 = phi_1029_;
+                            let _e1032 = phi_1032_;
+                            continue;
+                            continuing {
+                                phi_1028_ = _e1030;
+                                phi_1031_ = _e1032;
+                                break if !(_e816);
+                            }
+                        }
+                        let _e1391 = local_1;
+                        phi_1299_ = _e1391;
+                    }
+                    let _e1035 = phi_1299_;
+                    phi_1300_ = _e1035;
+                } else {
+                    phi_1300_ = _e787;
+                }
+                let _e1037 = phi_1300_;
+                phi_1301_ = _e1037;
+            } else {
+                phi_1301_ = _e787;
+            }
+            let _e1039 = phi_1301_;
+            let _e1042 = p.member.frame;
+            let _e1044 = p.member.refresh;
+            if (_e1044 == 0u) {
+                phi_1334_ = false;
+            } else {
+                if (_e1044 == 0u) {
                     return;
                 }
-                let _e939 = ((_e60.x + (_e60.y * (((_e930 * 5u) / 8u) | 1u))) + (_e928 % _e930));
-                if (_e930 == 0u) {
-                    phi_1211_ = (_e939 == 0u);
+                let _e1053 = ((_e60.x + (_e60.y * (((_e1044 * 5u) / 8u) | 1u))) + (_e1042 % _e1044));
+                if (_e1044 == 0u) {
+                    phi_1333_ = (_e1053 == 0u);
                 } else {
-                    if (_e930 == 0u) {
+                    if (_e1044 == 0u) {
                         return;
                     }
-                    phi_1211_ = ((_e939 % _e930) == 0u);
+                    phi_1333_ = ((_e1053 % _e1044) == 0u);
                 }
-                let _e946 = phi_1211_;
-                phi_1212_ = _e946;
+                let _e1060 = phi_1333_;
+                phi_1334_ = _e1060;
             }
-            let _e948 = phi_1212_;
-            if (_e120 != 0.5f) {
-                if _e710 {
-                    if _e948 {
-                        phi_1267_ = 6u;
-                    } else {
-                        if _e282 {
-                            phi_1242_ = true;
+            let _e1062 = phi_1334_;
+            if _e710 {
+                if _e1062 {
+                    phi_1356_ = bool();
+                } else {
+                    phi_1356_ = ((_e786 & 2u) != 0u);
+                }
+                let _e1068 = phi_1356_;
+                phi_1357_ = _e1068;
+                phi_1358_ = _e1062;
+            } else {
+                phi_1357_ = bool();
+                phi_1358_ = true;
+            }
+            let _e1070 = phi_1357_;
+            let _e1072 = phi_1358_;
+            if _e1072 {
+                phi_1362_ = false;
+            } else {
+                phi_1362_ = _e1070;
+            }
+            let _e1074 = phi_1362_;
+            if _e1074 {
+                phi_1413_ = 7u;
+            } else {
+                if (_e120 != 0.5f) {
+                    if _e710 {
+                        if _e1062 {
+                            phi_1410_ = 6u;
                         } else {
-                            if _e925.any_expands {
-                                phi_1241_ = false;
-                            } else {
-                                phi_1241_ = true;
-                            }
-                            let _e952 = phi_1241_;
-                            phi_1242_ = _e952;
-                        }
-                        let _e954 = phi_1242_;
-                        if _e954 {
                             if _e282 {
-                                if _e742 {
-                                    if _e925.all_remove {
-                                        phi_1255_ = false;
-                                    } else {
-                                        phi_1255_ = true;
-                                    }
-                                    let _e956 = phi_1255_;
-                                    phi_1256_ = _e956;
-                                } else {
-                                    phi_1256_ = true;
-                                }
-                                let _e958 = phi_1256_;
-                                phi_1257_ = _e958;
+                                phi_1385_ = true;
                             } else {
-                                phi_1257_ = true;
+                                if _e1039.any_expands {
+                                    phi_1384_ = false;
+                                } else {
+                                    phi_1384_ = true;
+                                }
+                                let _e1076 = phi_1384_;
+                                phi_1385_ = _e1076;
                             }
-                            let _e960 = phi_1257_;
-                            if _e960 {
+                            let _e1078 = phi_1385_;
+                            if _e1078 {
                                 if _e282 {
-                                    phi_1264_ = 1u;
+                                    if _e720 {
+                                        if _e1039.all_remove {
+                                            phi_1398_ = false;
+                                        } else {
+                                            phi_1398_ = true;
+                                        }
+                                        let _e1080 = phi_1398_;
+                                        phi_1399_ = _e1080;
+                                    } else {
+                                        phi_1399_ = true;
+                                    }
+                                    let _e1082 = phi_1399_;
+                                    phi_1400_ = _e1082;
                                 } else {
-                                    phi_1264_ = 0u;
+                                    phi_1400_ = true;
                                 }
-                                let _e962 = phi_1264_;
-                                phi_1265_ = _e962;
+                                let _e1084 = phi_1400_;
+                                if _e1084 {
+                                    if _e282 {
+                                        phi_1407_ = 1u;
+                                    } else {
+                                        phi_1407_ = 0u;
+                                    }
+                                    let _e1086 = phi_1407_;
+                                    phi_1408_ = _e1086;
+                                } else {
+                                    phi_1408_ = 5u;
+                                }
+                                let _e1088 = phi_1408_;
+                                phi_1409_ = _e1088;
                             } else {
-                                phi_1265_ = 5u;
+                                phi_1409_ = 4u;
                             }
-                            let _e964 = phi_1265_;
-                            phi_1266_ = _e964;
-                        } else {
-                            phi_1266_ = 4u;
+                            let _e1090 = phi_1409_;
+                            phi_1410_ = _e1090;
                         }
-                        let _e966 = phi_1266_;
-                        phi_1267_ = _e966;
+                        let _e1092 = phi_1410_;
+                        phi_1411_ = _e1092;
+                    } else {
+                        phi_1411_ = 3u;
                     }
-                    let _e968 = phi_1267_;
-                    phi_1268_ = _e968;
+                    let _e1094 = phi_1411_;
+                    phi_1412_ = _e1094;
                 } else {
-                    phi_1268_ = 3u;
+                    phi_1412_ = 2u;
                 }
-                let _e970 = phi_1268_;
-                phi_1269_ = _e970;
-            } else {
-                phi_1269_ = 2u;
+                let _e1096 = phi_1412_;
+                phi_1413_ = _e1096;
             }
-            let _e972 = phi_1269_;
-            if !((_e972 == 0u)) {
-                phi_1277_ = !((_e972 == 5u));
+            let _e1098 = phi_1413_;
+            if !((_e1098 == 0u)) {
+                if !((_e1098 == 5u)) {
+                    phi_1425_ = !(_e1074);
+                    phi_1426_ = false;
+                } else {
+                    phi_1425_ = bool();
+                    phi_1426_ = true;
+                }
+                let _e1105 = phi_1425_;
+                let _e1107 = phi_1426_;
+                phi_1427_ = _e1105;
+                phi_1428_ = _e1107;
             } else {
-                phi_1277_ = false;
+                phi_1427_ = bool();
+                phi_1428_ = true;
             }
-            let _e978 = phi_1277_;
-            if _e978 {
+            let _e1109 = phi_1427_;
+            let _e1111 = phi_1428_;
+            if _e1111 {
+                phi_1432_ = false;
+            } else {
+                phi_1432_ = _e1109;
+            }
+            let _e1113 = phi_1432_;
+            if _e1074 {
+                phi_1438_ = ((_e786 & 4u) != 0u);
+            } else {
+                phi_1438_ = _e278;
+            }
+            let _e1117 = phi_1438_;
+            if _e1113 {
                 if _e278 {
-                    phi_1285_ = (2u | 1u);
+                    phi_1446_ = (2u | 1u);
                 } else {
-                    phi_1285_ = 2u;
+                    phi_1446_ = 2u;
                 }
-                let _e981 = phi_1285_;
+                let _e1120 = phi_1446_;
                 if false {
-                    phi_1290_ = (_e981 | 4u);
+                    phi_1451_ = (_e1120 | 4u);
                 } else {
-                    phi_1290_ = _e981;
+                    phi_1451_ = _e1120;
                 }
-                let _e984 = phi_1290_;
-                phi_1295_ = _e984;
+                let _e1123 = phi_1451_;
+                phi_1471_ = _e1123;
             } else {
-                if _e278 {
-                    phi_1294_ = 1u;
+                if (_e1098 == 7u) {
+                    if _e278 {
+                        phi_1460_ = (2u | 1u);
+                    } else {
+                        phi_1460_ = 2u;
+                    }
+                    let _e1127 = phi_1460_;
+                    if _e1117 {
+                        phi_1465_ = (_e1127 | 4u);
+                    } else {
+                        phi_1465_ = _e1127;
+                    }
+                    let _e1130 = phi_1465_;
+                    phi_1470_ = _e1130;
                 } else {
-                    phi_1294_ = 0u;
+                    if _e278 {
+                        phi_1469_ = 1u;
+                    } else {
+                        phi_1469_ = 0u;
+                    }
+                    let _e1132 = phi_1469_;
+                    phi_1470_ = _e1132;
                 }
-                let _e986 = phi_1294_;
-                phi_1295_ = _e986;
+                let _e1134 = phi_1470_;
+                phi_1471_ = _e1134;
             }
-            let _e988 = phi_1295_;
-            if _e278 {
-                phi_1299_ = 0f;
+            let _e1136 = phi_1471_;
+            if _e1117 {
+                phi_1475_ = 0f;
             } else {
-                phi_1299_ = 1f;
+                phi_1475_ = 1f;
             }
-            let _e990 = phi_1299_;
-            phi_1301_ = mask_Masked(_e990, _e988, _e978);
+            let _e1138 = phi_1475_;
+            phi_1477_ = mask_Masked(_e1138, _e1136, _e1113);
         }
-        let _e993 = phi_1301_;
-        visibility.member[_e81.shift] = _e993.visibility;
-        let _e998 = p.member.light.number;
-        let _e999 = (_e998 * 3u);
-        let _e1001 = (_e999 % 32u);
-        let _e1003 = p.member.light.mask_words;
-        let _e1005 = ((_e81.shift * _e1003) + (_e999 / 32u));
-        let _e1007 = bits.member[_e1005];
-        bits.member[_e1005] = ((_e1007 & ~((7u << bitcast<u32>((_e1001 & 31u))))) | (_e993.bits << bitcast<u32>((_e1001 & 31u))));
-        if (_e1001 > 29u) {
-            let _e1022 = bits.member[(_e1005 + 1u)];
-            let _e1024 = (32u - _e1001);
-            bits.member[(_e1005 + 1u)] = ((_e1022 & ~((7u >> bitcast<u32>((_e1024 & 31u))))) | (_e993.bits >> bitcast<u32>((_e1024 & 31u))));
+        let _e1141 = phi_1477_;
+        visibility.member[_e81.shift] = _e1141.visibility;
+        let _e1146 = p.member.light.number;
+        let _e1147 = (_e1146 * 3u);
+        let _e1149 = (_e1147 % 32u);
+        let _e1151 = p.member.light.mask_words;
+        let _e1153 = ((_e81.shift * _e1151) + (_e1147 / 32u));
+        let _e1155 = bits.member[_e1153];
+        bits.member[_e1153] = ((_e1155 & ~((7u << bitcast<u32>((_e1149 & 31u))))) | (_e1141.bits << bitcast<u32>((_e1149 & 31u))));
+        if (_e1149 > 29u) {
+            let _e1170 = bits.member[(_e1153 + 1u)];
+            let _e1172 = (32u - _e1149);
+            bits.member[(_e1153 + 1u)] = ((_e1170 & ~((7u >> bitcast<u32>((_e1172 & 31u))))) | (_e1141.bits >> bitcast<u32>((_e1172 & 31u))));
         }
-        let _e1039 = samples.member[_e81.shift].normal[0u];
-        let _e1041 = global[0u];
-        if (_e1039 == _e1041) {
-            let _e1044 = samples.member[_e81.shift].normal[1u];
-            let _e1046 = global[1u];
-            if (_e1044 == _e1046) {
-                let _e1049 = samples.member[_e81.shift].normal[2u];
-                let _e1051 = global[2u];
-                phi_1373_ = (_e1049 == _e1051);
-                phi_1374_ = false;
+        let _e1187 = samples.member[_e81.shift].normal[0u];
+        let _e1189 = global[0u];
+        if (_e1187 == _e1189) {
+            let _e1192 = samples.member[_e81.shift].normal[1u];
+            let _e1194 = global[1u];
+            if (_e1192 == _e1194) {
+                let _e1197 = samples.member[_e81.shift].normal[2u];
+                let _e1199 = global[2u];
+                phi_1549_ = (_e1197 == _e1199);
+                phi_1550_ = false;
             } else {
-                phi_1373_ = bool();
-                phi_1374_ = true;
+                phi_1549_ = bool();
+                phi_1550_ = true;
             }
-            let _e1054 = phi_1373_;
-            let _e1056 = phi_1374_;
-            phi_1375_ = _e1054;
-            phi_1376_ = _e1056;
+            let _e1202 = phi_1549_;
+            let _e1204 = phi_1550_;
+            phi_1551_ = _e1202;
+            phi_1552_ = _e1204;
         } else {
-            phi_1375_ = bool();
-            phi_1376_ = true;
+            phi_1551_ = bool();
+            phi_1552_ = true;
         }
-        let _e1058 = phi_1375_;
-        let _e1060 = phi_1376_;
-        if _e1060 {
-            phi_1380_ = false;
+        let _e1206 = phi_1551_;
+        let _e1208 = phi_1552_;
+        if _e1208 {
+            phi_1556_ = false;
         } else {
-            phi_1380_ = _e1058;
+            phi_1556_ = _e1206;
         }
-        let _e1062 = phi_1380_;
-        if !(_e1062) {
-            let _e1065 = samples.member[_e81.shift].position;
-            let _e1067 = p.member.current.eye;
-            let _e1078 = p.member.current.forward;
-            phi_1408_ = ((((_e1065.x - _e1067.x) * _e1078.x) + ((_e1065.y - _e1067.y) * _e1078.y)) + ((_e1065.z - _e1067.z) * _e1078.z));
+        let _e1210 = phi_1556_;
+        if !(_e1210) {
+            let _e1213 = samples.member[_e81.shift].position;
+            let _e1215 = p.member.current.eye;
+            let _e1226 = p.member.current.forward;
+            phi_1584_ = ((((_e1213.x - _e1215.x) * _e1226.x) + ((_e1213.y - _e1215.y) * _e1226.y)) + ((_e1213.z - _e1215.z) * _e1226.z));
         } else {
-            phi_1408_ = 0f;
+            phi_1584_ = 0f;
         }
-        let _e1088 = phi_1408_;
-        depths.member[_e81.shift] = _e1088;
-        phi_1411_ = _e993.needs_ray;
-        phi_1412_ = _e81.shift;
+        let _e1236 = phi_1584_;
+        depths.member[_e81.shift] = _e1236;
+        phi_1587_ = _e1141.needs_ray;
+        phi_1588_ = _e81.shift;
     } else {
-        phi_1411_ = false;
-        phi_1412_ = 0u;
+        phi_1587_ = false;
+        phi_1588_ = 0u;
     }
-    let _e1092 = phi_1411_;
-    let _e1094 = phi_1412_;
+    let _e1240 = phi_1587_;
+    let _e1242 = phi_1588_;
     if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1092 {
-        let _e1098 = atomicAdd((&shared_[0u]), 1u);
-        phi_1423_ = _e1098;
+    if _e1240 {
+        let _e1246 = atomicAdd((&shared_[0u]), 1u);
+        phi_1599_ = _e1246;
     } else {
-        phi_1423_ = 0u;
+        phi_1599_ = 0u;
     }
-    let _e1100 = phi_1423_;
+    let _e1248 = phi_1599_;
     workgroupBarrier();
     if (_e61 == 0u) {
-        let _e1104 = atomicLoad((&shared_[0u]));
-        let _e1105 = atomicAdd((&list.member[3u]), _e1104);
-        atomicStore((&shared_[1u]), _e1105);
+        let _e1252 = atomicLoad((&shared_[0u]));
+        let _e1253 = atomicAdd((&list.member[3u]), _e1252);
+        atomicStore((&shared_[1u]), _e1253);
     }
     workgroupBarrier();
-    if _e1092 {
-        let _e1108 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1108) + _e1100)]), _e1094);
+    if _e1240 {
+        let _e1256 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1256) + _e1248)]), _e1242);
     }
     return;
 }

@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -353,6 +353,7 @@ fn function_() {
     var phi_908_: bool;
     var phi_912_: bool;
     var phi_913_: lt_mask_Reprojection;
+    var phi_919_: bool;
     var phi_941_: u32;
     var phi_943_: u32;
     var phi_946_: lt_mask_Neighbourhood;
@@ -365,47 +366,86 @@ fn function_() {
     var phi_1076_: u32;
     var phi_1095_: u32;
     var phi_1103_: u32;
-    var phi_1120_: bool;
-    var phi_1121_: bool;
-    var phi_1128_: bool;
     var phi_1129_: bool;
+    var phi_1130_: bool;
+    var phi_1131_: bool;
+    var phi_1132_: bool;
+    var phi_1133_: bool;
+    var phi_1134_: bool;
+    var phi_1135_: bool;
+    var phi_1140_: bool;
+    var phi_1141_: bool;
+    var phi_1142_: bool;
+    var phi_1143_: bool;
+    var phi_1144_: bool;
+    var phi_1145_: bool;
+    var phi_1146_: bool;
     var phi_1147_: bool;
     var phi_1148_: bool;
-    var phi_1149_: bool;
+    var phi_1163_: bool;
+    var phi_1164_: bool;
+    var phi_1171_: bool;
+    var phi_1172_: bool;
+    var phi_1173_: bool;
+    var phi_1174_: bool;
+    var phi_1175_: bool;
+    var phi_1179_: bool;
+    var phi_1180_: bool;
+    var phi_1181_: bool;
+    var phi_1185_: bool;
+    var phi_1186_: bool;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1209_: bool;
+    var phi_1210_: bool;
+    var phi_1211_: bool;
     var phi_944_: u32;
     var phi_947_: lt_mask_Neighbourhood;
-    var phi_1152_: lt_mask_Neighbourhood;
-    var phi_1153_: lt_mask_Neighbourhood;
-    var phi_1154_: lt_mask_Neighbourhood;
-    var phi_1186_: bool;
-    var phi_1187_: bool;
-    var phi_1216_: bool;
-    var phi_1217_: bool;
-    var phi_1230_: bool;
-    var phi_1231_: bool;
-    var phi_1232_: bool;
-    var phi_1239_: u32;
-    var phi_1240_: u32;
-    var phi_1241_: u32;
-    var phi_1242_: u32;
-    var phi_1243_: u32;
-    var phi_1244_: u32;
-    var phi_1252_: bool;
-    var phi_1260_: u32;
-    var phi_1265_: u32;
-    var phi_1269_: u32;
-    var phi_1270_: u32;
-    var phi_1274_: f32;
-    var phi_1276_: mask_Masked;
-    var phi_1348_: bool;
-    var phi_1349_: bool;
-    var phi_1350_: bool;
-    var phi_1351_: bool;
-    var phi_1355_: bool;
-    var phi_1383_: f32;
-    var phi_1386_: bool;
-    var phi_1387_: u32;
-    var phi_1398_: u32;
+    var phi_1214_: lt_mask_Neighbourhood;
+    var phi_1215_: lt_mask_Neighbourhood;
+    var phi_1216_: lt_mask_Neighbourhood;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1271_: bool;
+    var phi_1272_: bool;
+    var phi_1273_: bool;
+    var phi_1277_: bool;
+    var phi_1299_: bool;
+    var phi_1300_: bool;
+    var phi_1313_: bool;
+    var phi_1314_: bool;
+    var phi_1315_: bool;
+    var phi_1322_: u32;
+    var phi_1323_: u32;
+    var phi_1324_: u32;
+    var phi_1325_: u32;
+    var phi_1326_: u32;
+    var phi_1327_: u32;
+    var phi_1328_: u32;
+    var phi_1340_: bool;
+    var phi_1341_: bool;
+    var phi_1342_: bool;
+    var phi_1343_: bool;
+    var phi_1347_: bool;
+    var phi_1353_: bool;
+    var phi_1361_: u32;
+    var phi_1366_: u32;
+    var phi_1375_: u32;
+    var phi_1380_: u32;
+    var phi_1384_: u32;
+    var phi_1385_: u32;
+    var phi_1386_: u32;
+    var phi_1390_: f32;
+    var phi_1392_: mask_Masked;
+    var phi_1464_: bool;
+    var phi_1465_: bool;
+    var phi_1466_: bool;
+    var phi_1467_: bool;
+    var phi_1471_: bool;
+    var phi_1499_: f32;
+    var phi_1502_: bool;
+    var phi_1503_: u32;
+    var phi_1514_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e60 = id_1;
@@ -516,7 +556,7 @@ fn function_() {
         }
         let _e273 = phi_476_;
         if _e273.unnamed_1 {
-            phi_1276_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
+            phi_1392_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
         } else {
             let _e278 = (_e120 < 0.5f);
             if (_e120 > 0f) {
@@ -810,42 +850,47 @@ fn function_() {
             let _e710 = phi_912_;
             let _e712 = phi_913_;
             let _e716 = lt_mask_Reprojection(_e712.pixel, _e710, _e712.has_moved);
-            if _e716.has_moved {
-            }
-            let _e722 = lt_mask_Neighbourhood(false, true);
+            let _e717 = lt_mask_Neighbourhood(false, true);
             if _e282 {
-                phi_1154_ = _e722;
+                phi_919_ = false;
             } else {
-                if true {
-                    if _e710 {
+                phi_919_ = true;
+            }
+            let _e719 = phi_919_;
+            if _e719 {
+                if _e710 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1214_ = _e717;
+                    } else {
+                        let _e723 = p.member.expansion;
                         if _e716.has_moved {
-                            let _e725 = p.member.moving_pattern;
-                            phi_941_ = _e725;
+                            let _e726 = p.member.moving_pattern;
+                            phi_941_ = _e726;
                         } else {
-                            let _e727 = p.member.still_pattern;
-                            phi_941_ = _e727;
+                            let _e728 = p.member.still_pattern;
+                            phi_941_ = _e728;
                         }
-                        let _e729 = phi_941_;
+                        let _e730 = phi_941_;
                         phi_943_ = 0u;
-                        phi_946_ = _e722;
+                        phi_946_ = _e717;
                         loop {
-                            let _e731 = phi_943_;
-                            let _e733 = phi_946_;
-                            local_1 = _e733;
-                            if (1u <= _e729) {
-                                if (_e729 <= 4u) {
+                            let _e732 = phi_943_;
+                            let _e734 = phi_946_;
+                            local_1 = _e734;
+                            if (1u <= _e730) {
+                                if (_e730 <= 4u) {
                                     phi_958_ = false;
                                 } else {
                                     phi_958_ = true;
                                 }
-                                let _e737 = phi_958_;
-                                phi_959_ = _e737;
+                                let _e738 = phi_958_;
+                                phi_959_ = _e738;
                             } else {
                                 phi_959_ = true;
                             }
-                            let _e739 = phi_959_;
-                            if _e739 {
-                                switch bitcast<i32>(_e729) {
+                            let _e740 = phi_959_;
+                            if _e740 {
+                                switch bitcast<i32>(_e730) {
                                     case 5: {
                                         phi_968_ = 4u;
                                         break;
@@ -863,40 +908,40 @@ fn function_() {
                                         break;
                                     }
                                 }
-                                let _e742 = phi_968_;
-                                phi_969_ = _e742;
+                                let _e743 = phi_968_;
+                                phi_969_ = _e743;
                             } else {
                                 phi_969_ = 5u;
                             }
-                            let _e744 = phi_969_;
-                            let _e745 = (_e731 < _e744);
-                            if _e745 {
-                                let _e751 = p.member.frame;
-                                let _e755 = p.member.current.size[0u];
-                                let _e757 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e729) {
+                            let _e745 = phi_969_;
+                            let _e746 = (_e732 < _e745);
+                            if _e746 {
+                                let _e752 = p.member.frame;
+                                let _e756 = p.member.current.size[0u];
+                                let _e758 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e730) {
                                     case 1: {
-                                        let _e767 = lt_mask_pattern_plus(_e731);
-                                        phi_1049_ = vec2<i32>(_e767.x, _e767.y);
+                                        let _e768 = lt_mask_pattern_plus(_e732);
+                                        phi_1049_ = vec2<i32>(_e768.x, _e768.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e771 = lt_mask_pattern_cross(_e731);
-                                        phi_1049_ = vec2<i32>(_e771.x, _e771.y);
+                                        let _e772 = lt_mask_pattern_cross(_e732);
+                                        phi_1049_ = vec2<i32>(_e772.x, _e772.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e777 = lt_mask_pattern_plus_or_cross(_e731, ((_e716.pixel.x + _e716.pixel.y) & 1u));
-                                        phi_1049_ = vec2<i32>(_e777.x, _e777.y);
+                                        let _e778 = lt_mask_pattern_plus_or_cross(_e732, ((_e716.pixel.x + _e716.pixel.y) & 1u));
+                                        phi_1049_ = vec2<i32>(_e778.x, _e778.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e782 = lt_mask_pattern_plus_or_cross(_e731, (_e751 & 1u));
-                                        phi_1049_ = vec2<i32>(_e782.x, _e782.y);
+                                        let _e783 = lt_mask_pattern_plus_or_cross(_e732, (_e752 & 1u));
+                                        phi_1049_ = vec2<i32>(_e783.x, _e783.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e751 & 3u)) {
+                                        switch bitcast<i32>((_e752 & 3u)) {
                                             case 0: {
                                                 phi_1029_ = vec2(-1i);
                                                 break;
@@ -914,337 +959,533 @@ fn function_() {
                                                 break;
                                             }
                                         }
-                                        let _e793 = phi_1029_;
-                                        phi_1049_ = (_e793 + vec2<i32>(bitcast<i32>((_e731 & 1u)), bitcast<i32>(((_e731 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e794 = phi_1029_;
+                                        phi_1049_ = (_e794 + vec2<i32>(bitcast<i32>((_e732 & 1u)), bitcast<i32>(((_e732 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1049_ = vec2<i32>((bitcast<i32>((_e731 % 5u)) - 2i), (bitcast<i32>(((_e731 / 5u) % 5u)) - 2i));
+                                        phi_1049_ = vec2<i32>((bitcast<i32>((_e732 % 5u)) - 2i), (bitcast<i32>(((_e732 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e810 = lt_mask_pattern_diamond(_e731);
-                                        phi_1049_ = vec2<i32>(_e810.x, _e810.y);
+                                        let _e811 = lt_mask_pattern_diamond(_e732);
+                                        phi_1049_ = vec2<i32>(_e811.x, _e811.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1049_ = vec2<i32>((bitcast<i32>((_e731 % 3u)) - 1i), (bitcast<i32>(((_e731 / 3u) % 3u)) - 1i));
+                                        phi_1049_ = vec2<i32>((bitcast<i32>((_e732 % 3u)) - 1i), (bitcast<i32>(((_e732 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e815 = phi_1049_;
-                                let _e818 = lt_mask_pattern_step_clamped(_e716.pixel.x, _e815.x, _e755);
-                                let _e819 = lt_mask_pattern_step_clamped(_e716.pixel.y, _e815.y, _e757);
-                                let _e826 = ((((_e819 * _e112) + _e818) * _e108.words) + _e108.light.word);
+                                let _e816 = phi_1049_;
+                                let _e819 = lt_mask_pattern_step_clamped(_e716.pixel.x, _e816.x, _e756);
+                                let _e820 = lt_mask_pattern_step_clamped(_e716.pixel.y, _e816.y, _e758);
+                                let _e827 = ((((_e820 * _e112) + _e819) * _e108.words) + _e108.light.word);
                                 if (_e108.light.shift > 29u) {
-                                    let _e830 = (_e826 + 1u);
-                                    if (_e830 < _e66) {
+                                    let _e831 = (_e827 + 1u);
+                                    if (_e831 < _e66) {
                                     } else {
                                         return;
                                     }
-                                    let _e834 = last_bits.member[(0u + _e830)];
-                                    phi_1076_ = _e834;
+                                    let _e835 = last_bits.member[(0u + _e831)];
+                                    phi_1076_ = _e835;
                                 } else {
                                     phi_1076_ = 0u;
                                 }
-                                let _e836 = phi_1076_;
-                                if (_e826 < _e66) {
+                                let _e837 = phi_1076_;
+                                if (_e827 < _e66) {
                                 } else {
                                     return;
                                 }
-                                let _e842 = last_bits.member[(0u + _e826)];
-                                let _e845 = (_e842 >> bitcast<u32>((_e108.light.shift & 31u)));
+                                let _e843 = last_bits.member[(0u + _e827)];
+                                let _e846 = (_e843 >> bitcast<u32>((_e108.light.shift & 31u)));
                                 if (_e108.light.shift > 29u) {
-                                    phi_1095_ = (_e845 | (_e836 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                                    phi_1095_ = (_e846 | (_e837 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
                                 } else {
-                                    phi_1095_ = _e845;
+                                    phi_1095_ = _e846;
                                 }
-                                let _e853 = phi_1095_;
-                                if ((_e853 & 2u) == 0u) {
-                                    phi_1103_ = (_e853 & 1u);
+                                let _e854 = phi_1095_;
+                                if ((_e854 & 2u) == 0u) {
+                                    phi_1103_ = (_e854 & 1u);
                                 } else {
-                                    phi_1103_ = (_e853 & 7u);
+                                    phi_1103_ = (_e854 & 7u);
                                 }
-                                let _e859 = phi_1103_;
-                                if _e733.any_expands {
-                                    phi_1129_ = true;
+                                let _e860 = phi_1103_;
+                                if _e734.any_expands {
+                                    phi_1191_ = true;
                                 } else {
-                                    if ((_e859 & 2u) != 0u) {
-                                        if (((_e859 & 4u) != 0u) != _e278) {
-                                            phi_1120_ = false;
-                                        } else {
-                                            phi_1120_ = true;
+                                    if ((_e860 & 2u) != 0u) {
+                                        let _e867 = (((_e860 & 4u) != 0u) != _e278);
+                                        switch bitcast<i32>(_e723) {
+                                            case 1: {
+                                                phi_1131_ = bool();
+                                                phi_1132_ = false;
+                                                phi_1133_ = true;
+                                                phi_1134_ = false;
+                                                phi_1135_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e867 {
+                                                    phi_1129_ = (((_e860 & 4u) != 0u) != ((_e860 & 1u) != 0u));
+                                                    phi_1130_ = false;
+                                                } else {
+                                                    phi_1129_ = bool();
+                                                    phi_1130_ = true;
+                                                }
+                                                let _e875 = phi_1129_;
+                                                let _e877 = phi_1130_;
+                                                phi_1131_ = _e875;
+                                                phi_1132_ = false;
+                                                phi_1133_ = false;
+                                                phi_1134_ = _e877;
+                                                phi_1135_ = _e867;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1131_ = bool();
+                                                phi_1132_ = true;
+                                                phi_1133_ = false;
+                                                phi_1134_ = false;
+                                                phi_1135_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e868 = phi_1120_;
-                                        phi_1121_ = _e868;
-                                    } else {
-                                        phi_1121_ = true;
-                                    }
-                                    let _e870 = phi_1121_;
-                                    if _e870 {
-                                        phi_1128_ = (((_e859 & 1u) != 0u) != _e278);
-                                    } else {
-                                        phi_1128_ = true;
-                                    }
-                                    let _e875 = phi_1128_;
-                                    phi_1129_ = _e875;
-                                }
-                                let _e877 = phi_1129_;
-                                if _e733.all_remove {
-                                    if (((_e859 & 1u) != 0u) == _e278) {
-                                        if ((_e859 & 2u) != 0u) {
-                                            phi_1147_ = (((_e859 & 4u) != 0u) == _e278);
-                                        } else {
-                                            phi_1147_ = true;
-                                        }
-                                        let _e887 = phi_1147_;
+                                        let _e879 = phi_1131_;
+                                        let _e881 = phi_1132_;
+                                        let _e883 = phi_1133_;
+                                        let _e885 = phi_1134_;
+                                        let _e887 = phi_1135_;
+                                        phi_1143_ = _e867;
+                                        phi_1144_ = _e879;
+                                        phi_1145_ = _e881;
+                                        phi_1146_ = _e883;
+                                        phi_1147_ = _e885;
                                         phi_1148_ = _e887;
                                     } else {
+                                        switch bitcast<i32>(_e723) {
+                                            case 1: {
+                                                phi_1140_ = false;
+                                                phi_1141_ = true;
+                                                phi_1142_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1140_ = false;
+                                                phi_1141_ = false;
+                                                phi_1142_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1140_ = true;
+                                                phi_1141_ = false;
+                                                phi_1142_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e890 = phi_1140_;
+                                        let _e892 = phi_1141_;
+                                        let _e894 = phi_1142_;
+                                        phi_1143_ = false;
+                                        phi_1144_ = bool();
+                                        phi_1145_ = _e890;
+                                        phi_1146_ = _e892;
+                                        phi_1147_ = _e894;
                                         phi_1148_ = false;
                                     }
-                                    let _e889 = phi_1148_;
-                                    phi_1149_ = _e889;
-                                } else {
-                                    phi_1149_ = false;
+                                    let _e896 = phi_1143_;
+                                    let _e898 = phi_1144_;
+                                    let _e900 = phi_1145_;
+                                    let _e902 = phi_1146_;
+                                    let _e904 = phi_1147_;
+                                    let _e906 = phi_1148_;
+                                    if _e900 {
+                                        if ((_e860 & 2u) != 0u) {
+                                            if (((_e860 & 4u) != 0u) != _e278) {
+                                                phi_1163_ = false;
+                                            } else {
+                                                phi_1163_ = true;
+                                            }
+                                            let _e913 = phi_1163_;
+                                            phi_1164_ = _e913;
+                                        } else {
+                                            phi_1164_ = true;
+                                        }
+                                        let _e915 = phi_1164_;
+                                        if _e915 {
+                                            phi_1171_ = (((_e860 & 1u) != 0u) != _e278);
+                                        } else {
+                                            phi_1171_ = true;
+                                        }
+                                        let _e920 = phi_1171_;
+                                        phi_1172_ = _e920;
+                                        phi_1173_ = false;
+                                        phi_1174_ = false;
+                                        phi_1175_ = false;
+                                    } else {
+                                        phi_1172_ = bool();
+                                        phi_1173_ = _e902;
+                                        phi_1174_ = _e904;
+                                        phi_1175_ = _e906;
+                                    }
+                                    let _e922 = phi_1172_;
+                                    let _e924 = phi_1173_;
+                                    let _e926 = phi_1174_;
+                                    let _e928 = phi_1175_;
+                                    if _e924 {
+                                        phi_1179_ = _e896;
+                                        phi_1180_ = false;
+                                        phi_1181_ = false;
+                                    } else {
+                                        phi_1179_ = _e922;
+                                        phi_1180_ = _e926;
+                                        phi_1181_ = _e928;
+                                    }
+                                    let _e930 = phi_1179_;
+                                    let _e932 = phi_1180_;
+                                    let _e934 = phi_1181_;
+                                    if _e932 {
+                                        phi_1185_ = false;
+                                        phi_1186_ = true;
+                                    } else {
+                                        phi_1185_ = _e898;
+                                        phi_1186_ = _e934;
+                                    }
+                                    let _e936 = phi_1185_;
+                                    let _e938 = phi_1186_;
+                                    if _e938 {
+                                        phi_1190_ = _e936;
+                                    } else {
+                                        phi_1190_ = _e930;
+                                    }
+                                    let _e940 = phi_1190_;
+                                    phi_1191_ = _e940;
                                 }
-                                let _e891 = phi_1149_;
-                                phi_944_ = (_e731 + 1u);
-                                phi_947_ = lt_mask_Neighbourhood(_e877, _e891);
+                                let _e942 = phi_1191_;
+                                if _e734.all_remove {
+                                    if (((_e860 & 1u) != 0u) == _e278) {
+                                        if ((_e860 & 2u) != 0u) {
+                                            phi_1209_ = (((_e860 & 4u) != 0u) == _e278);
+                                        } else {
+                                            phi_1209_ = true;
+                                        }
+                                        let _e952 = phi_1209_;
+                                        phi_1210_ = _e952;
+                                    } else {
+                                        phi_1210_ = false;
+                                    }
+                                    let _e954 = phi_1210_;
+                                    phi_1211_ = _e954;
+                                } else {
+                                    phi_1211_ = false;
+                                }
+                                let _e956 = phi_1211_;
+                                phi_944_ = (_e732 + 1u);
+                                phi_947_ = lt_mask_Neighbourhood(_e942, _e956);
                             } else {
                                 phi_944_ = u32();
                                 phi_947_ = lt_mask_Neighbourhood();
                             }
-                            let _e895 = phi_944_;
-                            let _e897 = phi_947_;
+                            let _e960 = phi_944_;
+                            let _e962 = phi_947_;
                             continue;
                             continuing {
-                                phi_943_ = _e895;
-                                phi_946_ = _e897;
-                                break if !(_e745);
+                                phi_943_ = _e960;
+                                phi_946_ = _e962;
+                                break if !(_e746);
                             }
                         }
-                        let _e1182 = local_1;
-                        phi_1152_ = _e1182;
-                    } else {
-                        phi_1152_ = _e722;
+                        let _e1308 = local_1;
+                        phi_1214_ = _e1308;
                     }
-                    let _e900 = phi_1152_;
-                    phi_1153_ = _e900;
+                    let _e965 = phi_1214_;
+                    phi_1215_ = _e965;
                 } else {
-                    phi_1153_ = _e722;
+                    phi_1215_ = _e717;
                 }
-                let _e902 = phi_1153_;
-                phi_1154_ = _e902;
-            }
-            let _e904 = phi_1154_;
-            let _e907 = p.member.frame;
-            let _e909 = p.member.refresh;
-            if (_e909 == 0u) {
-                phi_1187_ = false;
+                let _e967 = phi_1215_;
+                phi_1216_ = _e967;
             } else {
-                if (_e909 == 0u) {
+                phi_1216_ = _e717;
+            }
+            let _e969 = phi_1216_;
+            let _e972 = p.member.frame;
+            let _e974 = p.member.refresh;
+            if (_e974 == 0u) {
+                phi_1249_ = false;
+            } else {
+                if (_e974 == 0u) {
                     return;
                 }
-                let _e918 = ((_e60.x + (_e60.y * (((_e909 * 5u) / 8u) | 1u))) + (_e907 % _e909));
-                if (_e909 == 0u) {
-                    phi_1186_ = (_e918 == 0u);
+                let _e983 = ((_e60.x + (_e60.y * (((_e974 * 5u) / 8u) | 1u))) + (_e972 % _e974));
+                if (_e974 == 0u) {
+                    phi_1248_ = (_e983 == 0u);
                 } else {
-                    if (_e909 == 0u) {
+                    if (_e974 == 0u) {
                         return;
                     }
-                    phi_1186_ = ((_e918 % _e909) == 0u);
+                    phi_1248_ = ((_e983 % _e974) == 0u);
                 }
-                let _e925 = phi_1186_;
-                phi_1187_ = _e925;
+                let _e990 = phi_1248_;
+                phi_1249_ = _e990;
             }
-            let _e927 = phi_1187_;
-            if (_e120 != 0.5f) {
-                if _e710 {
-                    if _e927 {
-                        phi_1242_ = 6u;
-                    } else {
-                        if _e282 {
-                            phi_1217_ = true;
+            let _e992 = phi_1249_;
+            if _e710 {
+                if _e992 {
+                    phi_1271_ = bool();
+                } else {
+                    phi_1271_ = ((0u & 2u) != 0u);
+                }
+                let _e998 = phi_1271_;
+                phi_1272_ = _e998;
+                phi_1273_ = _e992;
+            } else {
+                phi_1272_ = bool();
+                phi_1273_ = true;
+            }
+            let _e1000 = phi_1272_;
+            let _e1002 = phi_1273_;
+            if _e1002 {
+                phi_1277_ = false;
+            } else {
+                phi_1277_ = _e1000;
+            }
+            let _e1004 = phi_1277_;
+            if _e1004 {
+                phi_1328_ = 7u;
+            } else {
+                if (_e120 != 0.5f) {
+                    if _e710 {
+                        if _e992 {
+                            phi_1325_ = 6u;
                         } else {
-                            if _e904.any_expands {
-                                phi_1216_ = false;
-                            } else {
-                                phi_1216_ = true;
-                            }
-                            let _e931 = phi_1216_;
-                            phi_1217_ = _e931;
-                        }
-                        let _e933 = phi_1217_;
-                        if _e933 {
                             if _e282 {
-                                if false {
-                                    if _e904.all_remove {
-                                        phi_1230_ = false;
-                                    } else {
-                                        phi_1230_ = true;
-                                    }
-                                    let _e935 = phi_1230_;
-                                    phi_1231_ = _e935;
-                                } else {
-                                    phi_1231_ = true;
-                                }
-                                let _e937 = phi_1231_;
-                                phi_1232_ = _e937;
+                                phi_1300_ = true;
                             } else {
-                                phi_1232_ = true;
+                                if _e969.any_expands {
+                                    phi_1299_ = false;
+                                } else {
+                                    phi_1299_ = true;
+                                }
+                                let _e1006 = phi_1299_;
+                                phi_1300_ = _e1006;
                             }
-                            let _e939 = phi_1232_;
-                            if _e939 {
+                            let _e1008 = phi_1300_;
+                            if _e1008 {
                                 if _e282 {
-                                    phi_1239_ = 1u;
+                                    if false {
+                                        if _e969.all_remove {
+                                            phi_1313_ = false;
+                                        } else {
+                                            phi_1313_ = true;
+                                        }
+                                        let _e1010 = phi_1313_;
+                                        phi_1314_ = _e1010;
+                                    } else {
+                                        phi_1314_ = true;
+                                    }
+                                    let _e1012 = phi_1314_;
+                                    phi_1315_ = _e1012;
                                 } else {
-                                    phi_1239_ = 0u;
+                                    phi_1315_ = true;
                                 }
-                                let _e941 = phi_1239_;
-                                phi_1240_ = _e941;
+                                let _e1014 = phi_1315_;
+                                if _e1014 {
+                                    if _e282 {
+                                        phi_1322_ = 1u;
+                                    } else {
+                                        phi_1322_ = 0u;
+                                    }
+                                    let _e1016 = phi_1322_;
+                                    phi_1323_ = _e1016;
+                                } else {
+                                    phi_1323_ = 5u;
+                                }
+                                let _e1018 = phi_1323_;
+                                phi_1324_ = _e1018;
                             } else {
-                                phi_1240_ = 5u;
+                                phi_1324_ = 4u;
                             }
-                            let _e943 = phi_1240_;
-                            phi_1241_ = _e943;
-                        } else {
-                            phi_1241_ = 4u;
+                            let _e1020 = phi_1324_;
+                            phi_1325_ = _e1020;
                         }
-                        let _e945 = phi_1241_;
-                        phi_1242_ = _e945;
+                        let _e1022 = phi_1325_;
+                        phi_1326_ = _e1022;
+                    } else {
+                        phi_1326_ = 3u;
                     }
-                    let _e947 = phi_1242_;
-                    phi_1243_ = _e947;
+                    let _e1024 = phi_1326_;
+                    phi_1327_ = _e1024;
                 } else {
-                    phi_1243_ = 3u;
+                    phi_1327_ = 2u;
                 }
-                let _e949 = phi_1243_;
-                phi_1244_ = _e949;
-            } else {
-                phi_1244_ = 2u;
+                let _e1026 = phi_1327_;
+                phi_1328_ = _e1026;
             }
-            let _e951 = phi_1244_;
-            if !((_e951 == 0u)) {
-                phi_1252_ = !((_e951 == 5u));
+            let _e1028 = phi_1328_;
+            if !((_e1028 == 0u)) {
+                if !((_e1028 == 5u)) {
+                    phi_1340_ = !(_e1004);
+                    phi_1341_ = false;
+                } else {
+                    phi_1340_ = bool();
+                    phi_1341_ = true;
+                }
+                let _e1035 = phi_1340_;
+                let _e1037 = phi_1341_;
+                phi_1342_ = _e1035;
+                phi_1343_ = _e1037;
             } else {
-                phi_1252_ = false;
+                phi_1342_ = bool();
+                phi_1343_ = true;
             }
-            let _e957 = phi_1252_;
-            if _e957 {
+            let _e1039 = phi_1342_;
+            let _e1041 = phi_1343_;
+            if _e1041 {
+                phi_1347_ = false;
+            } else {
+                phi_1347_ = _e1039;
+            }
+            let _e1043 = phi_1347_;
+            if _e1004 {
+                phi_1353_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1353_ = _e278;
+            }
+            let _e1047 = phi_1353_;
+            if _e1043 {
                 if _e278 {
-                    phi_1260_ = (2u | 1u);
+                    phi_1361_ = (2u | 1u);
                 } else {
-                    phi_1260_ = 2u;
+                    phi_1361_ = 2u;
                 }
-                let _e960 = phi_1260_;
+                let _e1050 = phi_1361_;
                 if false {
-                    phi_1265_ = (_e960 | 4u);
+                    phi_1366_ = (_e1050 | 4u);
                 } else {
-                    phi_1265_ = _e960;
+                    phi_1366_ = _e1050;
                 }
-                let _e963 = phi_1265_;
-                phi_1270_ = _e963;
+                let _e1053 = phi_1366_;
+                phi_1386_ = _e1053;
             } else {
-                if _e278 {
-                    phi_1269_ = 1u;
+                if (_e1028 == 7u) {
+                    if _e278 {
+                        phi_1375_ = (2u | 1u);
+                    } else {
+                        phi_1375_ = 2u;
+                    }
+                    let _e1057 = phi_1375_;
+                    if _e1047 {
+                        phi_1380_ = (_e1057 | 4u);
+                    } else {
+                        phi_1380_ = _e1057;
+                    }
+                    let _e1060 = phi_1380_;
+                    phi_1385_ = _e1060;
                 } else {
-                    phi_1269_ = 0u;
+                    if _e278 {
+                        phi_1384_ = 1u;
+                    } else {
+                        phi_1384_ = 0u;
+                    }
+                    let _e1062 = phi_1384_;
+                    phi_1385_ = _e1062;
                 }
-                let _e965 = phi_1269_;
-                phi_1270_ = _e965;
+                let _e1064 = phi_1385_;
+                phi_1386_ = _e1064;
             }
-            let _e967 = phi_1270_;
-            if _e278 {
-                phi_1274_ = 0f;
+            let _e1066 = phi_1386_;
+            if _e1047 {
+                phi_1390_ = 0f;
             } else {
-                phi_1274_ = 1f;
+                phi_1390_ = 1f;
             }
-            let _e969 = phi_1274_;
-            phi_1276_ = mask_Masked(_e969, _e967, _e957);
+            let _e1068 = phi_1390_;
+            phi_1392_ = mask_Masked(_e1068, _e1066, _e1043);
         }
-        let _e972 = phi_1276_;
-        visibility.member[_e81.shift] = _e972.visibility;
-        let _e977 = p.member.light.number;
-        let _e978 = (_e977 * 3u);
-        let _e980 = (_e978 % 32u);
-        let _e982 = p.member.light.mask_words;
-        let _e984 = ((_e81.shift * _e982) + (_e978 / 32u));
-        let _e986 = bits.member[_e984];
-        bits.member[_e984] = ((_e986 & ~((7u << bitcast<u32>((_e980 & 31u))))) | (_e972.bits << bitcast<u32>((_e980 & 31u))));
-        if (_e980 > 29u) {
-            let _e1001 = bits.member[(_e984 + 1u)];
-            let _e1003 = (32u - _e980);
-            bits.member[(_e984 + 1u)] = ((_e1001 & ~((7u >> bitcast<u32>((_e1003 & 31u))))) | (_e972.bits >> bitcast<u32>((_e1003 & 31u))));
+        let _e1071 = phi_1392_;
+        visibility.member[_e81.shift] = _e1071.visibility;
+        let _e1076 = p.member.light.number;
+        let _e1077 = (_e1076 * 3u);
+        let _e1079 = (_e1077 % 32u);
+        let _e1081 = p.member.light.mask_words;
+        let _e1083 = ((_e81.shift * _e1081) + (_e1077 / 32u));
+        let _e1085 = bits.member[_e1083];
+        bits.member[_e1083] = ((_e1085 & ~((7u << bitcast<u32>((_e1079 & 31u))))) | (_e1071.bits << bitcast<u32>((_e1079 & 31u))));
+        if (_e1079 > 29u) {
+            let _e1100 = bits.member[(_e1083 + 1u)];
+            let _e1102 = (32u - _e1079);
+            bits.member[(_e1083 + 1u)] = ((_e1100 & ~((7u >> bitcast<u32>((_e1102 & 31u))))) | (_e1071.bits >> bitcast<u32>((_e1102 & 31u))));
         }
-        let _e1018 = samples.member[_e81.shift].normal[0u];
-        let _e1020 = global[0u];
-        if (_e1018 == _e1020) {
-            let _e1023 = samples.member[_e81.shift].normal[1u];
-            let _e1025 = global[1u];
-            if (_e1023 == _e1025) {
-                let _e1028 = samples.member[_e81.shift].normal[2u];
-                let _e1030 = global[2u];
-                phi_1348_ = (_e1028 == _e1030);
-                phi_1349_ = false;
+        let _e1117 = samples.member[_e81.shift].normal[0u];
+        let _e1119 = global[0u];
+        if (_e1117 == _e1119) {
+            let _e1122 = samples.member[_e81.shift].normal[1u];
+            let _e1124 = global[1u];
+            if (_e1122 == _e1124) {
+                let _e1127 = samples.member[_e81.shift].normal[2u];
+                let _e1129 = global[2u];
+                phi_1464_ = (_e1127 == _e1129);
+                phi_1465_ = false;
             } else {
-                phi_1348_ = bool();
-                phi_1349_ = true;
+                phi_1464_ = bool();
+                phi_1465_ = true;
             }
-            let _e1033 = phi_1348_;
-            let _e1035 = phi_1349_;
-            phi_1350_ = _e1033;
-            phi_1351_ = _e1035;
+            let _e1132 = phi_1464_;
+            let _e1134 = phi_1465_;
+            phi_1466_ = _e1132;
+            phi_1467_ = _e1134;
         } else {
-            phi_1350_ = bool();
-            phi_1351_ = true;
+            phi_1466_ = bool();
+            phi_1467_ = true;
         }
-        let _e1037 = phi_1350_;
-        let _e1039 = phi_1351_;
-        if _e1039 {
-            phi_1355_ = false;
+        let _e1136 = phi_1466_;
+        let _e1138 = phi_1467_;
+        if _e1138 {
+            phi_1471_ = false;
         } else {
-            phi_1355_ = _e1037;
+            phi_1471_ = _e1136;
         }
-        let _e1041 = phi_1355_;
-        if !(_e1041) {
-            let _e1044 = samples.member[_e81.shift].position;
-            let _e1046 = p.member.current.eye;
-            let _e1057 = p.member.current.forward;
-            phi_1383_ = ((((_e1044.x - _e1046.x) * _e1057.x) + ((_e1044.y - _e1046.y) * _e1057.y)) + ((_e1044.z - _e1046.z) * _e1057.z));
+        let _e1140 = phi_1471_;
+        if !(_e1140) {
+            let _e1143 = samples.member[_e81.shift].position;
+            let _e1145 = p.member.current.eye;
+            let _e1156 = p.member.current.forward;
+            phi_1499_ = ((((_e1143.x - _e1145.x) * _e1156.x) + ((_e1143.y - _e1145.y) * _e1156.y)) + ((_e1143.z - _e1145.z) * _e1156.z));
         } else {
-            phi_1383_ = 0f;
+            phi_1499_ = 0f;
         }
-        let _e1067 = phi_1383_;
-        depths.member[_e81.shift] = _e1067;
-        phi_1386_ = _e972.needs_ray;
-        phi_1387_ = _e81.shift;
+        let _e1166 = phi_1499_;
+        depths.member[_e81.shift] = _e1166;
+        phi_1502_ = _e1071.needs_ray;
+        phi_1503_ = _e81.shift;
     } else {
-        phi_1386_ = false;
-        phi_1387_ = 0u;
+        phi_1502_ = false;
+        phi_1503_ = 0u;
     }
-    let _e1071 = phi_1386_;
-    let _e1073 = phi_1387_;
+    let _e1170 = phi_1502_;
+    let _e1172 = phi_1503_;
     if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1071 {
-        let _e1077 = atomicAdd((&shared_[0u]), 1u);
-        phi_1398_ = _e1077;
+    if _e1170 {
+        let _e1176 = atomicAdd((&shared_[0u]), 1u);
+        phi_1514_ = _e1176;
     } else {
-        phi_1398_ = 0u;
+        phi_1514_ = 0u;
     }
-    let _e1079 = phi_1398_;
+    let _e1178 = phi_1514_;
     workgroupBarrier();
     if (_e61 == 0u) {
-        let _e1083 = atomicLoad((&shared_[0u]));
-        let _e1084 = atomicAdd((&list.member[3u]), _e1083);
-        atomicStore((&shared_[1u]), _e1084);
+        let _e1182 = atomicLoad((&shared_[0u]));
+        let _e1183 = atomicAdd((&list.member[3u]), _e1182);
+        atomicStore((&shared_[1u]), _e1183);
     }
     workgroupBarrier();
-    if _e1071 {
-        let _e1087 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1087) + _e1079)]), _e1073);
+    if _e1170 {
+        let _e1186 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1186) + _e1178)]), _e1172);
     }
     return;
 }

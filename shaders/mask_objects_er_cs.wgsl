@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -341,6 +341,7 @@ fn function_() {
     var phi_836_: bool;
     var phi_840_: bool;
     var phi_841_: lt_mask_Reprojection;
+    var phi_847_: bool;
     var phi_869_: u32;
     var phi_871_: u32;
     var phi_874_: lt_mask_Neighbourhood;
@@ -353,41 +354,80 @@ fn function_() {
     var phi_1002_: u32;
     var phi_1021_: u32;
     var phi_1029_: u32;
-    var phi_1046_: bool;
-    var phi_1047_: bool;
-    var phi_1054_: bool;
     var phi_1055_: bool;
+    var phi_1056_: bool;
+    var phi_1057_: bool;
+    var phi_1058_: bool;
+    var phi_1059_: bool;
+    var phi_1060_: bool;
+    var phi_1061_: bool;
+    var phi_1066_: bool;
+    var phi_1067_: bool;
+    var phi_1068_: bool;
+    var phi_1069_: bool;
+    var phi_1070_: bool;
+    var phi_1071_: bool;
+    var phi_1072_: bool;
     var phi_1073_: bool;
     var phi_1074_: bool;
-    var phi_1075_: bool;
+    var phi_1089_: bool;
+    var phi_1090_: bool;
+    var phi_1097_: bool;
+    var phi_1098_: bool;
+    var phi_1099_: bool;
+    var phi_1100_: bool;
+    var phi_1101_: bool;
+    var phi_1105_: bool;
+    var phi_1106_: bool;
+    var phi_1107_: bool;
+    var phi_1111_: bool;
+    var phi_1112_: bool;
+    var phi_1116_: bool;
+    var phi_1117_: bool;
+    var phi_1135_: bool;
+    var phi_1136_: bool;
+    var phi_1137_: bool;
     var phi_872_: u32;
     var phi_875_: lt_mask_Neighbourhood;
-    var phi_1078_: lt_mask_Neighbourhood;
-    var phi_1079_: lt_mask_Neighbourhood;
-    var phi_1080_: lt_mask_Neighbourhood;
-    var phi_1112_: bool;
-    var phi_1113_: bool;
-    var phi_1142_: bool;
-    var phi_1143_: bool;
-    var phi_1156_: bool;
-    var phi_1157_: bool;
-    var phi_1158_: bool;
-    var phi_1165_: u32;
-    var phi_1166_: u32;
-    var phi_1167_: u32;
-    var phi_1168_: u32;
-    var phi_1169_: u32;
-    var phi_1170_: u32;
-    var phi_1178_: bool;
-    var phi_1186_: u32;
-    var phi_1191_: u32;
-    var phi_1195_: u32;
-    var phi_1196_: u32;
-    var phi_1200_: f32;
-    var phi_1202_: mask_Masked;
-    var phi_1252_: bool;
+    var phi_1140_: lt_mask_Neighbourhood;
+    var phi_1141_: lt_mask_Neighbourhood;
+    var phi_1142_: lt_mask_Neighbourhood;
+    var phi_1174_: bool;
+    var phi_1175_: bool;
+    var phi_1197_: bool;
+    var phi_1198_: bool;
+    var phi_1199_: bool;
+    var phi_1203_: bool;
+    var phi_1225_: bool;
+    var phi_1226_: bool;
+    var phi_1239_: bool;
+    var phi_1240_: bool;
+    var phi_1241_: bool;
+    var phi_1248_: u32;
+    var phi_1249_: u32;
+    var phi_1250_: u32;
+    var phi_1251_: u32;
+    var phi_1252_: u32;
     var phi_1253_: u32;
-    var phi_1264_: u32;
+    var phi_1254_: u32;
+    var phi_1266_: bool;
+    var phi_1267_: bool;
+    var phi_1268_: bool;
+    var phi_1269_: bool;
+    var phi_1273_: bool;
+    var phi_1279_: bool;
+    var phi_1287_: u32;
+    var phi_1292_: u32;
+    var phi_1301_: u32;
+    var phi_1306_: u32;
+    var phi_1310_: u32;
+    var phi_1311_: u32;
+    var phi_1312_: u32;
+    var phi_1316_: f32;
+    var phi_1318_: mask_Masked;
+    var phi_1368_: bool;
+    var phi_1369_: u32;
+    var phi_1380_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e55 = id_1;
@@ -496,7 +536,7 @@ fn function_() {
         }
         let _e249 = phi_465_;
         if _e249.unnamed_1 {
-            phi_1202_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
+            phi_1318_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
         } else {
             let _e254 = (_e96 < 0.5f);
             if (_e96 > 0f) {
@@ -757,42 +797,47 @@ fn function_() {
             let _e638 = phi_840_;
             let _e640 = phi_841_;
             let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
-            if _e644.has_moved {
-            }
-            let _e650 = lt_mask_Neighbourhood(false, true);
+            let _e645 = lt_mask_Neighbourhood(false, true);
             if _e258 {
-                phi_1080_ = _e650;
+                phi_847_ = false;
             } else {
-                if true {
-                    if _e638 {
+                phi_847_ = true;
+            }
+            let _e647 = phi_847_;
+            if _e647 {
+                if _e638 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1140_ = _e645;
+                    } else {
+                        let _e651 = p.member.expansion;
                         if _e644.has_moved {
-                            let _e653 = p.member.moving_pattern;
-                            phi_869_ = _e653;
+                            let _e654 = p.member.moving_pattern;
+                            phi_869_ = _e654;
                         } else {
-                            let _e655 = p.member.still_pattern;
-                            phi_869_ = _e655;
+                            let _e656 = p.member.still_pattern;
+                            phi_869_ = _e656;
                         }
-                        let _e657 = phi_869_;
+                        let _e658 = phi_869_;
                         phi_871_ = 0u;
-                        phi_874_ = _e650;
+                        phi_874_ = _e645;
                         loop {
-                            let _e659 = phi_871_;
-                            let _e661 = phi_874_;
-                            local_1 = _e661;
-                            if (1u <= _e657) {
-                                if (_e657 <= 4u) {
+                            let _e660 = phi_871_;
+                            let _e662 = phi_874_;
+                            local_1 = _e662;
+                            if (1u <= _e658) {
+                                if (_e658 <= 4u) {
                                     phi_886_ = false;
                                 } else {
                                     phi_886_ = true;
                                 }
-                                let _e665 = phi_886_;
-                                phi_887_ = _e665;
+                                let _e666 = phi_886_;
+                                phi_887_ = _e666;
                             } else {
                                 phi_887_ = true;
                             }
-                            let _e667 = phi_887_;
-                            if _e667 {
-                                switch bitcast<i32>(_e657) {
+                            let _e668 = phi_887_;
+                            if _e668 {
+                                switch bitcast<i32>(_e658) {
                                     case 5: {
                                         phi_896_ = 4u;
                                         break;
@@ -810,40 +855,40 @@ fn function_() {
                                         break;
                                     }
                                 }
-                                let _e670 = phi_896_;
-                                phi_897_ = _e670;
+                                let _e671 = phi_896_;
+                                phi_897_ = _e671;
                             } else {
                                 phi_897_ = 5u;
                             }
-                            let _e672 = phi_897_;
-                            let _e673 = (_e659 < _e672);
-                            if _e673 {
-                                let _e679 = p.member.frame;
-                                let _e683 = p.member.current.size[0u];
-                                let _e685 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e657) {
+                            let _e673 = phi_897_;
+                            let _e674 = (_e660 < _e673);
+                            if _e674 {
+                                let _e680 = p.member.frame;
+                                let _e684 = p.member.current.size[0u];
+                                let _e686 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e658) {
                                     case 1: {
-                                        let _e695 = lt_mask_pattern_plus(_e659);
-                                        phi_977_ = vec2<i32>(_e695.x, _e695.y);
+                                        let _e696 = lt_mask_pattern_plus(_e660);
+                                        phi_977_ = vec2<i32>(_e696.x, _e696.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e699 = lt_mask_pattern_cross(_e659);
-                                        phi_977_ = vec2<i32>(_e699.x, _e699.y);
+                                        let _e700 = lt_mask_pattern_cross(_e660);
+                                        phi_977_ = vec2<i32>(_e700.x, _e700.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e705 = lt_mask_pattern_plus_or_cross(_e659, ((_e644.pixel.x + _e644.pixel.y) & 1u));
-                                        phi_977_ = vec2<i32>(_e705.x, _e705.y);
+                                        let _e706 = lt_mask_pattern_plus_or_cross(_e660, ((_e644.pixel.x + _e644.pixel.y) & 1u));
+                                        phi_977_ = vec2<i32>(_e706.x, _e706.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e710 = lt_mask_pattern_plus_or_cross(_e659, (_e679 & 1u));
-                                        phi_977_ = vec2<i32>(_e710.x, _e710.y);
+                                        let _e711 = lt_mask_pattern_plus_or_cross(_e660, (_e680 & 1u));
+                                        phi_977_ = vec2<i32>(_e711.x, _e711.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e679 & 3u)) {
+                                        switch bitcast<i32>((_e680 & 3u)) {
                                             case 0: {
                                                 phi_957_ = vec2(-1i);
                                                 break;
@@ -861,297 +906,493 @@ fn function_() {
                                                 break;
                                             }
                                         }
-                                        let _e721 = phi_957_;
-                                        phi_977_ = (_e721 + vec2<i32>(bitcast<i32>((_e659 & 1u)), bitcast<i32>(((_e659 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e722 = phi_957_;
+                                        phi_977_ = (_e722 + vec2<i32>(bitcast<i32>((_e660 & 1u)), bitcast<i32>(((_e660 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_977_ = vec2<i32>((bitcast<i32>((_e659 % 5u)) - 2i), (bitcast<i32>(((_e659 / 5u) % 5u)) - 2i));
+                                        phi_977_ = vec2<i32>((bitcast<i32>((_e660 % 5u)) - 2i), (bitcast<i32>(((_e660 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e738 = lt_mask_pattern_diamond(_e659);
-                                        phi_977_ = vec2<i32>(_e738.x, _e738.y);
+                                        let _e739 = lt_mask_pattern_diamond(_e660);
+                                        phi_977_ = vec2<i32>(_e739.x, _e739.y);
                                         break;
                                     }
                                     default: {
-                                        phi_977_ = vec2<i32>((bitcast<i32>((_e659 % 3u)) - 1i), (bitcast<i32>(((_e659 / 3u) % 3u)) - 1i));
+                                        phi_977_ = vec2<i32>((bitcast<i32>((_e660 % 3u)) - 1i), (bitcast<i32>(((_e660 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e743 = phi_977_;
-                                let _e746 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e743.x, _e683);
-                                let _e747 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e743.y, _e685);
-                                let _e751 = ((((_e747 * _e88) + _e746) * _e84) + (_e80 / 32u));
+                                let _e744 = phi_977_;
+                                let _e747 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e744.x, _e684);
+                                let _e748 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e744.y, _e686);
+                                let _e752 = ((((_e748 * _e88) + _e747) * _e84) + (_e80 / 32u));
                                 if (_e82 > 29u) {
-                                    let _e753 = (_e751 + 1u);
-                                    if (_e753 < _e61) {
+                                    let _e754 = (_e752 + 1u);
+                                    if (_e754 < _e61) {
                                     } else {
                                         return;
                                     }
-                                    let _e757 = last_bits.member[(0u + _e753)];
-                                    phi_1002_ = _e757;
+                                    let _e758 = last_bits.member[(0u + _e754)];
+                                    phi_1002_ = _e758;
                                 } else {
                                     phi_1002_ = 0u;
                                 }
-                                let _e759 = phi_1002_;
-                                if (_e751 < _e61) {
+                                let _e760 = phi_1002_;
+                                if (_e752 < _e61) {
                                 } else {
                                     return;
                                 }
-                                let _e763 = last_bits.member[(0u + _e751)];
-                                let _e766 = (_e763 >> bitcast<u32>((_e82 & 31u)));
+                                let _e764 = last_bits.member[(0u + _e752)];
+                                let _e767 = (_e764 >> bitcast<u32>((_e82 & 31u)));
                                 if (_e82 > 29u) {
-                                    phi_1021_ = (_e766 | (_e759 << bitcast<u32>(((32u - _e82) & 31u))));
+                                    phi_1021_ = (_e767 | (_e760 << bitcast<u32>(((32u - _e82) & 31u))));
                                 } else {
-                                    phi_1021_ = _e766;
+                                    phi_1021_ = _e767;
                                 }
-                                let _e774 = phi_1021_;
-                                if ((_e774 & 2u) == 0u) {
-                                    phi_1029_ = (_e774 & 1u);
+                                let _e775 = phi_1021_;
+                                if ((_e775 & 2u) == 0u) {
+                                    phi_1029_ = (_e775 & 1u);
                                 } else {
-                                    phi_1029_ = (_e774 & 7u);
+                                    phi_1029_ = (_e775 & 7u);
                                 }
-                                let _e780 = phi_1029_;
-                                if _e661.any_expands {
-                                    phi_1055_ = true;
+                                let _e781 = phi_1029_;
+                                if _e662.any_expands {
+                                    phi_1117_ = true;
                                 } else {
-                                    if ((_e780 & 2u) != 0u) {
-                                        if (((_e780 & 4u) != 0u) != _e254) {
-                                            phi_1046_ = false;
-                                        } else {
-                                            phi_1046_ = true;
+                                    if ((_e781 & 2u) != 0u) {
+                                        let _e788 = (((_e781 & 4u) != 0u) != _e254);
+                                        switch bitcast<i32>(_e651) {
+                                            case 1: {
+                                                phi_1057_ = bool();
+                                                phi_1058_ = false;
+                                                phi_1059_ = true;
+                                                phi_1060_ = false;
+                                                phi_1061_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e788 {
+                                                    phi_1055_ = (((_e781 & 4u) != 0u) != ((_e781 & 1u) != 0u));
+                                                    phi_1056_ = false;
+                                                } else {
+                                                    phi_1055_ = bool();
+                                                    phi_1056_ = true;
+                                                }
+                                                let _e796 = phi_1055_;
+                                                let _e798 = phi_1056_;
+                                                phi_1057_ = _e796;
+                                                phi_1058_ = false;
+                                                phi_1059_ = false;
+                                                phi_1060_ = _e798;
+                                                phi_1061_ = _e788;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1057_ = bool();
+                                                phi_1058_ = true;
+                                                phi_1059_ = false;
+                                                phi_1060_ = false;
+                                                phi_1061_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e789 = phi_1046_;
-                                        phi_1047_ = _e789;
-                                    } else {
-                                        phi_1047_ = true;
-                                    }
-                                    let _e791 = phi_1047_;
-                                    if _e791 {
-                                        phi_1054_ = (((_e780 & 1u) != 0u) != _e254);
-                                    } else {
-                                        phi_1054_ = true;
-                                    }
-                                    let _e796 = phi_1054_;
-                                    phi_1055_ = _e796;
-                                }
-                                let _e798 = phi_1055_;
-                                if _e661.all_remove {
-                                    if (((_e780 & 1u) != 0u) == _e254) {
-                                        if ((_e780 & 2u) != 0u) {
-                                            phi_1073_ = (((_e780 & 4u) != 0u) == _e254);
-                                        } else {
-                                            phi_1073_ = true;
-                                        }
-                                        let _e808 = phi_1073_;
+                                        let _e800 = phi_1057_;
+                                        let _e802 = phi_1058_;
+                                        let _e804 = phi_1059_;
+                                        let _e806 = phi_1060_;
+                                        let _e808 = phi_1061_;
+                                        phi_1069_ = _e788;
+                                        phi_1070_ = _e800;
+                                        phi_1071_ = _e802;
+                                        phi_1072_ = _e804;
+                                        phi_1073_ = _e806;
                                         phi_1074_ = _e808;
                                     } else {
+                                        switch bitcast<i32>(_e651) {
+                                            case 1: {
+                                                phi_1066_ = false;
+                                                phi_1067_ = true;
+                                                phi_1068_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1066_ = false;
+                                                phi_1067_ = false;
+                                                phi_1068_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1066_ = true;
+                                                phi_1067_ = false;
+                                                phi_1068_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e811 = phi_1066_;
+                                        let _e813 = phi_1067_;
+                                        let _e815 = phi_1068_;
+                                        phi_1069_ = false;
+                                        phi_1070_ = bool();
+                                        phi_1071_ = _e811;
+                                        phi_1072_ = _e813;
+                                        phi_1073_ = _e815;
                                         phi_1074_ = false;
                                     }
-                                    let _e810 = phi_1074_;
-                                    phi_1075_ = _e810;
-                                } else {
-                                    phi_1075_ = false;
+                                    let _e817 = phi_1069_;
+                                    let _e819 = phi_1070_;
+                                    let _e821 = phi_1071_;
+                                    let _e823 = phi_1072_;
+                                    let _e825 = phi_1073_;
+                                    let _e827 = phi_1074_;
+                                    if _e821 {
+                                        if ((_e781 & 2u) != 0u) {
+                                            if (((_e781 & 4u) != 0u) != _e254) {
+                                                phi_1089_ = false;
+                                            } else {
+                                                phi_1089_ = true;
+                                            }
+                                            let _e834 = phi_1089_;
+                                            phi_1090_ = _e834;
+                                        } else {
+                                            phi_1090_ = true;
+                                        }
+                                        let _e836 = phi_1090_;
+                                        if _e836 {
+                                            phi_1097_ = (((_e781 & 1u) != 0u) != _e254);
+                                        } else {
+                                            phi_1097_ = true;
+                                        }
+                                        let _e841 = phi_1097_;
+                                        phi_1098_ = _e841;
+                                        phi_1099_ = false;
+                                        phi_1100_ = false;
+                                        phi_1101_ = false;
+                                    } else {
+                                        phi_1098_ = bool();
+                                        phi_1099_ = _e823;
+                                        phi_1100_ = _e825;
+                                        phi_1101_ = _e827;
+                                    }
+                                    let _e843 = phi_1098_;
+                                    let _e845 = phi_1099_;
+                                    let _e847 = phi_1100_;
+                                    let _e849 = phi_1101_;
+                                    if _e845 {
+                                        phi_1105_ = _e817;
+                                        phi_1106_ = false;
+                                        phi_1107_ = false;
+                                    } else {
+                                        phi_1105_ = _e843;
+                                        phi_1106_ = _e847;
+                                        phi_1107_ = _e849;
+                                    }
+                                    let _e851 = phi_1105_;
+                                    let _e853 = phi_1106_;
+                                    let _e855 = phi_1107_;
+                                    if _e853 {
+                                        phi_1111_ = false;
+                                        phi_1112_ = true;
+                                    } else {
+                                        phi_1111_ = _e819;
+                                        phi_1112_ = _e855;
+                                    }
+                                    let _e857 = phi_1111_;
+                                    let _e859 = phi_1112_;
+                                    if _e859 {
+                                        phi_1116_ = _e857;
+                                    } else {
+                                        phi_1116_ = _e851;
+                                    }
+                                    let _e861 = phi_1116_;
+                                    phi_1117_ = _e861;
                                 }
-                                let _e812 = phi_1075_;
-                                phi_872_ = (_e659 + 1u);
-                                phi_875_ = lt_mask_Neighbourhood(_e798, _e812);
+                                let _e863 = phi_1117_;
+                                if _e662.all_remove {
+                                    if (((_e781 & 1u) != 0u) == _e254) {
+                                        if ((_e781 & 2u) != 0u) {
+                                            phi_1135_ = (((_e781 & 4u) != 0u) == _e254);
+                                        } else {
+                                            phi_1135_ = true;
+                                        }
+                                        let _e873 = phi_1135_;
+                                        phi_1136_ = _e873;
+                                    } else {
+                                        phi_1136_ = false;
+                                    }
+                                    let _e875 = phi_1136_;
+                                    phi_1137_ = _e875;
+                                } else {
+                                    phi_1137_ = false;
+                                }
+                                let _e877 = phi_1137_;
+                                phi_872_ = (_e660 + 1u);
+                                phi_875_ = lt_mask_Neighbourhood(_e863, _e877);
                             } else {
                                 phi_872_ = u32();
                                 phi_875_ = lt_mask_Neighbourhood();
                             }
-                            let _e816 = phi_872_;
-                            let _e818 = phi_875_;
+                            let _e881 = phi_872_;
+                            let _e883 = phi_875_;
                             continue;
                             continuing {
-                                phi_871_ = _e816;
-                                phi_874_ = _e818;
-                                break if !(_e673);
+                                phi_871_ = _e881;
+                                phi_874_ = _e883;
+                                break if !(_e674);
                             }
                         }
-                        let _e1046 = local_1;
-                        phi_1078_ = _e1046;
-                    } else {
-                        phi_1078_ = _e650;
+                        let _e1172 = local_1;
+                        phi_1140_ = _e1172;
                     }
-                    let _e821 = phi_1078_;
-                    phi_1079_ = _e821;
+                    let _e886 = phi_1140_;
+                    phi_1141_ = _e886;
                 } else {
-                    phi_1079_ = _e650;
+                    phi_1141_ = _e645;
                 }
-                let _e823 = phi_1079_;
-                phi_1080_ = _e823;
-            }
-            let _e825 = phi_1080_;
-            let _e828 = p.member.frame;
-            let _e830 = p.member.refresh;
-            if (_e830 == 0u) {
-                phi_1113_ = false;
+                let _e888 = phi_1141_;
+                phi_1142_ = _e888;
             } else {
-                if (_e830 == 0u) {
+                phi_1142_ = _e645;
+            }
+            let _e890 = phi_1142_;
+            let _e893 = p.member.frame;
+            let _e895 = p.member.refresh;
+            if (_e895 == 0u) {
+                phi_1175_ = false;
+            } else {
+                if (_e895 == 0u) {
                     return;
                 }
-                let _e839 = ((_e55.x + (_e55.y * (((_e830 * 5u) / 8u) | 1u))) + (_e828 % _e830));
-                if (_e830 == 0u) {
-                    phi_1112_ = (_e839 == 0u);
+                let _e904 = ((_e55.x + (_e55.y * (((_e895 * 5u) / 8u) | 1u))) + (_e893 % _e895));
+                if (_e895 == 0u) {
+                    phi_1174_ = (_e904 == 0u);
                 } else {
-                    if (_e830 == 0u) {
+                    if (_e895 == 0u) {
                         return;
                     }
-                    phi_1112_ = ((_e839 % _e830) == 0u);
+                    phi_1174_ = ((_e904 % _e895) == 0u);
                 }
-                let _e846 = phi_1112_;
-                phi_1113_ = _e846;
+                let _e911 = phi_1174_;
+                phi_1175_ = _e911;
             }
-            let _e848 = phi_1113_;
-            if (_e96 != 0.5f) {
-                if _e638 {
-                    if _e848 {
-                        phi_1168_ = 6u;
-                    } else {
-                        if _e258 {
-                            phi_1143_ = true;
+            let _e913 = phi_1175_;
+            if _e638 {
+                if _e913 {
+                    phi_1197_ = bool();
+                } else {
+                    phi_1197_ = ((0u & 2u) != 0u);
+                }
+                let _e919 = phi_1197_;
+                phi_1198_ = _e919;
+                phi_1199_ = _e913;
+            } else {
+                phi_1198_ = bool();
+                phi_1199_ = true;
+            }
+            let _e921 = phi_1198_;
+            let _e923 = phi_1199_;
+            if _e923 {
+                phi_1203_ = false;
+            } else {
+                phi_1203_ = _e921;
+            }
+            let _e925 = phi_1203_;
+            if _e925 {
+                phi_1254_ = 7u;
+            } else {
+                if (_e96 != 0.5f) {
+                    if _e638 {
+                        if _e913 {
+                            phi_1251_ = 6u;
                         } else {
-                            if _e825.any_expands {
-                                phi_1142_ = false;
-                            } else {
-                                phi_1142_ = true;
-                            }
-                            let _e852 = phi_1142_;
-                            phi_1143_ = _e852;
-                        }
-                        let _e854 = phi_1143_;
-                        if _e854 {
                             if _e258 {
-                                if false {
-                                    if _e825.all_remove {
-                                        phi_1156_ = false;
-                                    } else {
-                                        phi_1156_ = true;
-                                    }
-                                    let _e856 = phi_1156_;
-                                    phi_1157_ = _e856;
-                                } else {
-                                    phi_1157_ = true;
-                                }
-                                let _e858 = phi_1157_;
-                                phi_1158_ = _e858;
+                                phi_1226_ = true;
                             } else {
-                                phi_1158_ = true;
+                                if _e890.any_expands {
+                                    phi_1225_ = false;
+                                } else {
+                                    phi_1225_ = true;
+                                }
+                                let _e927 = phi_1225_;
+                                phi_1226_ = _e927;
                             }
-                            let _e860 = phi_1158_;
-                            if _e860 {
+                            let _e929 = phi_1226_;
+                            if _e929 {
                                 if _e258 {
-                                    phi_1165_ = 1u;
+                                    if false {
+                                        if _e890.all_remove {
+                                            phi_1239_ = false;
+                                        } else {
+                                            phi_1239_ = true;
+                                        }
+                                        let _e931 = phi_1239_;
+                                        phi_1240_ = _e931;
+                                    } else {
+                                        phi_1240_ = true;
+                                    }
+                                    let _e933 = phi_1240_;
+                                    phi_1241_ = _e933;
                                 } else {
-                                    phi_1165_ = 0u;
+                                    phi_1241_ = true;
                                 }
-                                let _e862 = phi_1165_;
-                                phi_1166_ = _e862;
+                                let _e935 = phi_1241_;
+                                if _e935 {
+                                    if _e258 {
+                                        phi_1248_ = 1u;
+                                    } else {
+                                        phi_1248_ = 0u;
+                                    }
+                                    let _e937 = phi_1248_;
+                                    phi_1249_ = _e937;
+                                } else {
+                                    phi_1249_ = 5u;
+                                }
+                                let _e939 = phi_1249_;
+                                phi_1250_ = _e939;
                             } else {
-                                phi_1166_ = 5u;
+                                phi_1250_ = 4u;
                             }
-                            let _e864 = phi_1166_;
-                            phi_1167_ = _e864;
-                        } else {
-                            phi_1167_ = 4u;
+                            let _e941 = phi_1250_;
+                            phi_1251_ = _e941;
                         }
-                        let _e866 = phi_1167_;
-                        phi_1168_ = _e866;
+                        let _e943 = phi_1251_;
+                        phi_1252_ = _e943;
+                    } else {
+                        phi_1252_ = 3u;
                     }
-                    let _e868 = phi_1168_;
-                    phi_1169_ = _e868;
+                    let _e945 = phi_1252_;
+                    phi_1253_ = _e945;
                 } else {
-                    phi_1169_ = 3u;
+                    phi_1253_ = 2u;
                 }
-                let _e870 = phi_1169_;
-                phi_1170_ = _e870;
-            } else {
-                phi_1170_ = 2u;
+                let _e947 = phi_1253_;
+                phi_1254_ = _e947;
             }
-            let _e872 = phi_1170_;
-            if !((_e872 == 0u)) {
-                phi_1178_ = !((_e872 == 5u));
+            let _e949 = phi_1254_;
+            if !((_e949 == 0u)) {
+                if !((_e949 == 5u)) {
+                    phi_1266_ = !(_e925);
+                    phi_1267_ = false;
+                } else {
+                    phi_1266_ = bool();
+                    phi_1267_ = true;
+                }
+                let _e956 = phi_1266_;
+                let _e958 = phi_1267_;
+                phi_1268_ = _e956;
+                phi_1269_ = _e958;
             } else {
-                phi_1178_ = false;
+                phi_1268_ = bool();
+                phi_1269_ = true;
             }
-            let _e878 = phi_1178_;
-            if _e878 {
+            let _e960 = phi_1268_;
+            let _e962 = phi_1269_;
+            if _e962 {
+                phi_1273_ = false;
+            } else {
+                phi_1273_ = _e960;
+            }
+            let _e964 = phi_1273_;
+            if _e925 {
+                phi_1279_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1279_ = _e254;
+            }
+            let _e968 = phi_1279_;
+            if _e964 {
                 if _e254 {
-                    phi_1186_ = (2u | 1u);
+                    phi_1287_ = (2u | 1u);
                 } else {
-                    phi_1186_ = 2u;
+                    phi_1287_ = 2u;
                 }
-                let _e881 = phi_1186_;
+                let _e971 = phi_1287_;
                 if false {
-                    phi_1191_ = (_e881 | 4u);
+                    phi_1292_ = (_e971 | 4u);
                 } else {
-                    phi_1191_ = _e881;
+                    phi_1292_ = _e971;
                 }
-                let _e884 = phi_1191_;
-                phi_1196_ = _e884;
+                let _e974 = phi_1292_;
+                phi_1312_ = _e974;
             } else {
-                if _e254 {
-                    phi_1195_ = 1u;
+                if (_e949 == 7u) {
+                    if _e254 {
+                        phi_1301_ = (2u | 1u);
+                    } else {
+                        phi_1301_ = 2u;
+                    }
+                    let _e978 = phi_1301_;
+                    if _e968 {
+                        phi_1306_ = (_e978 | 4u);
+                    } else {
+                        phi_1306_ = _e978;
+                    }
+                    let _e981 = phi_1306_;
+                    phi_1311_ = _e981;
                 } else {
-                    phi_1195_ = 0u;
+                    if _e254 {
+                        phi_1310_ = 1u;
+                    } else {
+                        phi_1310_ = 0u;
+                    }
+                    let _e983 = phi_1310_;
+                    phi_1311_ = _e983;
                 }
-                let _e886 = phi_1195_;
-                phi_1196_ = _e886;
+                let _e985 = phi_1311_;
+                phi_1312_ = _e985;
             }
-            let _e888 = phi_1196_;
-            if _e254 {
-                phi_1200_ = 0f;
+            let _e987 = phi_1312_;
+            if _e968 {
+                phi_1316_ = 0f;
             } else {
-                phi_1200_ = 1f;
+                phi_1316_ = 1f;
             }
-            let _e890 = phi_1200_;
-            phi_1202_ = mask_Masked(_e890, _e888, _e878);
+            let _e989 = phi_1316_;
+            phi_1318_ = mask_Masked(_e989, _e987, _e964);
         }
-        let _e893 = phi_1202_;
-        visibility.member[_e72.shift] = _e893.visibility;
-        let _e898 = p.member.light.number;
-        let _e899 = (_e898 * 3u);
-        let _e901 = (_e899 % 32u);
-        let _e903 = p.member.light.mask_words;
-        let _e905 = ((_e72.shift * _e903) + (_e899 / 32u));
-        let _e907 = bits.member[_e905];
-        bits.member[_e905] = ((_e907 & ~((7u << bitcast<u32>((_e901 & 31u))))) | (_e893.bits << bitcast<u32>((_e901 & 31u))));
-        if (_e901 > 29u) {
-            let _e922 = bits.member[(_e905 + 1u)];
-            let _e924 = (32u - _e901);
-            bits.member[(_e905 + 1u)] = ((_e922 & ~((7u >> bitcast<u32>((_e924 & 31u))))) | (_e893.bits >> bitcast<u32>((_e924 & 31u))));
+        let _e992 = phi_1318_;
+        visibility.member[_e72.shift] = _e992.visibility;
+        let _e997 = p.member.light.number;
+        let _e998 = (_e997 * 3u);
+        let _e1000 = (_e998 % 32u);
+        let _e1002 = p.member.light.mask_words;
+        let _e1004 = ((_e72.shift * _e1002) + (_e998 / 32u));
+        let _e1006 = bits.member[_e1004];
+        bits.member[_e1004] = ((_e1006 & ~((7u << bitcast<u32>((_e1000 & 31u))))) | (_e992.bits << bitcast<u32>((_e1000 & 31u))));
+        if (_e1000 > 29u) {
+            let _e1021 = bits.member[(_e1004 + 1u)];
+            let _e1023 = (32u - _e1000);
+            bits.member[(_e1004 + 1u)] = ((_e1021 & ~((7u >> bitcast<u32>((_e1023 & 31u))))) | (_e992.bits >> bitcast<u32>((_e1023 & 31u))));
         }
-        phi_1252_ = _e893.needs_ray;
-        phi_1253_ = _e72.shift;
+        phi_1368_ = _e992.needs_ray;
+        phi_1369_ = _e72.shift;
     } else {
-        phi_1252_ = false;
-        phi_1253_ = 0u;
+        phi_1368_ = false;
+        phi_1369_ = 0u;
     }
-    let _e938 = phi_1252_;
-    let _e940 = phi_1253_;
+    let _e1037 = phi_1368_;
+    let _e1039 = phi_1369_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e938 {
-        let _e944 = atomicAdd((&shared_[0u]), 1u);
-        phi_1264_ = _e944;
+    if _e1037 {
+        let _e1043 = atomicAdd((&shared_[0u]), 1u);
+        phi_1380_ = _e1043;
     } else {
-        phi_1264_ = 0u;
+        phi_1380_ = 0u;
     }
-    let _e946 = phi_1264_;
+    let _e1045 = phi_1380_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e950 = atomicLoad((&shared_[0u]));
-        let _e951 = atomicAdd((&list.member[3u]), _e950);
-        atomicStore((&shared_[1u]), _e951);
+        let _e1049 = atomicLoad((&shared_[0u]));
+        let _e1050 = atomicAdd((&list.member[3u]), _e1049);
+        atomicStore((&shared_[1u]), _e1050);
     }
     workgroupBarrier();
-    if _e938 {
-        let _e954 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e954) + _e946)]), _e940);
+    if _e1037 {
+        let _e1053 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1053) + _e1045)]), _e1039);
     }
     return;
 }

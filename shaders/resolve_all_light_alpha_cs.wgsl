@@ -776,164 +776,169 @@ fn function_() {
     var phi_1373_: vec3<f32>;
     var phi_1385_: u32;
     var phi_1388_: u32;
-    var phi_1457_: f32;
-    var phi_1458_: f32;
-    var phi_1472_: u32;
-    var phi_1495_: f32;
-    var phi_1496_: f32;
-    var phi_1510_: u32;
-    var phi_1533_: f32;
-    var phi_1534_: f32;
-    var phi_1548_: u32;
-    var phi_1675_: u32;
+    var phi_1397_: u32;
+    var phi_1400_: u32;
+    var phi_1402_: u32;
+    var phi_1404_: u32;
+    var phi_1477_: f32;
+    var phi_1478_: f32;
+    var phi_1492_: u32;
+    var phi_1515_: f32;
+    var phi_1516_: f32;
+    var phi_1530_: u32;
+    var phi_1553_: f32;
+    var phi_1554_: f32;
+    var phi_1568_: u32;
     var phi_1715_: u32;
     var phi_1716_: u32;
+    var phi_1720_: u32;
+    var phi_1721_: u32;
     var phi_1722_: u32;
-    var phi_1751_: vec3<f32>;
-    var phi_1752_: vec3<f32>;
-    var phi_1781_: vec3<f32>;
-    var phi_1782_: vec3<f32>;
-    var phi_1811_: vec3<f32>;
-    var phi_1812_: vec3<f32>;
-    var phi_1830_: bool;
-    var phi_1831_: bool;
-    var phi_1835_: f32;
-    var phi_1836_: f32;
-    var phi_1837_: f32;
-    var phi_1838_: f32;
-    var phi_1846_: f32;
-    var phi_1856_: bool;
-    var phi_1857_: bool;
-    var phi_1861_: f32;
-    var phi_1862_: f32;
-    var phi_1863_: f32;
-    var phi_1864_: f32;
-    var phi_1872_: f32;
-    var phi_1882_: bool;
-    var phi_1883_: bool;
-    var phi_1887_: f32;
-    var phi_1888_: f32;
-    var phi_1889_: f32;
-    var phi_1890_: f32;
-    var phi_1898_: f32;
-    var phi_1913_: f32;
-    var phi_1914_: bool;
-    var phi_1915_: f32;
-    var phi_1916_: bool;
-    var phi_1917_: f32;
-    var phi_1918_: bool;
-    var phi_1936_: f32;
-    var phi_1937_: bool;
-    var phi_1938_: bool;
-    var phi_1939_: f32;
-    var phi_1940_: bool;
-    var phi_1941_: bool;
-    var phi_1945_: bool;
-    var phi_1946_: f32;
-    var phi_1947_: bool;
-    var phi_1975_: vec3<f32>;
-    var phi_1976_: vec3<f32>;
-    var phi_2001_: vec3<f32>;
-    var phi_2002_: vec3<f32>;
-    var phi_2027_: vec3<f32>;
-    var phi_2028_: vec3<f32>;
-    var phi_2084_: f32;
-    var phi_2093_: f32;
-    var phi_2102_: f32;
-    var phi_2111_: f32;
-    var phi_2118_: f32;
-    var phi_2125_: f32;
-    var phi_2138_: f32;
-    var phi_2147_: f32;
-    var phi_2156_: f32;
-    var phi_2165_: f32;
-    var phi_2172_: f32;
-    var phi_2179_: f32;
-    var phi_2196_: f32;
-    var phi_2201_: f32;
-    var phi_2206_: f32;
-    var phi_2214_: f32;
-    var phi_2219_: f32;
-    var phi_2224_: f32;
-    var phi_2236_: f32;
-    var phi_2241_: f32;
-    var phi_2246_: f32;
-    var phi_2251_: f32;
-    var phi_2256_: lt_bvh_triangle_Intersection;
-    var phi_2257_: bool;
-    var phi_2258_: lt_bvh_triangle_Intersection;
-    var phi_2259_: bool;
-    var phi_2263_: lt_bvh_triangle_Intersection;
-    var phi_2264_: bool;
-    var phi_2265_: lt_bvh_triangle_Intersection;
-    var phi_2266_: bool;
-    var phi_2267_: bool;
-    var phi_2271_: bool;
-    var phi_2275_: lt_bvh_triangle_Intersection;
-    var phi_2489_: f32;
-    var phi_2492_: bool;
-    var phi_2493_: bool;
-    var phi_2497_: bool;
-    var phi_2498_: bool;
-    var phi_2499_: bool;
-    var phi_2500_: bool;
-    var phi_2501_: bool;
-    var phi_2502_: bool;
-    var phi_2503_: bool;
-    var phi_2504_: bool;
-    var phi_2505_: bool;
-    var phi_2506_: bool;
-    var phi_2507_: bool;
-    var phi_2508_: bool;
-    var phi_2509_: bool;
-    var phi_2510_: bool;
-    var phi_2514_: bool;
-    var phi_2515_: bool;
-    var phi_2516_: bool;
-    var phi_2520_: bool;
-    var phi_2521_: bool;
-    var phi_1676_: u32;
-    var phi_2522_: bool;
-    var phi_2523_: bool;
-    var phi_2524_: bool;
+    var phi_1723_: u32;
+    var phi_1724_: u32;
+    var phi_1725_: u32;
+    var phi_1743_: u32;
+    var phi_1744_: u32;
+    var phi_1745_: u32;
+    var phi_1746_: u32;
+    var phi_1747_: u32;
+    var phi_1748_: u32;
+    var phi_1749_: u32;
+    var phi_1750_: u32;
+    var phi_1398_: u32;
+    var phi_1401_: u32;
+    var phi_1403_: u32;
+    var phi_1405_: u32;
+    var phi_1751_: bool;
     var local_5: bool;
-    var phi_2528_: bool;
-    var phi_2529_: bool;
-    var phi_2550_: u32;
-    var phi_2551_: u32;
-    var phi_2555_: u32;
-    var phi_2556_: u32;
-    var phi_2557_: u32;
-    var phi_2558_: u32;
-    var phi_2559_: bool;
-    var phi_2560_: bool;
-    var phi_2561_: bool;
-    var phi_2582_: u32;
-    var phi_2583_: u32;
-    var phi_2584_: u32;
-    var phi_2585_: u32;
-    var phi_2586_: u32;
-    var phi_2587_: u32;
+    var phi_1756_: u32;
+    var local_6: u32;
+    var phi_1795_: u32;
+    var phi_1796_: u32;
+    var phi_1802_: u32;
+    var phi_1831_: vec3<f32>;
+    var phi_1832_: vec3<f32>;
+    var phi_1861_: vec3<f32>;
+    var phi_1862_: vec3<f32>;
+    var phi_1891_: vec3<f32>;
+    var phi_1892_: vec3<f32>;
+    var phi_1910_: bool;
+    var phi_1911_: bool;
+    var phi_1915_: f32;
+    var phi_1916_: f32;
+    var phi_1917_: f32;
+    var phi_1918_: f32;
+    var phi_1926_: f32;
+    var phi_1936_: bool;
+    var phi_1937_: bool;
+    var phi_1941_: f32;
+    var phi_1942_: f32;
+    var phi_1943_: f32;
+    var phi_1944_: f32;
+    var phi_1952_: f32;
+    var phi_1962_: bool;
+    var phi_1963_: bool;
+    var phi_1967_: f32;
+    var phi_1968_: f32;
+    var phi_1969_: f32;
+    var phi_1970_: f32;
+    var phi_1978_: f32;
+    var phi_1993_: f32;
+    var phi_1994_: bool;
+    var phi_1995_: f32;
+    var phi_1996_: bool;
+    var phi_1997_: f32;
+    var phi_1998_: bool;
+    var phi_2016_: f32;
+    var phi_2017_: bool;
+    var phi_2018_: bool;
+    var phi_2019_: f32;
+    var phi_2020_: bool;
+    var phi_2021_: bool;
+    var phi_2025_: bool;
+    var phi_2026_: f32;
+    var phi_2027_: bool;
+    var phi_2055_: vec3<f32>;
+    var phi_2056_: vec3<f32>;
+    var phi_2081_: vec3<f32>;
+    var phi_2082_: vec3<f32>;
+    var phi_2107_: vec3<f32>;
+    var phi_2108_: vec3<f32>;
+    var phi_2164_: f32;
+    var phi_2173_: f32;
+    var phi_2182_: f32;
+    var phi_2191_: f32;
+    var phi_2198_: f32;
+    var phi_2205_: f32;
+    var phi_2218_: f32;
+    var phi_2227_: f32;
+    var phi_2236_: f32;
+    var phi_2245_: f32;
+    var phi_2252_: f32;
+    var phi_2259_: f32;
+    var phi_2276_: f32;
+    var phi_2281_: f32;
+    var phi_2286_: f32;
+    var phi_2294_: f32;
+    var phi_2299_: f32;
+    var phi_2304_: f32;
+    var phi_2316_: f32;
+    var phi_2321_: f32;
+    var phi_2326_: f32;
+    var phi_2331_: f32;
+    var phi_2336_: lt_bvh_triangle_Intersection;
+    var phi_2337_: bool;
+    var phi_2338_: lt_bvh_triangle_Intersection;
+    var phi_2339_: bool;
+    var phi_2343_: lt_bvh_triangle_Intersection;
+    var phi_2344_: bool;
+    var phi_2345_: lt_bvh_triangle_Intersection;
+    var phi_2346_: bool;
+    var phi_2347_: bool;
+    var phi_2351_: bool;
+    var phi_2355_: lt_bvh_triangle_Intersection;
+    var phi_2569_: f32;
+    var phi_2572_: bool;
+    var phi_2573_: bool;
+    var phi_2577_: bool;
+    var phi_2578_: bool;
+    var phi_2579_: bool;
+    var phi_2580_: bool;
+    var phi_2581_: bool;
+    var phi_2582_: bool;
+    var phi_2583_: bool;
+    var phi_2584_: bool;
+    var phi_2585_: bool;
+    var phi_2586_: bool;
+    var phi_2587_: bool;
     var phi_2588_: bool;
     var phi_2589_: bool;
+    var phi_2590_: bool;
+    var phi_2594_: bool;
+    var phi_2595_: bool;
+    var phi_2596_: bool;
+    var phi_2600_: bool;
+    var phi_2601_: bool;
+    var phi_1757_: u32;
+    var phi_2602_: bool;
+    var phi_2603_: bool;
+    var phi_2604_: bool;
+    var local_7: bool;
+    var phi_2608_: bool;
+    var phi_2609_: bool;
     var phi_1386_: u32;
     var phi_1389_: u32;
-    var phi_2590_: bool;
-    var phi_2591_: bool;
-    var phi_2592_: bool;
-    var local_6: bool;
-    var phi_2596_: bool;
-    var phi_2597_: bool;
-    var phi_2601_: bool;
-    var phi_2605_: bool;
-    var phi_2609_: bool;
     var phi_2610_: bool;
-    var phi_2614_: bool;
+    var phi_2611_: bool;
+    var phi_2612_: bool;
+    var local_8: bool;
+    var phi_2616_: bool;
+    var phi_2617_: bool;
+    var phi_2621_: bool;
+    var phi_2625_: bool;
+    var phi_2629_: bool;
     var phi_2630_: bool;
-    var phi_2631_: bool;
-    var phi_2632_: bool;
-    var phi_2633_: bool;
-    var phi_2637_: bool;
+    var phi_2634_: bool;
     var phi_2650_: bool;
     var phi_2651_: bool;
     var phi_2652_: bool;
@@ -942,190 +947,198 @@ fn function_() {
     var phi_2670_: bool;
     var phi_2671_: bool;
     var phi_2672_: bool;
-    var phi_2676_: bool;
+    var phi_2673_: bool;
     var phi_2677_: bool;
-    var phi_2678_: bool;
-    var phi_2679_: bool;
-    var phi_2680_: bool;
-    var phi_2684_: bool;
-    var phi_2754_: f32;
-    var phi_2761_: f32;
-    var phi_2768_: f32;
-    var phi_2775_: f32;
-    var phi_2782_: f32;
-    var phi_2789_: f32;
-    var phi_2806_: f32;
-    var phi_2811_: f32;
-    var phi_2816_: f32;
-    var phi_2821_: f32;
+    var phi_2690_: bool;
+    var phi_2691_: bool;
+    var phi_2692_: bool;
+    var phi_2696_: bool;
+    var phi_2697_: bool;
+    var phi_2698_: bool;
+    var phi_2699_: bool;
+    var phi_2700_: bool;
+    var phi_2704_: bool;
+    var phi_2774_: f32;
+    var phi_2781_: f32;
+    var phi_2788_: f32;
+    var phi_2795_: f32;
+    var phi_2802_: f32;
+    var phi_2809_: f32;
     var phi_2826_: f32;
-    var phi_2852_: bool;
-    var phi_2853_: bool;
-    var phi_2861_: u32;
-    var phi_2862_: u32;
-    var phi_2873_: vec3<f32>;
-    var phi_2874_: vec3<f32>;
-    var phi_2887_: u32;
-    var phi_2892_: u32;
-    var phi_2897_: u32;
-    var phi_3011_: bool;
-    var phi_3012_: bool;
-    var phi_3043_: u32;
-    var phi_3045_: u32;
-    var phi_3048_: bool;
-    var phi_3128_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3155_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3182_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3188_: u32;
-    var phi_3191_: u32;
-    var phi_3205_: u32;
-    var phi_3215_: u32;
+    var phi_2831_: f32;
+    var phi_2836_: f32;
+    var phi_2841_: f32;
+    var phi_2846_: f32;
+    var phi_2872_: bool;
+    var phi_2873_: bool;
+    var phi_2881_: u32;
+    var phi_2882_: u32;
+    var phi_2893_: vec3<f32>;
+    var phi_2894_: vec3<f32>;
+    var phi_2907_: u32;
+    var phi_2912_: u32;
+    var phi_2917_: u32;
+    var phi_3031_: bool;
+    var phi_3032_: bool;
+    var phi_3063_: u32;
+    var phi_3065_: u32;
+    var phi_3068_: bool;
+    var phi_3148_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3175_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3202_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3208_: u32;
+    var phi_3211_: u32;
     var phi_3225_: u32;
-    var phi_3243_: u32;
-    var phi_3253_: u32;
+    var phi_3235_: u32;
+    var phi_3245_: u32;
     var phi_3263_: u32;
-    var phi_3299_: u32;
-    var phi_3312_: u32;
-    var phi_3317_: u32;
-    var phi_3318_: u32;
+    var phi_3273_: u32;
+    var phi_3283_: u32;
     var phi_3319_: u32;
-    var phi_3189_: u32;
-    var phi_3192_: u32;
-    var local_7: u32;
-    var local_8: u32;
+    var phi_3332_: u32;
+    var phi_3337_: u32;
+    var phi_3338_: u32;
+    var phi_3339_: u32;
+    var phi_3209_: u32;
+    var phi_3212_: u32;
     var local_9: u32;
-    var phi_3377_: u32;
-    var phi_3380_: bool;
-    var phi_3424_: vec3<f32>;
-    var phi_3425_: vec3<f32>;
-    var phi_3454_: vec3<f32>;
-    var phi_3455_: vec3<f32>;
-    var phi_3484_: vec3<f32>;
-    var phi_3485_: vec3<f32>;
-    var phi_3503_: bool;
-    var phi_3504_: bool;
-    var phi_3508_: f32;
-    var phi_3509_: f32;
-    var phi_3510_: f32;
-    var phi_3511_: f32;
-    var phi_3519_: f32;
-    var phi_3529_: bool;
-    var phi_3530_: bool;
-    var phi_3534_: f32;
-    var phi_3535_: f32;
-    var phi_3536_: f32;
-    var phi_3537_: f32;
-    var phi_3545_: f32;
-    var phi_3555_: bool;
-    var phi_3556_: bool;
-    var phi_3560_: f32;
-    var phi_3561_: f32;
-    var phi_3562_: f32;
-    var phi_3563_: f32;
-    var phi_3571_: f32;
-    var phi_3586_: f32;
-    var phi_3587_: bool;
-    var phi_3588_: f32;
-    var phi_3589_: bool;
-    var phi_3590_: f32;
-    var phi_3591_: bool;
-    var phi_3609_: f32;
-    var phi_3610_: bool;
+    var local_10: u32;
+    var local_11: u32;
+    var phi_3397_: u32;
+    var phi_3400_: bool;
+    var phi_3444_: vec3<f32>;
+    var phi_3445_: vec3<f32>;
+    var phi_3474_: vec3<f32>;
+    var phi_3475_: vec3<f32>;
+    var phi_3504_: vec3<f32>;
+    var phi_3505_: vec3<f32>;
+    var phi_3523_: bool;
+    var phi_3524_: bool;
+    var phi_3528_: f32;
+    var phi_3529_: f32;
+    var phi_3530_: f32;
+    var phi_3531_: f32;
+    var phi_3539_: f32;
+    var phi_3549_: bool;
+    var phi_3550_: bool;
+    var phi_3554_: f32;
+    var phi_3555_: f32;
+    var phi_3556_: f32;
+    var phi_3557_: f32;
+    var phi_3565_: f32;
+    var phi_3575_: bool;
+    var phi_3576_: bool;
+    var phi_3580_: f32;
+    var phi_3581_: f32;
+    var phi_3582_: f32;
+    var phi_3583_: f32;
+    var phi_3591_: f32;
+    var phi_3606_: f32;
+    var phi_3607_: bool;
+    var phi_3608_: f32;
+    var phi_3609_: bool;
+    var phi_3610_: f32;
     var phi_3611_: bool;
-    var phi_3612_: f32;
-    var phi_3613_: bool;
-    var phi_3614_: bool;
-    var phi_3618_: bool;
-    var phi_3619_: f32;
-    var phi_3620_: bool;
-    var phi_3648_: vec3<f32>;
-    var phi_3649_: vec3<f32>;
-    var phi_3674_: vec3<f32>;
-    var phi_3675_: vec3<f32>;
-    var phi_3700_: vec3<f32>;
-    var phi_3701_: vec3<f32>;
-    var phi_3757_: f32;
-    var phi_3766_: f32;
-    var phi_3775_: f32;
-    var phi_3784_: f32;
-    var phi_3791_: f32;
-    var phi_3798_: f32;
+    var phi_3629_: f32;
+    var phi_3630_: bool;
+    var phi_3631_: bool;
+    var phi_3632_: f32;
+    var phi_3633_: bool;
+    var phi_3634_: bool;
+    var phi_3638_: bool;
+    var phi_3639_: f32;
+    var phi_3640_: bool;
+    var phi_3668_: vec3<f32>;
+    var phi_3669_: vec3<f32>;
+    var phi_3694_: vec3<f32>;
+    var phi_3695_: vec3<f32>;
+    var phi_3720_: vec3<f32>;
+    var phi_3721_: vec3<f32>;
+    var phi_3777_: f32;
+    var phi_3786_: f32;
+    var phi_3795_: f32;
+    var phi_3804_: f32;
     var phi_3811_: f32;
-    var phi_3820_: f32;
-    var phi_3829_: f32;
-    var phi_3838_: f32;
-    var phi_3845_: f32;
-    var phi_3852_: f32;
-    var phi_3869_: f32;
-    var phi_3874_: f32;
-    var phi_3879_: f32;
-    var phi_3887_: f32;
-    var phi_3892_: f32;
-    var phi_3897_: f32;
-    var phi_3909_: f32;
-    var phi_3914_: f32;
-    var phi_3919_: f32;
-    var phi_3924_: f32;
-    var phi_3929_: lt_bvh_triangle_Intersection;
-    var phi_3930_: bool;
-    var phi_3931_: lt_bvh_triangle_Intersection;
-    var phi_3932_: bool;
-    var phi_3936_: lt_bvh_triangle_Intersection;
-    var phi_3937_: bool;
-    var phi_3938_: lt_bvh_triangle_Intersection;
-    var phi_3939_: bool;
-    var phi_3940_: bool;
-    var phi_3944_: bool;
-    var phi_3948_: lt_bvh_triangle_Intersection;
-    var phi_4162_: f32;
-    var phi_4165_: bool;
-    var phi_4166_: bool;
-    var phi_4167_: bool;
-    var phi_4171_: bool;
-    var phi_4172_: bool;
-    var phi_4173_: bool;
-    var phi_4174_: bool;
-    var phi_4175_: bool;
-    var phi_4176_: bool;
-    var phi_4177_: bool;
-    var phi_4178_: bool;
-    var phi_4179_: bool;
-    var phi_4180_: bool;
-    var phi_3378_: u32;
-    var phi_3381_: bool;
-    var phi_4184_: bool;
+    var phi_3818_: f32;
+    var phi_3831_: f32;
+    var phi_3840_: f32;
+    var phi_3849_: f32;
+    var phi_3858_: f32;
+    var phi_3865_: f32;
+    var phi_3872_: f32;
+    var phi_3889_: f32;
+    var phi_3894_: f32;
+    var phi_3899_: f32;
+    var phi_3907_: f32;
+    var phi_3912_: f32;
+    var phi_3917_: f32;
+    var phi_3929_: f32;
+    var phi_3934_: f32;
+    var phi_3939_: f32;
+    var phi_3944_: f32;
+    var phi_3949_: lt_bvh_triangle_Intersection;
+    var phi_3950_: bool;
+    var phi_3951_: lt_bvh_triangle_Intersection;
+    var phi_3952_: bool;
+    var phi_3956_: lt_bvh_triangle_Intersection;
+    var phi_3957_: bool;
+    var phi_3958_: lt_bvh_triangle_Intersection;
+    var phi_3959_: bool;
+    var phi_3960_: bool;
+    var phi_3964_: bool;
+    var phi_3968_: lt_bvh_triangle_Intersection;
+    var phi_4182_: f32;
     var phi_4185_: bool;
-    var local_10: bool;
-    var phi_4227_: bool;
-    var phi_4228_: bool;
-    var phi_4259_: u32;
-    var phi_4260_: u32;
-    var phi_3046_: u32;
-    var phi_3049_: bool;
-    var phi_4261_: bool;
-    var phi_4262_: bool;
-    var phi_4263_: bool;
-    var local_11: bool;
-    var phi_4267_: bool;
-    var phi_4271_: bool;
-    var phi_4272_: bool;
-    var phi_4273_: bool;
-    var phi_4274_: bool;
-    var phi_4278_: bool;
-    var phi_4279_: bool;
-    var phi_4280_: bool;
-    var phi_4284_: f32;
-    var phi_4285_: f32;
+    var phi_4186_: bool;
+    var phi_4187_: bool;
+    var phi_4191_: bool;
+    var phi_4192_: bool;
+    var phi_4193_: bool;
+    var phi_4194_: bool;
+    var phi_4195_: bool;
+    var phi_4196_: bool;
+    var phi_4197_: bool;
+    var phi_4198_: bool;
+    var phi_4199_: bool;
+    var phi_4200_: bool;
+    var phi_3398_: u32;
+    var phi_3401_: bool;
+    var phi_4204_: bool;
+    var phi_4205_: bool;
     var local_12: bool;
+    var phi_4247_: bool;
+    var phi_4248_: bool;
+    var phi_4279_: u32;
+    var phi_4280_: u32;
+    var phi_3066_: u32;
+    var phi_3069_: bool;
+    var phi_4281_: bool;
+    var phi_4282_: bool;
+    var phi_4283_: bool;
     var local_13: bool;
-    var local_14: bool;
+    var phi_4287_: bool;
+    var phi_4291_: bool;
+    var phi_4292_: bool;
+    var phi_4293_: bool;
+    var phi_4294_: bool;
+    var phi_4298_: bool;
+    var phi_4299_: bool;
+    var phi_4300_: bool;
+    var phi_4304_: f32;
+    var phi_4305_: f32;
+    var local_14: u32;
     var local_15: bool;
     var local_16: bool;
-    var local_17: bool;
-    var local_18: bool;
+    var local_17: u32;
+    var local_18: u32;
     var local_19: bool;
     var local_20: bool;
     var local_21: bool;
+    var local_22: bool;
+    var local_23: bool;
+    var local_24: bool;
+    var local_25: bool;
+    var local_26: bool;
 
     let _e85 = id_1;
     let _e92 = arrayLength((&nodes.member));
@@ -1208,7 +1221,7 @@ fn function_() {
         let _e257 = phi_847_;
         let _e261 = space.member;
         if _e257.unnamed_1 {
-            phi_4285_ = _e257.unnamed.visibility;
+            phi_4305_ = _e257.unnamed.visibility;
         } else {
             let _e264 = local_4.position;
             let _e266 = local_4.normal;
@@ -1526,8 +1539,8 @@ fn function_() {
                     }
                     let _e518 = phi_1189_;
                     if (_e518.unnamed_1 == 4294967295u) {
-                        phi_2609_ = false;
-                        phi_2610_ = true;
+                        phi_2629_ = false;
+                        phi_2630_ = true;
                     } else {
                         if (0u < _e92) {
                         } else {
@@ -1667,2233 +1680,2280 @@ fn function_() {
                             let _e688 = phi_1385_;
                             let _e690 = phi_1388_;
                             let _e691 = (_e688 == 0u);
-                            local_6 = _e691;
+                            local_8 = _e691;
                             if _e691 {
                                 phi_1386_ = u32();
                                 phi_1389_ = u32();
-                                phi_2590_ = false;
-                                phi_2591_ = false;
-                                phi_2592_ = false;
+                                phi_2610_ = false;
+                                phi_2611_ = false;
+                                phi_2612_ = false;
                             } else {
-                                let _e699 = (_e688 & (_e688 - 1u));
-                                let _e700 = (((_e688 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e688), 32u, (_e688 == 0u))) * 4u);
-                                if (_e700 < _e101) {
-                                } else {
-                                    return;
-                                }
-                                let _e704 = rows.member[(0u + _e700)];
-                                let _e705 = (_e700 + 1u);
-                                if (_e705 < _e101) {
-                                } else {
-                                    return;
-                                }
-                                let _e709 = rows.member[(0u + _e705)];
-                                let _e710 = (_e700 + 2u);
-                                if (_e710 < _e101) {
-                                } else {
-                                    return;
-                                }
-                                let _e714 = rows.member[(0u + _e710)];
-                                let _e715 = (_e700 + 3u);
-                                if (_e715 < _e101) {
-                                } else {
-                                    return;
-                                }
-                                let _e719 = rows.member[(0u + _e715)];
-                                let _e720 = lt_bvh_LightNode(_e704, _e709, _e714, _e719);
-                                let _e732 = (_e518.unnamed.positive_exponent - bitcast<f32>(_e720.frame.x));
-                                let _e735 = bitcast<f32>((((_e720.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                if (_e732 > 0f) {
-                                    if (_e732 < (255f * _e735)) {
-                                        phi_1457_ = (_e732 / _e735);
+                                phi_1397_ = _e688;
+                                phi_1400_ = 0u;
+                                phi_1402_ = 0u;
+                                phi_1404_ = _e690;
+                                loop {
+                                    let _e693 = phi_1397_;
+                                    let _e695 = phi_1400_;
+                                    let _e697 = phi_1402_;
+                                    let _e699 = phi_1404_;
+                                    local_14 = _e697;
+                                    local_6 = _e695;
+                                    local_17 = _e693;
+                                    local_18 = _e699;
+                                    let _e700 = (_e693 == 0u);
+                                    local_5 = _e700;
+                                    if _e700 {
+                                        phi_1398_ = u32();
+                                        phi_1401_ = u32();
+                                        phi_1403_ = u32();
+                                        phi_1405_ = u32();
+                                        phi_1751_ = false;
                                     } else {
-                                        phi_1457_ = 255f;
-                                    }
-                                    let _e741 = phi_1457_;
-                                    phi_1458_ = _e741;
-                                } else {
-                                    phi_1458_ = 0f;
-                                }
-                                let _e743 = phi_1458_;
-                                let _e750 = select(select(u32(_e743), 0u, (_e743 < bitcast<f32>(0u))), 4294967295u, (_e743 > bitcast<f32>(1333788671u)));
-                                if (f32(_e750) < _e743) {
-                                    phi_1472_ = (_e750 + 1u);
-                                } else {
-                                    phi_1472_ = _e750;
-                                }
-                                let _e755 = phi_1472_;
-                                let _e756 = (_e750 * 16843009u);
-                                let _e757 = (_e755 * 16843009u);
-                                let _e767 = (_e518.unnamed.negative_exponent - bitcast<f32>(_e720.frame.y));
-                                let _e770 = bitcast<f32>((((_e720.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                if (_e767 > 0f) {
-                                    if (_e767 < (255f * _e770)) {
-                                        phi_1495_ = (_e767 / _e770);
-                                    } else {
-                                        phi_1495_ = 255f;
-                                    }
-                                    let _e776 = phi_1495_;
-                                    phi_1496_ = _e776;
-                                } else {
-                                    phi_1496_ = 0f;
-                                }
-                                let _e778 = phi_1496_;
-                                let _e785 = select(select(u32(_e778), 0u, (_e778 < bitcast<f32>(0u))), 4294967295u, (_e778 > bitcast<f32>(1333788671u)));
-                                if (f32(_e785) < _e778) {
-                                    phi_1510_ = (_e785 + 1u);
-                                } else {
-                                    phi_1510_ = _e785;
-                                }
-                                let _e790 = phi_1510_;
-                                let _e791 = (_e785 * 16843009u);
-                                let _e792 = (_e790 * 16843009u);
-                                let _e802 = (_e518.unnamed.min_variance - bitcast<f32>(_e720.frame.z));
-                                let _e805 = bitcast<f32>((((_e720.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                if (_e802 > 0f) {
-                                    if (_e802 < (255f * _e805)) {
-                                        phi_1533_ = (_e802 / _e805);
-                                    } else {
-                                        phi_1533_ = 255f;
-                                    }
-                                    let _e811 = phi_1533_;
-                                    phi_1534_ = _e811;
-                                } else {
-                                    phi_1534_ = 0f;
-                                }
-                                let _e813 = phi_1534_;
-                                let _e820 = select(select(u32(_e813), 0u, (_e813 < bitcast<f32>(0u))), 4294967295u, (_e813 > bitcast<f32>(1333788671u)));
-                                if (f32(_e820) < _e813) {
-                                    phi_1548_ = (_e820 + 1u);
-                                } else {
-                                    phi_1548_ = _e820;
-                                }
-                                let _e825 = phi_1548_;
-                                let _e826 = (_e825 * 16843009u);
-                                let _e959 = (((((((((((_e756 & ~(_e720.x.x)) | (~((_e720.x.x ^ _e756)) & ((_e756 | 2155905152u) - (_e720.x.x & 2139062143u)))) & ((_e720.x.z & ~(_e757)) | (~((_e757 ^ _e720.x.z)) & ((_e720.x.z | 2155905152u) - (_e757 & 2139062143u))))) & ((_e791 & ~(_e720.y.x)) | (~((_e720.y.x ^ _e791)) & ((_e791 | 2155905152u) - (_e720.y.x & 2139062143u))))) & ((_e720.y.z & ~(_e792)) | (~((_e792 ^ _e720.y.z)) & ((_e720.y.z | 2155905152u) - (_e792 & 2139062143u))))) & ((_e720.rest.x & ~(_e826)) | (~((_e826 ^ _e720.rest.x)) & ((_e720.rest.x | 2155905152u) - (_e826 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e756 & ~(_e720.x.y)) | (~((_e720.x.y ^ _e756)) & ((_e756 | 2155905152u) - (_e720.x.y & 2139062143u)))) & ((_e720.x.w & ~(_e757)) | (~((_e757 ^ _e720.x.w)) & ((_e720.x.w | 2155905152u) - (_e757 & 2139062143u))))) & ((_e791 & ~(_e720.y.y)) | (~((_e720.y.y ^ _e791)) & ((_e791 | 2155905152u) - (_e720.y.y & 2139062143u))))) & ((_e720.y.w & ~(_e792)) | (~((_e792 ^ _e720.y.w)) & ((_e720.y.w | 2155905152u) - (_e792 & 2139062143u))))) & ((_e720.rest.y & ~(_e826)) | (~((_e826 ^ _e720.rest.y)) & ((_e720.rest.y | 2155905152u) - (_e826 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                                if ((_e720.frame.w & 16777216u) != 0u) {
-                                    phi_1675_ = _e959;
-                                    loop {
-                                        let _e965 = phi_1675_;
-                                        let _e966 = (_e965 == 0u);
-                                        local_5 = _e966;
-                                        local_14 = _e966;
-                                        if _e966 {
-                                            phi_1676_ = u32();
-                                            phi_2522_ = false;
-                                            phi_2523_ = false;
-                                            phi_2524_ = false;
+                                        let _e701 = (_e697 == 0u);
+                                        if _e701 {
+                                            let _e708 = (((_e693 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e693), 32u, (_e693 == 0u))) * 4u);
+                                            if (_e708 < _e101) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e712 = rows.member[(0u + _e708)];
+                                            let _e713 = (_e708 + 1u);
+                                            if (_e713 < _e101) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e717 = rows.member[(0u + _e713)];
+                                            let _e718 = (_e708 + 2u);
+                                            if (_e718 < _e101) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e722 = rows.member[(0u + _e718)];
+                                            let _e723 = (_e708 + 3u);
+                                            if (_e723 < _e101) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e727 = rows.member[(0u + _e723)];
+                                            let _e728 = lt_bvh_LightNode(_e712, _e717, _e722, _e727);
+                                            let _e730 = (_e693 & (_e693 - 1u));
+                                            let _e742 = (_e518.unnamed.positive_exponent - bitcast<f32>(_e728.frame.x));
+                                            let _e745 = bitcast<f32>((((_e728.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                            if (_e742 > 0f) {
+                                                if (_e742 < (255f * _e745)) {
+                                                    phi_1477_ = (_e742 / _e745);
+                                                } else {
+                                                    phi_1477_ = 255f;
+                                                }
+                                                let _e751 = phi_1477_;
+                                                phi_1478_ = _e751;
+                                            } else {
+                                                phi_1478_ = 0f;
+                                            }
+                                            let _e753 = phi_1478_;
+                                            let _e760 = select(select(u32(_e753), 0u, (_e753 < bitcast<f32>(0u))), 4294967295u, (_e753 > bitcast<f32>(1333788671u)));
+                                            if (f32(_e760) < _e753) {
+                                                phi_1492_ = (_e760 + 1u);
+                                            } else {
+                                                phi_1492_ = _e760;
+                                            }
+                                            let _e765 = phi_1492_;
+                                            let _e766 = (_e760 * 16843009u);
+                                            let _e767 = (_e765 * 16843009u);
+                                            let _e777 = (_e518.unnamed.negative_exponent - bitcast<f32>(_e728.frame.y));
+                                            let _e780 = bitcast<f32>((((_e728.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                            if (_e777 > 0f) {
+                                                if (_e777 < (255f * _e780)) {
+                                                    phi_1515_ = (_e777 / _e780);
+                                                } else {
+                                                    phi_1515_ = 255f;
+                                                }
+                                                let _e786 = phi_1515_;
+                                                phi_1516_ = _e786;
+                                            } else {
+                                                phi_1516_ = 0f;
+                                            }
+                                            let _e788 = phi_1516_;
+                                            let _e795 = select(select(u32(_e788), 0u, (_e788 < bitcast<f32>(0u))), 4294967295u, (_e788 > bitcast<f32>(1333788671u)));
+                                            if (f32(_e795) < _e788) {
+                                                phi_1530_ = (_e795 + 1u);
+                                            } else {
+                                                phi_1530_ = _e795;
+                                            }
+                                            let _e800 = phi_1530_;
+                                            let _e801 = (_e795 * 16843009u);
+                                            let _e802 = (_e800 * 16843009u);
+                                            let _e812 = (_e518.unnamed.min_variance - bitcast<f32>(_e728.frame.z));
+                                            let _e815 = bitcast<f32>((((_e728.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                            if (_e812 > 0f) {
+                                                if (_e812 < (255f * _e815)) {
+                                                    phi_1553_ = (_e812 / _e815);
+                                                } else {
+                                                    phi_1553_ = 255f;
+                                                }
+                                                let _e821 = phi_1553_;
+                                                phi_1554_ = _e821;
+                                            } else {
+                                                phi_1554_ = 0f;
+                                            }
+                                            let _e823 = phi_1554_;
+                                            let _e830 = select(select(u32(_e823), 0u, (_e823 < bitcast<f32>(0u))), 4294967295u, (_e823 > bitcast<f32>(1333788671u)));
+                                            if (f32(_e830) < _e823) {
+                                                phi_1568_ = (_e830 + 1u);
+                                            } else {
+                                                phi_1568_ = _e830;
+                                            }
+                                            let _e835 = phi_1568_;
+                                            let _e836 = (_e835 * 16843009u);
+                                            let _e969 = (((((((((((_e766 & ~(_e728.x.x)) | (~((_e728.x.x ^ _e766)) & ((_e766 | 2155905152u) - (_e728.x.x & 2139062143u)))) & ((_e728.x.z & ~(_e767)) | (~((_e767 ^ _e728.x.z)) & ((_e728.x.z | 2155905152u) - (_e767 & 2139062143u))))) & ((_e801 & ~(_e728.y.x)) | (~((_e728.y.x ^ _e801)) & ((_e801 | 2155905152u) - (_e728.y.x & 2139062143u))))) & ((_e728.y.z & ~(_e802)) | (~((_e802 ^ _e728.y.z)) & ((_e728.y.z | 2155905152u) - (_e802 & 2139062143u))))) & ((_e728.rest.x & ~(_e836)) | (~((_e836 ^ _e728.rest.x)) & ((_e728.rest.x | 2155905152u) - (_e836 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e766 & ~(_e728.x.y)) | (~((_e728.x.y ^ _e766)) & ((_e766 | 2155905152u) - (_e728.x.y & 2139062143u)))) & ((_e728.x.w & ~(_e767)) | (~((_e767 ^ _e728.x.w)) & ((_e728.x.w | 2155905152u) - (_e767 & 2139062143u))))) & ((_e801 & ~(_e728.y.y)) | (~((_e728.y.y ^ _e801)) & ((_e801 | 2155905152u) - (_e728.y.y & 2139062143u))))) & ((_e728.y.w & ~(_e802)) | (~((_e802 ^ _e728.y.w)) & ((_e728.y.w | 2155905152u) - (_e802 & 2139062143u))))) & ((_e728.rest.y & ~(_e836)) | (~((_e836 ^ _e728.rest.y)) & ((_e728.rest.y | 2155905152u) - (_e836 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                                            if ((_e728.frame.w & 16777216u) != 0u) {
+                                                phi_1722_ = _e730;
+                                                phi_1723_ = _e728.rest.z;
+                                                phi_1724_ = _e969;
+                                                phi_1725_ = _e699;
+                                            } else {
+                                                if (_e969 == 0u) {
+                                                    phi_1720_ = _e730;
+                                                    phi_1721_ = _e699;
+                                                } else {
+                                                    if ((_e730 & 255u) == 0u) {
+                                                        phi_1716_ = _e699;
+                                                    } else {
+                                                        if (_e699 < 32u) {
+                                                            if (_e699 < 32u) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            local_3[(0u + _e699)] = _e730;
+                                                            phi_1715_ = (_e699 + 1u);
+                                                        } else {
+                                                            phi_1715_ = _e699;
+                                                        }
+                                                        let _e985 = phi_1715_;
+                                                        phi_1716_ = _e985;
+                                                    }
+                                                    let _e987 = phi_1716_;
+                                                    phi_1720_ = ((_e728.rest.z << bitcast<u32>(8i)) | _e969);
+                                                    phi_1721_ = _e987;
+                                                }
+                                                let _e994 = phi_1720_;
+                                                let _e996 = phi_1721_;
+                                                phi_1722_ = _e994;
+                                                phi_1723_ = _e695;
+                                                phi_1724_ = _e697;
+                                                phi_1725_ = _e996;
+                                            }
+                                            let _e998 = phi_1722_;
+                                            let _e1000 = phi_1723_;
+                                            let _e1002 = phi_1724_;
+                                            let _e1004 = phi_1725_;
+                                            if ((_e998 & 255u) == 0u) {
+                                                if (_e1004 > 0u) {
+                                                    let _e1008 = (_e1004 - 1u);
+                                                    if (_e1008 < 32u) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1012 = local_3[(0u + _e1008)];
+                                                    phi_1743_ = _e1012;
+                                                    phi_1744_ = _e1008;
+                                                } else {
+                                                    phi_1743_ = 0u;
+                                                    phi_1744_ = _e1004;
+                                                }
+                                                let _e1014 = phi_1743_;
+                                                let _e1016 = phi_1744_;
+                                                phi_1745_ = _e1014;
+                                                phi_1746_ = _e1016;
+                                            } else {
+                                                phi_1745_ = _e998;
+                                                phi_1746_ = _e1004;
+                                            }
+                                            let _e1018 = phi_1745_;
+                                            let _e1020 = phi_1746_;
+                                            phi_1747_ = _e1018;
+                                            phi_1748_ = _e1000;
+                                            phi_1749_ = _e1002;
+                                            phi_1750_ = _e1020;
                                         } else {
-                                            let _e969 = select(firstTrailingBit(_e965), 32u, (_e965 == 0u));
-                                            let _e974 = (_e720.rest.z + (_e969 >> bitcast<u32>(2i)));
-                                            if (_e974 < _e101) {
+                                            phi_1747_ = u32();
+                                            phi_1748_ = u32();
+                                            phi_1749_ = u32();
+                                            phi_1750_ = u32();
+                                        }
+                                        let _e1022 = phi_1747_;
+                                        let _e1024 = phi_1748_;
+                                        let _e1026 = phi_1749_;
+                                        let _e1028 = phi_1750_;
+                                        phi_1398_ = _e1022;
+                                        phi_1401_ = _e1024;
+                                        phi_1403_ = _e1026;
+                                        phi_1405_ = _e1028;
+                                        phi_1751_ = _e701;
+                                    }
+                                    let _e1030 = phi_1398_;
+                                    let _e1032 = phi_1401_;
+                                    let _e1034 = phi_1403_;
+                                    let _e1036 = phi_1405_;
+                                    let _e1038 = phi_1751_;
+                                    continue;
+                                    continuing {
+                                        phi_1397_ = _e1030;
+                                        phi_1400_ = _e1032;
+                                        phi_1402_ = _e1034;
+                                        phi_1404_ = _e1036;
+                                        break if !(_e1038);
+                                    }
+                                }
+                                let _e1041 = local_5;
+                                if _e1041 {
+                                }
+                                let _e3519 = local_14;
+                                phi_1756_ = _e3519;
+                                loop {
+                                    let _e1043 = phi_1756_;
+                                    let _e1044 = (_e1043 == 0u);
+                                    local_7 = _e1044;
+                                    local_19 = _e1044;
+                                    if _e1044 {
+                                        phi_1757_ = u32();
+                                        phi_2602_ = false;
+                                        phi_2603_ = false;
+                                        phi_2604_ = false;
+                                    } else {
+                                        let _e1047 = select(firstTrailingBit(_e1043), 32u, (_e1043 == 0u));
+                                        let _e1051 = local_6;
+                                        let _e1052 = (_e1051 + (_e1047 >> bitcast<u32>(2i)));
+                                        if (_e1052 < _e101) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e1057 = rows.member[(0u + _e1052)][0u];
+                                        let _e1061 = rows.member[(0u + _e1052)][1u];
+                                        let _e1065 = rows.member[(0u + _e1052)][2u];
+                                        let _e1069 = rows.member[(0u + _e1052)][3u];
+                                        if ((_e1047 & 2u) == 0u) {
+                                            phi_1795_ = _e1061;
+                                            phi_1796_ = _e1057;
+                                        } else {
+                                            phi_1795_ = _e1069;
+                                            phi_1796_ = _e1065;
+                                        }
+                                        let _e1073 = phi_1795_;
+                                        let _e1075 = phi_1796_;
+                                        if ((_e1047 & 1u) == 0u) {
+                                            phi_1802_ = _e1075;
+                                        } else {
+                                            phi_1802_ = _e1073;
+                                        }
+                                        let _e1079 = phi_1802_;
+                                        if (_e1079 < _e95) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e1086 = triangles.member[(0u + _e1079)].v0_;
+                                        let _e1088 = (_e1086.x - _e278);
+                                        let _e1090 = (_e1086.y - _e280);
+                                        let _e1092 = (_e1086.z - _e282);
+                                        if (_e667 == 0u) {
+                                            phi_1832_ = vec3<f32>(_e1090, _e1092, _e1088);
+                                        } else {
+                                            if (_e667 == 1u) {
+                                                phi_1831_ = vec3<f32>(_e1092, _e1088, _e1090);
                                             } else {
-                                                return;
+                                                phi_1831_ = (_e1086 - vec3<f32>(_e278, _e280, _e282));
                                             }
-                                            let _e979 = rows.member[(0u + _e974)][0u];
-                                            let _e983 = rows.member[(0u + _e974)][1u];
-                                            let _e987 = rows.member[(0u + _e974)][2u];
-                                            let _e991 = rows.member[(0u + _e974)][3u];
-                                            if ((_e969 & 2u) == 0u) {
-                                                phi_1715_ = _e983;
-                                                phi_1716_ = _e979;
+                                            let _e1100 = phi_1831_;
+                                            phi_1832_ = _e1100;
+                                        }
+                                        let _e1102 = phi_1832_;
+                                        let _e1106 = (_e1102.x - (_e678 * _e1102.z));
+                                        let _e1110 = (_e1102.y - (_e681 * _e1102.z));
+                                        let _e1112 = triangles.member[(0u + _e1079)].v1_;
+                                        let _e1114 = (_e1112.x - _e278);
+                                        let _e1116 = (_e1112.y - _e280);
+                                        let _e1118 = (_e1112.z - _e282);
+                                        if (_e667 == 0u) {
+                                            phi_1862_ = vec3<f32>(_e1116, _e1118, _e1114);
+                                        } else {
+                                            if (_e667 == 1u) {
+                                                phi_1861_ = vec3<f32>(_e1118, _e1114, _e1116);
                                             } else {
-                                                phi_1715_ = _e991;
-                                                phi_1716_ = _e987;
+                                                phi_1861_ = (_e1112 - vec3<f32>(_e278, _e280, _e282));
                                             }
-                                            let _e995 = phi_1715_;
-                                            let _e997 = phi_1716_;
-                                            if ((_e969 & 1u) == 0u) {
-                                                phi_1722_ = _e997;
+                                            let _e1126 = phi_1861_;
+                                            phi_1862_ = _e1126;
+                                        }
+                                        let _e1128 = phi_1862_;
+                                        let _e1132 = (_e1128.x - (_e678 * _e1128.z));
+                                        let _e1136 = (_e1128.y - (_e681 * _e1128.z));
+                                        let _e1138 = triangles.member[(0u + _e1079)].v2_;
+                                        let _e1140 = (_e1138.x - _e278);
+                                        let _e1142 = (_e1138.y - _e280);
+                                        let _e1144 = (_e1138.z - _e282);
+                                        if (_e667 == 0u) {
+                                            phi_1892_ = vec3<f32>(_e1142, _e1144, _e1140);
+                                        } else {
+                                            if (_e667 == 1u) {
+                                                phi_1891_ = vec3<f32>(_e1144, _e1140, _e1142);
                                             } else {
-                                                phi_1722_ = _e995;
+                                                phi_1891_ = (_e1138 - vec3<f32>(_e278, _e280, _e282));
                                             }
-                                            let _e1001 = phi_1722_;
-                                            if (_e1001 < _e95) {
+                                            let _e1152 = phi_1891_;
+                                            phi_1892_ = _e1152;
+                                        }
+                                        let _e1154 = phi_1892_;
+                                        let _e1158 = (_e1154.x - (_e678 * _e1154.z));
+                                        let _e1162 = (_e1154.y - (_e681 * _e1154.z));
+                                        if (_e1132 < _e1158) {
+                                            phi_1911_ = true;
+                                        } else {
+                                            if (_e1132 == _e1158) {
+                                                phi_1910_ = (_e1136 < _e1162);
                                             } else {
-                                                return;
+                                                phi_1910_ = false;
                                             }
-                                            let _e1008 = triangles.member[(0u + _e1001)].v0_;
-                                            let _e1010 = (_e1008.x - _e278);
-                                            let _e1012 = (_e1008.y - _e280);
-                                            let _e1014 = (_e1008.z - _e282);
-                                            if (_e667 == 0u) {
-                                                phi_1752_ = vec3<f32>(_e1012, _e1014, _e1010);
+                                            let _e1167 = phi_1910_;
+                                            phi_1911_ = _e1167;
+                                        }
+                                        let _e1169 = phi_1911_;
+                                        if _e1169 {
+                                            phi_1915_ = _e1162;
+                                            phi_1916_ = _e1158;
+                                            phi_1917_ = _e1136;
+                                            phi_1918_ = _e1132;
+                                        } else {
+                                            phi_1915_ = _e1136;
+                                            phi_1916_ = _e1132;
+                                            phi_1917_ = _e1162;
+                                            phi_1918_ = _e1158;
+                                        }
+                                        let _e1171 = phi_1915_;
+                                        let _e1173 = phi_1916_;
+                                        let _e1175 = phi_1917_;
+                                        let _e1177 = phi_1918_;
+                                        let _e1180 = ((_e1177 * _e1171) - (_e1175 * _e1173));
+                                        if _e1169 {
+                                            phi_1926_ = -(_e1180);
+                                        } else {
+                                            phi_1926_ = _e1180;
+                                        }
+                                        let _e1183 = phi_1926_;
+                                        if (_e1158 < _e1106) {
+                                            phi_1937_ = true;
+                                        } else {
+                                            if (_e1158 == _e1106) {
+                                                phi_1936_ = (_e1162 < _e1110);
                                             } else {
-                                                if (_e667 == 1u) {
-                                                    phi_1751_ = vec3<f32>(_e1014, _e1010, _e1012);
+                                                phi_1936_ = false;
+                                            }
+                                            let _e1188 = phi_1936_;
+                                            phi_1937_ = _e1188;
+                                        }
+                                        let _e1190 = phi_1937_;
+                                        if _e1190 {
+                                            phi_1941_ = _e1110;
+                                            phi_1942_ = _e1106;
+                                            phi_1943_ = _e1162;
+                                            phi_1944_ = _e1158;
+                                        } else {
+                                            phi_1941_ = _e1162;
+                                            phi_1942_ = _e1158;
+                                            phi_1943_ = _e1110;
+                                            phi_1944_ = _e1106;
+                                        }
+                                        let _e1192 = phi_1941_;
+                                        let _e1194 = phi_1942_;
+                                        let _e1196 = phi_1943_;
+                                        let _e1198 = phi_1944_;
+                                        let _e1201 = ((_e1198 * _e1192) - (_e1196 * _e1194));
+                                        if _e1190 {
+                                            phi_1952_ = -(_e1201);
+                                        } else {
+                                            phi_1952_ = _e1201;
+                                        }
+                                        let _e1204 = phi_1952_;
+                                        if (_e1106 < _e1132) {
+                                            phi_1963_ = true;
+                                        } else {
+                                            if (_e1106 == _e1132) {
+                                                phi_1962_ = (_e1110 < _e1136);
+                                            } else {
+                                                phi_1962_ = false;
+                                            }
+                                            let _e1209 = phi_1962_;
+                                            phi_1963_ = _e1209;
+                                        }
+                                        let _e1211 = phi_1963_;
+                                        if _e1211 {
+                                            phi_1967_ = _e1136;
+                                            phi_1968_ = _e1132;
+                                            phi_1969_ = _e1110;
+                                            phi_1970_ = _e1106;
+                                        } else {
+                                            phi_1967_ = _e1110;
+                                            phi_1968_ = _e1106;
+                                            phi_1969_ = _e1136;
+                                            phi_1970_ = _e1132;
+                                        }
+                                        let _e1213 = phi_1967_;
+                                        let _e1215 = phi_1968_;
+                                        let _e1217 = phi_1969_;
+                                        let _e1219 = phi_1970_;
+                                        let _e1222 = ((_e1219 * _e1213) - (_e1217 * _e1215));
+                                        if _e1211 {
+                                            phi_1978_ = -(_e1222);
+                                        } else {
+                                            phi_1978_ = _e1222;
+                                        }
+                                        let _e1225 = phi_1978_;
+                                        if (_e1183 >= 0f) {
+                                            if (_e1204 >= 0f) {
+                                                if (_e1225 >= 0f) {
+                                                    phi_1993_ = ((_e1183 + _e1204) + _e1225);
+                                                    phi_1994_ = false;
                                                 } else {
-                                                    phi_1751_ = (_e1008 - vec3<f32>(_e278, _e280, _e282));
+                                                    phi_1993_ = f32();
+                                                    phi_1994_ = true;
                                                 }
-                                                let _e1022 = phi_1751_;
-                                                phi_1752_ = _e1022;
-                                            }
-                                            let _e1024 = phi_1752_;
-                                            let _e1028 = (_e1024.x - (_e678 * _e1024.z));
-                                            let _e1032 = (_e1024.y - (_e681 * _e1024.z));
-                                            let _e1034 = triangles.member[(0u + _e1001)].v1_;
-                                            let _e1036 = (_e1034.x - _e278);
-                                            let _e1038 = (_e1034.y - _e280);
-                                            let _e1040 = (_e1034.z - _e282);
-                                            if (_e667 == 0u) {
-                                                phi_1782_ = vec3<f32>(_e1038, _e1040, _e1036);
+                                                let _e1232 = phi_1993_;
+                                                let _e1234 = phi_1994_;
+                                                phi_1995_ = _e1232;
+                                                phi_1996_ = _e1234;
                                             } else {
-                                                if (_e667 == 1u) {
-                                                    phi_1781_ = vec3<f32>(_e1040, _e1036, _e1038);
-                                                } else {
-                                                    phi_1781_ = (_e1034 - vec3<f32>(_e278, _e280, _e282));
-                                                }
-                                                let _e1048 = phi_1781_;
-                                                phi_1782_ = _e1048;
+                                                phi_1995_ = f32();
+                                                phi_1996_ = true;
                                             }
-                                            let _e1050 = phi_1782_;
-                                            let _e1054 = (_e1050.x - (_e678 * _e1050.z));
-                                            let _e1058 = (_e1050.y - (_e681 * _e1050.z));
-                                            let _e1060 = triangles.member[(0u + _e1001)].v2_;
-                                            let _e1062 = (_e1060.x - _e278);
-                                            let _e1064 = (_e1060.y - _e280);
-                                            let _e1066 = (_e1060.z - _e282);
-                                            if (_e667 == 0u) {
-                                                phi_1812_ = vec3<f32>(_e1064, _e1066, _e1062);
-                                            } else {
-                                                if (_e667 == 1u) {
-                                                    phi_1811_ = vec3<f32>(_e1066, _e1062, _e1064);
-                                                } else {
-                                                    phi_1811_ = (_e1060 - vec3<f32>(_e278, _e280, _e282));
-                                                }
-                                                let _e1074 = phi_1811_;
-                                                phi_1812_ = _e1074;
-                                            }
-                                            let _e1076 = phi_1812_;
-                                            let _e1080 = (_e1076.x - (_e678 * _e1076.z));
-                                            let _e1084 = (_e1076.y - (_e681 * _e1076.z));
-                                            if (_e1054 < _e1080) {
-                                                phi_1831_ = true;
-                                            } else {
-                                                if (_e1054 == _e1080) {
-                                                    phi_1830_ = (_e1058 < _e1084);
-                                                } else {
-                                                    phi_1830_ = false;
-                                                }
-                                                let _e1089 = phi_1830_;
-                                                phi_1831_ = _e1089;
-                                            }
-                                            let _e1091 = phi_1831_;
-                                            if _e1091 {
-                                                phi_1835_ = _e1084;
-                                                phi_1836_ = _e1080;
-                                                phi_1837_ = _e1058;
-                                                phi_1838_ = _e1054;
-                                            } else {
-                                                phi_1835_ = _e1058;
-                                                phi_1836_ = _e1054;
-                                                phi_1837_ = _e1084;
-                                                phi_1838_ = _e1080;
-                                            }
-                                            let _e1093 = phi_1835_;
-                                            let _e1095 = phi_1836_;
-                                            let _e1097 = phi_1837_;
-                                            let _e1099 = phi_1838_;
-                                            let _e1102 = ((_e1099 * _e1093) - (_e1097 * _e1095));
-                                            if _e1091 {
-                                                phi_1846_ = -(_e1102);
-                                            } else {
-                                                phi_1846_ = _e1102;
-                                            }
-                                            let _e1105 = phi_1846_;
-                                            if (_e1080 < _e1028) {
-                                                phi_1857_ = true;
-                                            } else {
-                                                if (_e1080 == _e1028) {
-                                                    phi_1856_ = (_e1084 < _e1032);
-                                                } else {
-                                                    phi_1856_ = false;
-                                                }
-                                                let _e1110 = phi_1856_;
-                                                phi_1857_ = _e1110;
-                                            }
-                                            let _e1112 = phi_1857_;
-                                            if _e1112 {
-                                                phi_1861_ = _e1032;
-                                                phi_1862_ = _e1028;
-                                                phi_1863_ = _e1084;
-                                                phi_1864_ = _e1080;
-                                            } else {
-                                                phi_1861_ = _e1084;
-                                                phi_1862_ = _e1080;
-                                                phi_1863_ = _e1032;
-                                                phi_1864_ = _e1028;
-                                            }
-                                            let _e1114 = phi_1861_;
-                                            let _e1116 = phi_1862_;
-                                            let _e1118 = phi_1863_;
-                                            let _e1120 = phi_1864_;
-                                            let _e1123 = ((_e1120 * _e1114) - (_e1118 * _e1116));
-                                            if _e1112 {
-                                                phi_1872_ = -(_e1123);
-                                            } else {
-                                                phi_1872_ = _e1123;
-                                            }
-                                            let _e1126 = phi_1872_;
-                                            if (_e1028 < _e1054) {
-                                                phi_1883_ = true;
-                                            } else {
-                                                if (_e1028 == _e1054) {
-                                                    phi_1882_ = (_e1032 < _e1058);
-                                                } else {
-                                                    phi_1882_ = false;
-                                                }
-                                                let _e1131 = phi_1882_;
-                                                phi_1883_ = _e1131;
-                                            }
-                                            let _e1133 = phi_1883_;
-                                            if _e1133 {
-                                                phi_1887_ = _e1058;
-                                                phi_1888_ = _e1054;
-                                                phi_1889_ = _e1032;
-                                                phi_1890_ = _e1028;
-                                            } else {
-                                                phi_1887_ = _e1032;
-                                                phi_1888_ = _e1028;
-                                                phi_1889_ = _e1058;
-                                                phi_1890_ = _e1054;
-                                            }
-                                            let _e1135 = phi_1887_;
-                                            let _e1137 = phi_1888_;
-                                            let _e1139 = phi_1889_;
-                                            let _e1141 = phi_1890_;
-                                            let _e1144 = ((_e1141 * _e1135) - (_e1139 * _e1137));
-                                            if _e1133 {
-                                                phi_1898_ = -(_e1144);
-                                            } else {
-                                                phi_1898_ = _e1144;
-                                            }
-                                            let _e1147 = phi_1898_;
-                                            if (_e1105 >= 0f) {
-                                                if (_e1126 >= 0f) {
-                                                    if (_e1147 >= 0f) {
-                                                        phi_1913_ = ((_e1105 + _e1126) + _e1147);
-                                                        phi_1914_ = false;
-                                                    } else {
-                                                        phi_1913_ = f32();
-                                                        phi_1914_ = true;
+                                            let _e1236 = phi_1995_;
+                                            let _e1238 = phi_1996_;
+                                            phi_1997_ = _e1236;
+                                            phi_1998_ = _e1238;
+                                        } else {
+                                            phi_1997_ = f32();
+                                            phi_1998_ = true;
+                                        }
+                                        let _e1240 = phi_1997_;
+                                        let _e1242 = phi_1998_;
+                                        if _e1242 {
+                                            if (_e1183 <= 0f) {
+                                                if (_e1204 <= 0f) {
+                                                    let _e1245 = (_e1225 <= 0f);
+                                                    if _e1245 {
                                                     }
-                                                    let _e1154 = phi_1913_;
-                                                    let _e1156 = phi_1914_;
-                                                    phi_1915_ = _e1154;
-                                                    phi_1916_ = _e1156;
+                                                    phi_2016_ = ((_e1183 + _e1204) + _e1225);
+                                                    phi_2017_ = false;
+                                                    phi_2018_ = _e1245;
                                                 } else {
-                                                    phi_1915_ = f32();
-                                                    phi_1916_ = true;
+                                                    phi_2016_ = f32();
+                                                    phi_2017_ = true;
+                                                    phi_2018_ = false;
                                                 }
-                                                let _e1158 = phi_1915_;
-                                                let _e1160 = phi_1916_;
-                                                phi_1917_ = _e1158;
-                                                phi_1918_ = _e1160;
+                                                let _e1249 = phi_2016_;
+                                                let _e1251 = phi_2017_;
+                                                let _e1253 = phi_2018_;
+                                                phi_2019_ = _e1249;
+                                                phi_2020_ = _e1251;
+                                                phi_2021_ = _e1253;
                                             } else {
-                                                phi_1917_ = f32();
-                                                phi_1918_ = true;
+                                                phi_2019_ = f32();
+                                                phi_2020_ = true;
+                                                phi_2021_ = false;
                                             }
-                                            let _e1162 = phi_1917_;
-                                            let _e1164 = phi_1918_;
-                                            if _e1164 {
-                                                if (_e1105 <= 0f) {
-                                                    if (_e1126 <= 0f) {
-                                                        let _e1167 = (_e1147 <= 0f);
-                                                        if _e1167 {
-                                                        }
-                                                        phi_1936_ = ((_e1105 + _e1126) + _e1147);
-                                                        phi_1937_ = false;
-                                                        phi_1938_ = _e1167;
+                                            let _e1255 = phi_2019_;
+                                            let _e1257 = phi_2020_;
+                                            let _e1259 = phi_2021_;
+                                            if _e1257 {
+                                                phi_2025_ = false;
+                                            } else {
+                                                phi_2025_ = _e1259;
+                                            }
+                                            let _e1261 = phi_2025_;
+                                            phi_2026_ = _e1255;
+                                            phi_2027_ = _e1261;
+                                        } else {
+                                            phi_2026_ = _e1240;
+                                            phi_2027_ = true;
+                                        }
+                                        let _e1263 = phi_2026_;
+                                        let _e1265 = phi_2027_;
+                                        if _e1265 {
+                                            let _e1266 = (_e1263 == 0f);
+                                            if _e1266 {
+                                                phi_2343_ = lt_bvh_triangle_Intersection();
+                                                phi_2344_ = false;
+                                            } else {
+                                                let _e1268 = triangles.member[(0u + _e1079)].v0_;
+                                                let _e1270 = (_e1268.x - _e278);
+                                                let _e1272 = (_e1268.y - _e280);
+                                                let _e1274 = (_e1268.z - _e282);
+                                                if (_e667 == 0u) {
+                                                    phi_2056_ = vec3<f32>(_e1272, _e1274, _e1270);
+                                                } else {
+                                                    if (_e667 == 1u) {
+                                                        phi_2055_ = vec3<f32>(_e1274, _e1270, _e1272);
                                                     } else {
-                                                        phi_1936_ = f32();
-                                                        phi_1937_ = true;
-                                                        phi_1938_ = false;
+                                                        phi_2055_ = (_e1268 - vec3<f32>(_e278, _e280, _e282));
                                                     }
-                                                    let _e1171 = phi_1936_;
-                                                    let _e1173 = phi_1937_;
-                                                    let _e1175 = phi_1938_;
-                                                    phi_1939_ = _e1171;
-                                                    phi_1940_ = _e1173;
-                                                    phi_1941_ = _e1175;
-                                                } else {
-                                                    phi_1939_ = f32();
-                                                    phi_1940_ = true;
-                                                    phi_1941_ = false;
+                                                    let _e1282 = phi_2055_;
+                                                    phi_2056_ = _e1282;
                                                 }
-                                                let _e1177 = phi_1939_;
-                                                let _e1179 = phi_1940_;
-                                                let _e1181 = phi_1941_;
-                                                if _e1179 {
-                                                    phi_1945_ = false;
+                                                let _e1284 = phi_2056_;
+                                                let _e1286 = triangles.member[(0u + _e1079)].v1_;
+                                                let _e1288 = triangles.member[(0u + _e1079)].v0_;
+                                                let _e1291 = (_e1286.x - _e1288.x);
+                                                let _e1294 = (_e1286.y - _e1288.y);
+                                                let _e1297 = (_e1286.z - _e1288.z);
+                                                if (_e667 == 0u) {
+                                                    phi_2082_ = vec3<f32>(_e1294, _e1297, _e1291);
                                                 } else {
-                                                    phi_1945_ = _e1181;
-                                                }
-                                                let _e1183 = phi_1945_;
-                                                phi_1946_ = _e1177;
-                                                phi_1947_ = _e1183;
-                                            } else {
-                                                phi_1946_ = _e1162;
-                                                phi_1947_ = true;
-                                            }
-                                            let _e1185 = phi_1946_;
-                                            let _e1187 = phi_1947_;
-                                            if _e1187 {
-                                                let _e1188 = (_e1185 == 0f);
-                                                if _e1188 {
-                                                    phi_2263_ = lt_bvh_triangle_Intersection();
-                                                    phi_2264_ = false;
-                                                } else {
-                                                    let _e1190 = triangles.member[(0u + _e1001)].v0_;
-                                                    let _e1192 = (_e1190.x - _e278);
-                                                    let _e1194 = (_e1190.y - _e280);
-                                                    let _e1196 = (_e1190.z - _e282);
-                                                    if (_e667 == 0u) {
-                                                        phi_1976_ = vec3<f32>(_e1194, _e1196, _e1192);
+                                                    if (_e667 == 1u) {
+                                                        phi_2081_ = vec3<f32>(_e1297, _e1291, _e1294);
                                                     } else {
-                                                        if (_e667 == 1u) {
-                                                            phi_1975_ = vec3<f32>(_e1196, _e1192, _e1194);
+                                                        phi_2081_ = (_e1286 - _e1288);
+                                                    }
+                                                    let _e1304 = phi_2081_;
+                                                    phi_2082_ = _e1304;
+                                                }
+                                                let _e1306 = phi_2082_;
+                                                let _e1308 = triangles.member[(0u + _e1079)].v2_;
+                                                let _e1310 = triangles.member[(0u + _e1079)].v0_;
+                                                let _e1313 = (_e1308.x - _e1310.x);
+                                                let _e1316 = (_e1308.y - _e1310.y);
+                                                let _e1319 = (_e1308.z - _e1310.z);
+                                                if (_e667 == 0u) {
+                                                    phi_2108_ = vec3<f32>(_e1316, _e1319, _e1313);
+                                                } else {
+                                                    if (_e667 == 1u) {
+                                                        phi_2107_ = vec3<f32>(_e1319, _e1313, _e1316);
+                                                    } else {
+                                                        phi_2107_ = (_e1308 - _e1310);
+                                                    }
+                                                    let _e1326 = phi_2107_;
+                                                    phi_2108_ = _e1326;
+                                                }
+                                                let _e1328 = phi_2108_;
+                                                let _e1335 = ((_e1306.y * _e1328.z) - (_e1306.z * _e1328.y));
+                                                let _e1342 = ((_e1306.z * _e1328.x) - (_e1306.x * _e1328.z));
+                                                let _e1349 = ((_e1306.x * _e1328.y) - (_e1306.y * _e1328.x));
+                                                let _e1363 = (((1f / _e675.z) * (((_e1335 * _e1284.x) + (_e1342 * _e1284.y)) + (_e1349 * _e1284.z))) / (((_e1335 * _e678) + (_e1342 * _e681)) + _e1349));
+                                                if (_e1363 > 0f) {
+                                                    if (_e1363 < _e290) {
+                                                        let _e1367 = triangles.member[(0u + _e1079)].v0_;
+                                                        let _e1369 = triangles.member[(0u + _e1079)].v1_;
+                                                        if (_e1367.x < _e1369.x) {
+                                                            phi_2164_ = _e1367.x;
                                                         } else {
-                                                            phi_1975_ = (_e1190 - vec3<f32>(_e278, _e280, _e282));
+                                                            phi_2164_ = _e1369.x;
                                                         }
-                                                        let _e1204 = phi_1975_;
-                                                        phi_1976_ = _e1204;
-                                                    }
-                                                    let _e1206 = phi_1976_;
-                                                    let _e1208 = triangles.member[(0u + _e1001)].v1_;
-                                                    let _e1210 = triangles.member[(0u + _e1001)].v0_;
-                                                    let _e1213 = (_e1208.x - _e1210.x);
-                                                    let _e1216 = (_e1208.y - _e1210.y);
-                                                    let _e1219 = (_e1208.z - _e1210.z);
-                                                    if (_e667 == 0u) {
-                                                        phi_2002_ = vec3<f32>(_e1216, _e1219, _e1213);
-                                                    } else {
-                                                        if (_e667 == 1u) {
-                                                            phi_2001_ = vec3<f32>(_e1219, _e1213, _e1216);
+                                                        let _e1376 = phi_2164_;
+                                                        if (_e1367.y < _e1369.y) {
+                                                            phi_2173_ = _e1367.y;
                                                         } else {
-                                                            phi_2001_ = (_e1208 - _e1210);
+                                                            phi_2173_ = _e1369.y;
                                                         }
-                                                        let _e1226 = phi_2001_;
-                                                        phi_2002_ = _e1226;
-                                                    }
-                                                    let _e1228 = phi_2002_;
-                                                    let _e1230 = triangles.member[(0u + _e1001)].v2_;
-                                                    let _e1232 = triangles.member[(0u + _e1001)].v0_;
-                                                    let _e1235 = (_e1230.x - _e1232.x);
-                                                    let _e1238 = (_e1230.y - _e1232.y);
-                                                    let _e1241 = (_e1230.z - _e1232.z);
-                                                    if (_e667 == 0u) {
-                                                        phi_2028_ = vec3<f32>(_e1238, _e1241, _e1235);
-                                                    } else {
-                                                        if (_e667 == 1u) {
-                                                            phi_2027_ = vec3<f32>(_e1241, _e1235, _e1238);
+                                                        let _e1383 = phi_2173_;
+                                                        if (_e1367.z < _e1369.z) {
+                                                            phi_2182_ = _e1367.z;
                                                         } else {
-                                                            phi_2027_ = (_e1230 - _e1232);
+                                                            phi_2182_ = _e1369.z;
                                                         }
-                                                        let _e1248 = phi_2027_;
-                                                        phi_2028_ = _e1248;
-                                                    }
-                                                    let _e1250 = phi_2028_;
-                                                    let _e1257 = ((_e1228.y * _e1250.z) - (_e1228.z * _e1250.y));
-                                                    let _e1264 = ((_e1228.z * _e1250.x) - (_e1228.x * _e1250.z));
-                                                    let _e1271 = ((_e1228.x * _e1250.y) - (_e1228.y * _e1250.x));
-                                                    let _e1285 = (((1f / _e675.z) * (((_e1257 * _e1206.x) + (_e1264 * _e1206.y)) + (_e1271 * _e1206.z))) / (((_e1257 * _e678) + (_e1264 * _e681)) + _e1271));
-                                                    if (_e1285 > 0f) {
-                                                        if (_e1285 < _e290) {
-                                                            let _e1289 = triangles.member[(0u + _e1001)].v0_;
-                                                            let _e1291 = triangles.member[(0u + _e1001)].v1_;
-                                                            if (_e1289.x < _e1291.x) {
-                                                                phi_2084_ = _e1289.x;
-                                                            } else {
-                                                                phi_2084_ = _e1291.x;
-                                                            }
-                                                            let _e1298 = phi_2084_;
-                                                            if (_e1289.y < _e1291.y) {
-                                                                phi_2093_ = _e1289.y;
-                                                            } else {
-                                                                phi_2093_ = _e1291.y;
-                                                            }
-                                                            let _e1305 = phi_2093_;
-                                                            if (_e1289.z < _e1291.z) {
-                                                                phi_2102_ = _e1289.z;
-                                                            } else {
-                                                                phi_2102_ = _e1291.z;
-                                                            }
-                                                            let _e1312 = phi_2102_;
-                                                            let _e1314 = triangles.member[(0u + _e1001)].v2_;
-                                                            if (_e1298 < _e1314.x) {
-                                                                phi_2111_ = _e1298;
-                                                            } else {
-                                                                phi_2111_ = _e1314.x;
-                                                            }
-                                                            let _e1319 = phi_2111_;
-                                                            if (_e1305 < _e1314.y) {
-                                                                phi_2118_ = _e1305;
-                                                            } else {
-                                                                phi_2118_ = _e1314.y;
-                                                            }
-                                                            let _e1324 = phi_2118_;
-                                                            if (_e1312 < _e1314.z) {
-                                                                phi_2125_ = _e1312;
-                                                            } else {
-                                                                phi_2125_ = _e1314.z;
-                                                            }
-                                                            let _e1329 = phi_2125_;
-                                                            let _e1331 = triangles.member[(0u + _e1001)].v0_;
-                                                            let _e1333 = triangles.member[(0u + _e1001)].v1_;
-                                                            if (_e1331.x > _e1333.x) {
-                                                                phi_2138_ = _e1331.x;
-                                                            } else {
-                                                                phi_2138_ = _e1333.x;
-                                                            }
-                                                            let _e1340 = phi_2138_;
-                                                            if (_e1331.y > _e1333.y) {
-                                                                phi_2147_ = _e1331.y;
-                                                            } else {
-                                                                phi_2147_ = _e1333.y;
-                                                            }
-                                                            let _e1347 = phi_2147_;
-                                                            if (_e1331.z > _e1333.z) {
-                                                                phi_2156_ = _e1331.z;
-                                                            } else {
-                                                                phi_2156_ = _e1333.z;
-                                                            }
-                                                            let _e1354 = phi_2156_;
-                                                            let _e1356 = triangles.member[(0u + _e1001)].v2_;
-                                                            if (_e1340 > _e1356.x) {
-                                                                phi_2165_ = _e1340;
-                                                            } else {
-                                                                phi_2165_ = _e1356.x;
-                                                            }
-                                                            let _e1361 = phi_2165_;
-                                                            if (_e1347 > _e1356.y) {
-                                                                phi_2172_ = _e1347;
-                                                            } else {
-                                                                phi_2172_ = _e1356.y;
-                                                            }
-                                                            let _e1366 = phi_2172_;
-                                                            if (_e1354 > _e1356.z) {
-                                                                phi_2179_ = _e1354;
-                                                            } else {
-                                                                phi_2179_ = _e1356.z;
-                                                            }
-                                                            let _e1371 = phi_2179_;
-                                                            let _e1375 = ((_e1319 - _e278) * _e596);
-                                                            let _e1376 = ((_e1324 - _e280) * _e606);
-                                                            let _e1377 = ((_e1329 - _e282) * _e616);
-                                                            let _e1381 = ((_e1361 - _e278) * _e596);
-                                                            let _e1382 = ((_e1366 - _e280) * _e606);
-                                                            let _e1383 = ((_e1371 - _e282) * _e616);
-                                                            if (_e1375 < _e1381) {
-                                                                phi_2196_ = _e1375;
-                                                            } else {
-                                                                phi_2196_ = _e1381;
-                                                            }
-                                                            let _e1386 = phi_2196_;
-                                                            if (_e1376 < _e1382) {
-                                                                phi_2201_ = _e1376;
-                                                            } else {
-                                                                phi_2201_ = _e1382;
-                                                            }
-                                                            let _e1389 = phi_2201_;
-                                                            if (_e1377 < _e1383) {
-                                                                phi_2206_ = _e1377;
-                                                            } else {
-                                                                phi_2206_ = _e1383;
-                                                            }
-                                                            let _e1392 = phi_2206_;
-                                                            if (_e1375 > _e1381) {
-                                                                phi_2214_ = _e1375;
-                                                            } else {
-                                                                phi_2214_ = _e1381;
-                                                            }
-                                                            let _e1398 = phi_2214_;
-                                                            if (_e1376 > _e1382) {
-                                                                phi_2219_ = _e1376;
-                                                            } else {
-                                                                phi_2219_ = _e1382;
-                                                            }
-                                                            let _e1401 = phi_2219_;
-                                                            if (_e1377 > _e1383) {
-                                                                phi_2224_ = _e1377;
-                                                            } else {
-                                                                phi_2224_ = _e1383;
-                                                            }
-                                                            let _e1404 = phi_2224_;
-                                                            let _e1408 = core_intrinsics_maximum_number_nsz_f32_((_e1386 - _e651), (_e1389 - _e652));
-                                                            let _e1409 = core_intrinsics_maximum_number_nsz_f32_(_e1408, (_e1392 - _e653));
-                                                            let _e1410 = core_intrinsics_minimum_number_nsz_f32_((_e1398 + _e651), (_e1401 + _e652));
-                                                            let _e1411 = core_intrinsics_minimum_number_nsz_f32_(_e1410, (_e1404 + _e653));
-                                                            if (_e1409 > -300000000000000000000000000000000000000f) {
-                                                                phi_2236_ = _e1409;
-                                                            } else {
-                                                                phi_2236_ = -300000000000000000000000000000000000000f;
-                                                            }
-                                                            let _e1414 = phi_2236_;
-                                                            if (_e1411 < 300000000000000000000000000000000000000f) {
-                                                                phi_2241_ = _e1411;
-                                                            } else {
-                                                                phi_2241_ = 300000000000000000000000000000000000000f;
-                                                            }
-                                                            let _e1417 = phi_2241_;
-                                                            if (_e1285 < _e1414) {
-                                                                phi_2246_ = _e1414;
-                                                            } else {
-                                                                phi_2246_ = _e1285;
-                                                            }
-                                                            let _e1420 = phi_2246_;
-                                                            if (_e1420 > _e1417) {
-                                                                phi_2251_ = _e1417;
-                                                            } else {
-                                                                phi_2251_ = _e1420;
-                                                            }
-                                                            let _e1423 = phi_2251_;
-                                                            phi_2256_ = lt_bvh_triangle_Intersection(_e1423, (_e1126 / _e1185), (_e1147 / _e1185), (_e1414 <= _e1417));
-                                                            phi_2257_ = false;
+                                                        let _e1390 = phi_2182_;
+                                                        let _e1392 = triangles.member[(0u + _e1079)].v2_;
+                                                        if (_e1376 < _e1392.x) {
+                                                            phi_2191_ = _e1376;
                                                         } else {
-                                                            phi_2256_ = lt_bvh_triangle_Intersection();
-                                                            phi_2257_ = true;
+                                                            phi_2191_ = _e1392.x;
                                                         }
-                                                        let _e1429 = phi_2256_;
-                                                        let _e1431 = phi_2257_;
-                                                        phi_2258_ = _e1429;
-                                                        phi_2259_ = _e1431;
+                                                        let _e1397 = phi_2191_;
+                                                        if (_e1383 < _e1392.y) {
+                                                            phi_2198_ = _e1383;
+                                                        } else {
+                                                            phi_2198_ = _e1392.y;
+                                                        }
+                                                        let _e1402 = phi_2198_;
+                                                        if (_e1390 < _e1392.z) {
+                                                            phi_2205_ = _e1390;
+                                                        } else {
+                                                            phi_2205_ = _e1392.z;
+                                                        }
+                                                        let _e1407 = phi_2205_;
+                                                        let _e1409 = triangles.member[(0u + _e1079)].v0_;
+                                                        let _e1411 = triangles.member[(0u + _e1079)].v1_;
+                                                        if (_e1409.x > _e1411.x) {
+                                                            phi_2218_ = _e1409.x;
+                                                        } else {
+                                                            phi_2218_ = _e1411.x;
+                                                        }
+                                                        let _e1418 = phi_2218_;
+                                                        if (_e1409.y > _e1411.y) {
+                                                            phi_2227_ = _e1409.y;
+                                                        } else {
+                                                            phi_2227_ = _e1411.y;
+                                                        }
+                                                        let _e1425 = phi_2227_;
+                                                        if (_e1409.z > _e1411.z) {
+                                                            phi_2236_ = _e1409.z;
+                                                        } else {
+                                                            phi_2236_ = _e1411.z;
+                                                        }
+                                                        let _e1432 = phi_2236_;
+                                                        let _e1434 = triangles.member[(0u + _e1079)].v2_;
+                                                        if (_e1418 > _e1434.x) {
+                                                            phi_2245_ = _e1418;
+                                                        } else {
+                                                            phi_2245_ = _e1434.x;
+                                                        }
+                                                        let _e1439 = phi_2245_;
+                                                        if (_e1425 > _e1434.y) {
+                                                            phi_2252_ = _e1425;
+                                                        } else {
+                                                            phi_2252_ = _e1434.y;
+                                                        }
+                                                        let _e1444 = phi_2252_;
+                                                        if (_e1432 > _e1434.z) {
+                                                            phi_2259_ = _e1432;
+                                                        } else {
+                                                            phi_2259_ = _e1434.z;
+                                                        }
+                                                        let _e1449 = phi_2259_;
+                                                        let _e1453 = ((_e1397 - _e278) * _e596);
+                                                        let _e1454 = ((_e1402 - _e280) * _e606);
+                                                        let _e1455 = ((_e1407 - _e282) * _e616);
+                                                        let _e1459 = ((_e1439 - _e278) * _e596);
+                                                        let _e1460 = ((_e1444 - _e280) * _e606);
+                                                        let _e1461 = ((_e1449 - _e282) * _e616);
+                                                        if (_e1453 < _e1459) {
+                                                            phi_2276_ = _e1453;
+                                                        } else {
+                                                            phi_2276_ = _e1459;
+                                                        }
+                                                        let _e1464 = phi_2276_;
+                                                        if (_e1454 < _e1460) {
+                                                            phi_2281_ = _e1454;
+                                                        } else {
+                                                            phi_2281_ = _e1460;
+                                                        }
+                                                        let _e1467 = phi_2281_;
+                                                        if (_e1455 < _e1461) {
+                                                            phi_2286_ = _e1455;
+                                                        } else {
+                                                            phi_2286_ = _e1461;
+                                                        }
+                                                        let _e1470 = phi_2286_;
+                                                        if (_e1453 > _e1459) {
+                                                            phi_2294_ = _e1453;
+                                                        } else {
+                                                            phi_2294_ = _e1459;
+                                                        }
+                                                        let _e1476 = phi_2294_;
+                                                        if (_e1454 > _e1460) {
+                                                            phi_2299_ = _e1454;
+                                                        } else {
+                                                            phi_2299_ = _e1460;
+                                                        }
+                                                        let _e1479 = phi_2299_;
+                                                        if (_e1455 > _e1461) {
+                                                            phi_2304_ = _e1455;
+                                                        } else {
+                                                            phi_2304_ = _e1461;
+                                                        }
+                                                        let _e1482 = phi_2304_;
+                                                        let _e1486 = core_intrinsics_maximum_number_nsz_f32_((_e1464 - _e651), (_e1467 - _e652));
+                                                        let _e1487 = core_intrinsics_maximum_number_nsz_f32_(_e1486, (_e1470 - _e653));
+                                                        let _e1488 = core_intrinsics_minimum_number_nsz_f32_((_e1476 + _e651), (_e1479 + _e652));
+                                                        let _e1489 = core_intrinsics_minimum_number_nsz_f32_(_e1488, (_e1482 + _e653));
+                                                        if (_e1487 > -300000000000000000000000000000000000000f) {
+                                                            phi_2316_ = _e1487;
+                                                        } else {
+                                                            phi_2316_ = -300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e1492 = phi_2316_;
+                                                        if (_e1489 < 300000000000000000000000000000000000000f) {
+                                                            phi_2321_ = _e1489;
+                                                        } else {
+                                                            phi_2321_ = 300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e1495 = phi_2321_;
+                                                        if (_e1363 < _e1492) {
+                                                            phi_2326_ = _e1492;
+                                                        } else {
+                                                            phi_2326_ = _e1363;
+                                                        }
+                                                        let _e1498 = phi_2326_;
+                                                        if (_e1498 > _e1495) {
+                                                            phi_2331_ = _e1495;
+                                                        } else {
+                                                            phi_2331_ = _e1498;
+                                                        }
+                                                        let _e1501 = phi_2331_;
+                                                        phi_2336_ = lt_bvh_triangle_Intersection(_e1501, (_e1204 / _e1263), (_e1225 / _e1263), (_e1492 <= _e1495));
+                                                        phi_2337_ = false;
                                                     } else {
-                                                        phi_2258_ = lt_bvh_triangle_Intersection();
-                                                        phi_2259_ = true;
+                                                        phi_2336_ = lt_bvh_triangle_Intersection();
+                                                        phi_2337_ = true;
                                                     }
-                                                    let _e1433 = phi_2258_;
-                                                    let _e1435 = phi_2259_;
-                                                    if _e1435 {
-                                                    }
-                                                    phi_2263_ = _e1433;
-                                                    phi_2264_ = _e1435;
+                                                    let _e1507 = phi_2336_;
+                                                    let _e1509 = phi_2337_;
+                                                    phi_2338_ = _e1507;
+                                                    phi_2339_ = _e1509;
+                                                } else {
+                                                    phi_2338_ = lt_bvh_triangle_Intersection();
+                                                    phi_2339_ = true;
                                                 }
-                                                let _e1437 = phi_2263_;
-                                                let _e1439 = phi_2264_;
-                                                phi_2265_ = _e1437;
-                                                phi_2266_ = _e1188;
-                                                phi_2267_ = _e1439;
-                                            } else {
-                                                phi_2265_ = lt_bvh_triangle_Intersection();
-                                                phi_2266_ = true;
-                                                phi_2267_ = false;
+                                                let _e1511 = phi_2338_;
+                                                let _e1513 = phi_2339_;
+                                                if _e1513 {
+                                                }
+                                                phi_2343_ = _e1511;
+                                                phi_2344_ = _e1513;
                                             }
-                                            let _e1441 = phi_2265_;
-                                            let _e1443 = phi_2266_;
-                                            let _e1445 = phi_2267_;
-                                            if _e1443 {
-                                                phi_2271_ = true;
-                                            } else {
-                                                phi_2271_ = _e1445;
-                                            }
-                                            let _e1447 = phi_2271_;
-                                            if _e1447 {
-                                                phi_2275_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                            } else {
-                                                phi_2275_ = _e1441;
-                                            }
-                                            let _e1449 = phi_2275_;
-                                            if _e1449.is_hit {
-                                                if (_e1449.t > 0f) {
-                                                    if (_e1449.t < _e290) {
-                                                        let _e1456 = triangles.member[(0u + _e1001)].i0_;
-                                                        let _e1458 = ((_e1456 & 2147483648u) == 0u);
-                                                        if _e1458 {
-                                                            phi_2498_ = false;
-                                                            phi_2499_ = false;
+                                            let _e1515 = phi_2343_;
+                                            let _e1517 = phi_2344_;
+                                            phi_2345_ = _e1515;
+                                            phi_2346_ = _e1266;
+                                            phi_2347_ = _e1517;
+                                        } else {
+                                            phi_2345_ = lt_bvh_triangle_Intersection();
+                                            phi_2346_ = true;
+                                            phi_2347_ = false;
+                                        }
+                                        let _e1519 = phi_2345_;
+                                        let _e1521 = phi_2346_;
+                                        let _e1523 = phi_2347_;
+                                        if _e1521 {
+                                            phi_2351_ = true;
+                                        } else {
+                                            phi_2351_ = _e1523;
+                                        }
+                                        let _e1525 = phi_2351_;
+                                        if _e1525 {
+                                            phi_2355_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        } else {
+                                            phi_2355_ = _e1519;
+                                        }
+                                        let _e1527 = phi_2355_;
+                                        if _e1527.is_hit {
+                                            if (_e1527.t > 0f) {
+                                                if (_e1527.t < _e290) {
+                                                    let _e1534 = triangles.member[(0u + _e1079)].i0_;
+                                                    let _e1536 = ((_e1534 & 2147483648u) == 0u);
+                                                    if _e1536 {
+                                                        phi_2578_ = false;
+                                                        phi_2579_ = false;
+                                                    } else {
+                                                        if (_e1079 < _e95) {
                                                         } else {
-                                                            if (_e1001 < _e95) {
+                                                            return;
+                                                        }
+                                                        let _e1543 = triangles.member[(0u + _e1079)].i0_;
+                                                        let _e1544 = (_e1543 & 2147483647u);
+                                                        let _e1546 = triangles.member[(0u + _e1079)].i1_;
+                                                        let _e1548 = triangles.member[(0u + _e1079)].i2_;
+                                                        if (_e1544 < _e105) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1552 = vertices.member[(0u + _e1544)];
+                                                        if (_e1546 < _e105) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1556 = vertices.member[(0u + _e1546)];
+                                                        if (_e1548 < _e105) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1560 = vertices.member[(0u + _e1548)];
+                                                        let _e1561 = array<abi_Vertex, 3>(_e1552, _e1556, _e1560);
+                                                        if (_e1561[0].material < _e108) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        let _e1567 = materials.member[(0u + _e1561[0].material)];
+                                                        if ((_e1567.flags & 1u) == 1u) {
+                                                            let _e1572 = ((1f - _e1527.u) - _e1527.v);
+                                                            if (_e1567.cutoff <= 0f) {
+                                                                phi_2572_ = true;
                                                             } else {
-                                                                return;
-                                                            }
-                                                            let _e1465 = triangles.member[(0u + _e1001)].i0_;
-                                                            let _e1466 = (_e1465 & 2147483647u);
-                                                            let _e1468 = triangles.member[(0u + _e1001)].i1_;
-                                                            let _e1470 = triangles.member[(0u + _e1001)].i2_;
-                                                            if (_e1466 < _e105) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1474 = vertices.member[(0u + _e1466)];
-                                                            if (_e1468 < _e105) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1478 = vertices.member[(0u + _e1468)];
-                                                            if (_e1470 < _e105) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1482 = vertices.member[(0u + _e1470)];
-                                                            let _e1483 = array<abi_Vertex, 3>(_e1474, _e1478, _e1482);
-                                                            if (_e1483[0].material < _e108) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1489 = materials.member[(0u + _e1483[0].material)];
-                                                            if ((_e1489.flags & 1u) == 1u) {
-                                                                let _e1494 = ((1f - _e1449.u) - _e1449.v);
-                                                                if (_e1489.cutoff <= 0f) {
-                                                                    phi_2492_ = true;
+                                                                let _e1599 = (_e1567.base_color.w * ((((f32((_e1561[0].color >> bitcast<u32>(24i))) * _e1572) + (f32((_e1561[1].color >> bitcast<u32>(24i))) * _e1527.u)) + (f32((_e1561[2].color >> bitcast<u32>(24i))) * _e1527.v)) * (1f / 255f)));
+                                                                if (_e1567.alpha_size == 0u) {
+                                                                    phi_2569_ = _e1599;
                                                                 } else {
-                                                                    let _e1521 = (_e1489.base_color.w * ((((f32((_e1483[0].color >> bitcast<u32>(24i))) * _e1494) + (f32((_e1483[1].color >> bitcast<u32>(24i))) * _e1449.u)) + (f32((_e1483[2].color >> bitcast<u32>(24i))) * _e1449.v)) * (1f / 255f)));
-                                                                    if (_e1489.alpha_size == 0u) {
-                                                                        phi_2489_ = _e1521;
+                                                                    local_2.offset = _e1567.alpha_offset;
+                                                                    local_2.size = _e1567.alpha_size;
+                                                                    local_2.flags = _e1567.flags;
+                                                                    let _e1630 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1561[0].u * _e1572) + (_e1561[1].u * _e1527.u)) + (_e1561[2].u * _e1527.v)), (((_e1561[0].v * _e1572) + (_e1561[1].v * _e1527.u)) + (_e1561[2].v * _e1527.v)));
+                                                                    let _e1634 = (_e1630.indices[0] >> bitcast<u32>(2i));
+                                                                    if (_e1634 < _e111) {
                                                                     } else {
-                                                                        local_2.offset = _e1489.alpha_offset;
-                                                                        local_2.size = _e1489.alpha_size;
-                                                                        local_2.flags = _e1489.flags;
-                                                                        let _e1552 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1483[0].u * _e1494) + (_e1483[1].u * _e1449.u)) + (_e1483[2].u * _e1449.v)), (((_e1483[0].v * _e1494) + (_e1483[1].v * _e1449.u)) + (_e1483[2].v * _e1449.v)));
-                                                                        let _e1556 = (_e1552.indices[0] >> bitcast<u32>(2i));
-                                                                        if (_e1556 < _e111) {
-                                                                        } else {
-                                                                            return;
-                                                                        }
-                                                                        let _e1560 = alpha_texels.member[(0u + _e1556)];
-                                                                        let _e1576 = (_e1552.indices[1] >> bitcast<u32>(2i));
-                                                                        if (_e1576 < _e111) {
-                                                                        } else {
-                                                                            return;
-                                                                        }
-                                                                        let _e1580 = alpha_texels.member[(0u + _e1576)];
-                                                                        let _e1597 = (_e1552.indices[2] >> bitcast<u32>(2i));
-                                                                        if (_e1597 < _e111) {
-                                                                        } else {
-                                                                            return;
-                                                                        }
-                                                                        let _e1601 = alpha_texels.member[(0u + _e1597)];
-                                                                        let _e1618 = (_e1552.indices[3] >> bitcast<u32>(2i));
-                                                                        if (_e1618 < _e111) {
-                                                                        } else {
-                                                                            return;
-                                                                        }
-                                                                        let _e1622 = alpha_texels.member[(0u + _e1618)];
-                                                                        phi_2489_ = (_e1521 * (((((f32(((_e1560 >> bitcast<u32>((((_e1552.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1552.weights.x) + ((f32(((_e1580 >> bitcast<u32>((((_e1552.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1552.weights.y)) + ((f32(((_e1601 >> bitcast<u32>((((_e1552.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1552.weights.z)) + ((f32(((_e1622 >> bitcast<u32>((((_e1552.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1552.weights.w)));
+                                                                        return;
                                                                     }
-                                                                    let _e1638 = phi_2489_;
-                                                                    phi_2492_ = (_e1638 >= _e1489.cutoff);
+                                                                    let _e1638 = alpha_texels.member[(0u + _e1634)];
+                                                                    let _e1654 = (_e1630.indices[1] >> bitcast<u32>(2i));
+                                                                    if (_e1654 < _e111) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e1658 = alpha_texels.member[(0u + _e1654)];
+                                                                    let _e1675 = (_e1630.indices[2] >> bitcast<u32>(2i));
+                                                                    if (_e1675 < _e111) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e1679 = alpha_texels.member[(0u + _e1675)];
+                                                                    let _e1696 = (_e1630.indices[3] >> bitcast<u32>(2i));
+                                                                    if (_e1696 < _e111) {
+                                                                    } else {
+                                                                        return;
+                                                                    }
+                                                                    let _e1700 = alpha_texels.member[(0u + _e1696)];
+                                                                    phi_2569_ = (_e1599 * (((((f32(((_e1638 >> bitcast<u32>((((_e1630.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1630.weights.x) + ((f32(((_e1658 >> bitcast<u32>((((_e1630.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1630.weights.y)) + ((f32(((_e1679 >> bitcast<u32>((((_e1630.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1630.weights.z)) + ((f32(((_e1700 >> bitcast<u32>((((_e1630.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1630.weights.w)));
                                                                 }
-                                                                let _e1642 = phi_2492_;
-                                                                phi_2493_ = _e1642;
-                                                            } else {
-                                                                phi_2493_ = false;
+                                                                let _e1716 = phi_2569_;
+                                                                phi_2572_ = (_e1716 >= _e1567.cutoff);
                                                             }
-                                                            let _e1644 = phi_2493_;
-                                                            if _e1644 {
-                                                                phi_2497_ = false;
-                                                            } else {
-                                                                phi_2497_ = true;
-                                                            }
-                                                            let _e1646 = phi_2497_;
-                                                            phi_2498_ = _e1646;
-                                                            phi_2499_ = _e1644;
+                                                            let _e1720 = phi_2572_;
+                                                            phi_2573_ = _e1720;
+                                                        } else {
+                                                            phi_2573_ = false;
                                                         }
-                                                        let _e1648 = phi_2498_;
-                                                        let _e1650 = phi_2499_;
-                                                        phi_2500_ = _e1648;
-                                                        phi_2501_ = _e1458;
-                                                        phi_2502_ = _e1650;
-                                                    } else {
-                                                        phi_2500_ = true;
-                                                        phi_2501_ = false;
-                                                        phi_2502_ = false;
+                                                        let _e1722 = phi_2573_;
+                                                        if _e1722 {
+                                                            phi_2577_ = false;
+                                                        } else {
+                                                            phi_2577_ = true;
+                                                        }
+                                                        let _e1724 = phi_2577_;
+                                                        phi_2578_ = _e1724;
+                                                        phi_2579_ = _e1722;
                                                     }
-                                                    let _e1652 = phi_2500_;
-                                                    let _e1654 = phi_2501_;
-                                                    let _e1656 = phi_2502_;
-                                                    phi_2503_ = false;
-                                                    phi_2504_ = _e1652;
-                                                    phi_2505_ = _e1654;
-                                                    phi_2506_ = _e1656;
+                                                    let _e1726 = phi_2578_;
+                                                    let _e1728 = phi_2579_;
+                                                    phi_2580_ = _e1726;
+                                                    phi_2581_ = _e1536;
+                                                    phi_2582_ = _e1728;
                                                 } else {
-                                                    phi_2503_ = true;
-                                                    phi_2504_ = false;
-                                                    phi_2505_ = false;
-                                                    phi_2506_ = false;
+                                                    phi_2580_ = true;
+                                                    phi_2581_ = false;
+                                                    phi_2582_ = false;
                                                 }
-                                                let _e1658 = phi_2503_;
-                                                let _e1660 = phi_2504_;
-                                                let _e1662 = phi_2505_;
-                                                let _e1664 = phi_2506_;
-                                                phi_2507_ = _e1658;
-                                                phi_2508_ = _e1660;
-                                                phi_2509_ = _e1662;
-                                                phi_2510_ = _e1664;
+                                                let _e1730 = phi_2580_;
+                                                let _e1732 = phi_2581_;
+                                                let _e1734 = phi_2582_;
+                                                phi_2583_ = false;
+                                                phi_2584_ = _e1730;
+                                                phi_2585_ = _e1732;
+                                                phi_2586_ = _e1734;
                                             } else {
-                                                phi_2507_ = true;
-                                                phi_2508_ = false;
-                                                phi_2509_ = false;
-                                                phi_2510_ = false;
+                                                phi_2583_ = true;
+                                                phi_2584_ = false;
+                                                phi_2585_ = false;
+                                                phi_2586_ = false;
                                             }
-                                            let _e1666 = phi_2507_;
-                                            let _e1668 = phi_2508_;
-                                            let _e1670 = phi_2509_;
-                                            let _e1672 = phi_2510_;
-                                            if _e1666 {
-                                                phi_2514_ = true;
-                                                phi_2515_ = false;
-                                                phi_2516_ = false;
-                                            } else {
-                                                phi_2514_ = _e1668;
-                                                phi_2515_ = _e1670;
-                                                phi_2516_ = _e1672;
-                                            }
-                                            let _e1674 = phi_2514_;
-                                            let _e1676 = phi_2515_;
-                                            let _e1678 = phi_2516_;
-                                            if _e1674 {
-                                                phi_2520_ = false;
-                                                phi_2521_ = false;
-                                            } else {
-                                                phi_2520_ = _e1676;
-                                                phi_2521_ = _e1678;
-                                            }
-                                            let _e1680 = phi_2520_;
-                                            let _e1682 = phi_2521_;
-                                            phi_1676_ = (_e965 & (_e965 - 1u));
-                                            phi_2522_ = _e1674;
-                                            phi_2523_ = _e1680;
-                                            phi_2524_ = _e1682;
-                                        }
-                                        let _e1684 = phi_1676_;
-                                        let _e1686 = phi_2522_;
-                                        let _e1688 = phi_2523_;
-                                        let _e1690 = phi_2524_;
-                                        local_12 = _e1688;
-                                        local_13 = _e1690;
-                                        continue;
-                                        continuing {
-                                            phi_1675_ = _e1684;
-                                            break if !(_e1686);
-                                        }
-                                    }
-                                    let _e1693 = local_5;
-                                    if _e1693 {
-                                        phi_2528_ = false;
-                                        phi_2529_ = false;
-                                    } else {
-                                        let _e3582 = local_12;
-                                        phi_2528_ = _e3582;
-                                        let _e3585 = local_13;
-                                        phi_2529_ = _e3585;
-                                    }
-                                    let _e1695 = phi_2528_;
-                                    let _e1697 = phi_2529_;
-                                    phi_2557_ = _e699;
-                                    phi_2558_ = _e690;
-                                    let _e3594 = local_14;
-                                    phi_2559_ = _e3594;
-                                    phi_2560_ = _e1695;
-                                    phi_2561_ = _e1697;
-                                } else {
-                                    if (_e959 == 0u) {
-                                        phi_2555_ = _e699;
-                                        phi_2556_ = _e690;
-                                    } else {
-                                        if ((_e699 & 255u) == 0u) {
-                                            phi_2551_ = _e690;
+                                            let _e1736 = phi_2583_;
+                                            let _e1738 = phi_2584_;
+                                            let _e1740 = phi_2585_;
+                                            let _e1742 = phi_2586_;
+                                            phi_2587_ = _e1736;
+                                            phi_2588_ = _e1738;
+                                            phi_2589_ = _e1740;
+                                            phi_2590_ = _e1742;
                                         } else {
-                                            if (_e690 < 32u) {
-                                                if (_e690 < 32u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                local_3[(0u + _e690)] = _e699;
-                                                phi_2550_ = (_e690 + 1u);
-                                            } else {
-                                                phi_2550_ = _e690;
-                                            }
-                                            let _e1707 = phi_2550_;
-                                            phi_2551_ = _e1707;
+                                            phi_2587_ = true;
+                                            phi_2588_ = false;
+                                            phi_2589_ = false;
+                                            phi_2590_ = false;
                                         }
-                                        let _e1709 = phi_2551_;
-                                        phi_2555_ = ((_e720.rest.z << bitcast<u32>(8i)) | _e959);
-                                        phi_2556_ = _e1709;
-                                    }
-                                    let _e1716 = phi_2555_;
-                                    let _e1718 = phi_2556_;
-                                    phi_2557_ = _e1716;
-                                    phi_2558_ = _e1718;
-                                    phi_2559_ = true;
-                                    phi_2560_ = false;
-                                    phi_2561_ = false;
-                                }
-                                let _e1720 = phi_2557_;
-                                let _e1722 = phi_2558_;
-                                let _e1724 = phi_2559_;
-                                let _e1726 = phi_2560_;
-                                let _e1728 = phi_2561_;
-                                if _e1724 {
-                                    if ((_e1720 & 255u) == 0u) {
-                                        if (_e1722 > 0u) {
-                                            let _e1732 = (_e1722 - 1u);
-                                            if (_e1732 < 32u) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e1736 = local_3[(0u + _e1732)];
-                                            phi_2582_ = _e1736;
-                                            phi_2583_ = _e1732;
+                                        let _e1744 = phi_2587_;
+                                        let _e1746 = phi_2588_;
+                                        let _e1748 = phi_2589_;
+                                        let _e1750 = phi_2590_;
+                                        if _e1744 {
+                                            phi_2594_ = true;
+                                            phi_2595_ = false;
+                                            phi_2596_ = false;
                                         } else {
-                                            phi_2582_ = 0u;
-                                            phi_2583_ = _e1722;
+                                            phi_2594_ = _e1746;
+                                            phi_2595_ = _e1748;
+                                            phi_2596_ = _e1750;
                                         }
-                                        let _e1738 = phi_2582_;
-                                        let _e1740 = phi_2583_;
-                                        phi_2584_ = _e1738;
-                                        phi_2585_ = _e1740;
-                                    } else {
-                                        phi_2584_ = _e1720;
-                                        phi_2585_ = _e1722;
+                                        let _e1752 = phi_2594_;
+                                        let _e1754 = phi_2595_;
+                                        let _e1756 = phi_2596_;
+                                        if _e1752 {
+                                            phi_2600_ = false;
+                                            phi_2601_ = false;
+                                        } else {
+                                            phi_2600_ = _e1754;
+                                            phi_2601_ = _e1756;
+                                        }
+                                        let _e1758 = phi_2600_;
+                                        let _e1760 = phi_2601_;
+                                        phi_1757_ = (_e1043 & (_e1043 - 1u));
+                                        phi_2602_ = _e1752;
+                                        phi_2603_ = _e1758;
+                                        phi_2604_ = _e1760;
                                     }
-                                    let _e1742 = phi_2584_;
-                                    let _e1744 = phi_2585_;
-                                    phi_2586_ = _e1742;
-                                    phi_2587_ = _e1744;
-                                    phi_2588_ = false;
-                                    phi_2589_ = false;
-                                } else {
-                                    phi_2586_ = u32();
-                                    phi_2587_ = u32();
-                                    phi_2588_ = _e1726;
-                                    phi_2589_ = _e1728;
+                                    let _e1762 = phi_1757_;
+                                    let _e1764 = phi_2602_;
+                                    let _e1766 = phi_2603_;
+                                    let _e1768 = phi_2604_;
+                                    local_15 = _e1766;
+                                    local_16 = _e1768;
+                                    continue;
+                                    continuing {
+                                        phi_1756_ = _e1762;
+                                        break if !(_e1764);
+                                    }
                                 }
-                                let _e1746 = phi_2586_;
-                                let _e1748 = phi_2587_;
-                                let _e1750 = phi_2588_;
-                                let _e1752 = phi_2589_;
-                                phi_1386_ = _e1746;
-                                phi_1389_ = _e1748;
-                                phi_2590_ = _e1724;
-                                phi_2591_ = _e1750;
-                                phi_2592_ = _e1752;
+                                let _e1771 = local_7;
+                                if _e1771 {
+                                    phi_2608_ = false;
+                                    phi_2609_ = false;
+                                } else {
+                                    let _e3634 = local_15;
+                                    phi_2608_ = _e3634;
+                                    let _e3637 = local_16;
+                                    phi_2609_ = _e3637;
+                                }
+                                let _e1773 = phi_2608_;
+                                let _e1775 = phi_2609_;
+                                let _e3640 = local_17;
+                                phi_1386_ = _e3640;
+                                let _e3643 = local_18;
+                                phi_1389_ = _e3643;
+                                let _e3646 = local_19;
+                                phi_2610_ = _e3646;
+                                phi_2611_ = _e1773;
+                                phi_2612_ = _e1775;
                             }
-                            let _e1754 = phi_1386_;
-                            let _e1756 = phi_1389_;
-                            let _e1758 = phi_2590_;
-                            let _e1760 = phi_2591_;
-                            let _e1762 = phi_2592_;
-                            local_15 = _e1760;
-                            local_16 = _e1762;
+                            let _e1777 = phi_1386_;
+                            let _e1779 = phi_1389_;
+                            let _e1781 = phi_2610_;
+                            let _e1783 = phi_2611_;
+                            let _e1785 = phi_2612_;
+                            local_20 = _e1783;
+                            local_21 = _e1785;
                             continue;
                             continuing {
-                                phi_1385_ = _e1754;
-                                phi_1388_ = _e1756;
-                                break if !(_e1758);
+                                phi_1385_ = _e1777;
+                                phi_1388_ = _e1779;
+                                break if !(_e1781);
                             }
                         }
-                        let _e1765 = local_6;
-                        if _e1765 {
-                            phi_2596_ = false;
-                            phi_2597_ = false;
+                        let _e1788 = local_8;
+                        if _e1788 {
+                            phi_2616_ = false;
+                            phi_2617_ = false;
                         } else {
-                            let _e3613 = local_15;
-                            phi_2596_ = _e3613;
-                            let _e3616 = local_16;
-                            phi_2597_ = _e3616;
+                            let _e3652 = local_20;
+                            phi_2616_ = _e3652;
+                            let _e3655 = local_21;
+                            phi_2617_ = _e3655;
                         }
-                        let _e1767 = phi_2596_;
-                        let _e1769 = phi_2597_;
-                        if _e1767 {
-                            phi_2601_ = false;
+                        let _e1790 = phi_2616_;
+                        let _e1792 = phi_2617_;
+                        if _e1790 {
+                            phi_2621_ = false;
                         } else {
-                            phi_2601_ = _e1769;
+                            phi_2621_ = _e1792;
                         }
-                        let _e1771 = phi_2601_;
-                        if _e1771 {
-                            phi_2605_ = true;
+                        let _e1794 = phi_2621_;
+                        if _e1794 {
+                            phi_2625_ = true;
                         } else {
-                            phi_2605_ = _e1767;
+                            phi_2625_ = _e1790;
                         }
-                        let _e1773 = phi_2605_;
-                        if _e1773 {
+                        let _e1796 = phi_2625_;
+                        if _e1796 {
                         }
-                        phi_2609_ = true;
-                        phi_2610_ = _e1773;
+                        phi_2629_ = true;
+                        phi_2630_ = _e1796;
                     }
-                    let _e1775 = phi_2609_;
-                    let _e1777 = phi_2610_;
-                    if _e1777 {
-                        phi_2614_ = _e1775;
+                    let _e1798 = phi_2629_;
+                    let _e1800 = phi_2630_;
+                    if _e1800 {
+                        phi_2634_ = _e1798;
                     } else {
-                        phi_2614_ = false;
+                        phi_2634_ = false;
                     }
-                    let _e1779 = phi_2614_;
-                    phi_4279_ = _e1779;
+                    let _e1802 = phi_2634_;
+                    phi_4299_ = _e1802;
                 } else {
-                    let _e1780 = abs(_e298);
-                    let _e1781 = abs(_e299);
-                    let _e1782 = abs(_e300);
+                    let _e1803 = abs(_e298);
+                    let _e1804 = abs(_e299);
+                    let _e1805 = abs(_e300);
                     if (abs(_e278) < 1000000000000000f) {
                         if (abs(_e280) < 1000000000000000f) {
-                            phi_2630_ = (abs(_e282) < 1000000000000000f);
-                            phi_2631_ = false;
+                            phi_2650_ = (abs(_e282) < 1000000000000000f);
+                            phi_2651_ = false;
                         } else {
-                            phi_2630_ = bool();
-                            phi_2631_ = true;
+                            phi_2650_ = bool();
+                            phi_2651_ = true;
                         }
-                        let _e1790 = phi_2630_;
-                        let _e1792 = phi_2631_;
-                        phi_2632_ = _e1790;
-                        phi_2633_ = _e1792;
+                        let _e1813 = phi_2650_;
+                        let _e1815 = phi_2651_;
+                        phi_2652_ = _e1813;
+                        phi_2653_ = _e1815;
                     } else {
-                        phi_2632_ = bool();
-                        phi_2633_ = true;
+                        phi_2652_ = bool();
+                        phi_2653_ = true;
                     }
-                    let _e1794 = phi_2632_;
-                    let _e1796 = phi_2633_;
-                    if _e1796 {
-                        phi_2637_ = false;
+                    let _e1817 = phi_2652_;
+                    let _e1819 = phi_2653_;
+                    if _e1819 {
+                        phi_2657_ = false;
                     } else {
-                        phi_2637_ = _e1794;
+                        phi_2657_ = _e1817;
                     }
-                    let _e1798 = phi_2637_;
-                    if _e1798 {
-                        if (_e1780 < 1000000000000000f) {
-                            if (_e1781 < 1000000000000000f) {
-                                phi_2650_ = (_e1782 < 1000000000000000f);
-                                phi_2651_ = false;
+                    let _e1821 = phi_2657_;
+                    if _e1821 {
+                        if (_e1803 < 1000000000000000f) {
+                            if (_e1804 < 1000000000000000f) {
+                                phi_2670_ = (_e1805 < 1000000000000000f);
+                                phi_2671_ = false;
                             } else {
-                                phi_2650_ = bool();
-                                phi_2651_ = true;
+                                phi_2670_ = bool();
+                                phi_2671_ = true;
                             }
-                            let _e1803 = phi_2650_;
-                            let _e1805 = phi_2651_;
-                            phi_2652_ = _e1803;
-                            phi_2653_ = _e1805;
+                            let _e1826 = phi_2670_;
+                            let _e1828 = phi_2671_;
+                            phi_2672_ = _e1826;
+                            phi_2673_ = _e1828;
                         } else {
-                            phi_2652_ = bool();
-                            phi_2653_ = true;
+                            phi_2672_ = bool();
+                            phi_2673_ = true;
                         }
-                        let _e1807 = phi_2652_;
-                        let _e1809 = phi_2653_;
-                        if _e1809 {
-                            phi_2657_ = false;
+                        let _e1830 = phi_2672_;
+                        let _e1832 = phi_2673_;
+                        if _e1832 {
+                            phi_2677_ = false;
                         } else {
-                            phi_2657_ = _e1807;
+                            phi_2677_ = _e1830;
                         }
-                        let _e1811 = phi_2657_;
-                        if _e1811 {
-                            if (_e1780 > 0f) {
-                                phi_2671_ = bool();
-                                phi_2672_ = true;
+                        let _e1834 = phi_2677_;
+                        if _e1834 {
+                            if (_e1803 > 0f) {
+                                phi_2691_ = bool();
+                                phi_2692_ = true;
                             } else {
-                                let _e1813 = (_e1781 > 0f);
-                                if _e1813 {
-                                    phi_2670_ = bool();
+                                let _e1836 = (_e1804 > 0f);
+                                if _e1836 {
+                                    phi_2690_ = bool();
                                 } else {
-                                    phi_2670_ = (_e1782 > 0f);
+                                    phi_2690_ = (_e1805 > 0f);
                                 }
-                                let _e1816 = phi_2670_;
-                                phi_2671_ = _e1816;
-                                phi_2672_ = _e1813;
+                                let _e1839 = phi_2690_;
+                                phi_2691_ = _e1839;
+                                phi_2692_ = _e1836;
                             }
-                            let _e1818 = phi_2671_;
-                            let _e1820 = phi_2672_;
-                            if _e1820 {
-                                phi_2676_ = true;
+                            let _e1841 = phi_2691_;
+                            let _e1843 = phi_2692_;
+                            if _e1843 {
+                                phi_2696_ = true;
                             } else {
-                                phi_2676_ = _e1818;
+                                phi_2696_ = _e1841;
                             }
-                            let _e1822 = phi_2676_;
-                            phi_2677_ = _e1822;
-                            phi_2678_ = false;
+                            let _e1845 = phi_2696_;
+                            phi_2697_ = _e1845;
+                            phi_2698_ = false;
                         } else {
-                            phi_2677_ = bool();
-                            phi_2678_ = true;
+                            phi_2697_ = bool();
+                            phi_2698_ = true;
                         }
-                        let _e1824 = phi_2677_;
-                        let _e1826 = phi_2678_;
-                        phi_2679_ = _e1824;
-                        phi_2680_ = _e1826;
+                        let _e1847 = phi_2697_;
+                        let _e1849 = phi_2698_;
+                        phi_2699_ = _e1847;
+                        phi_2700_ = _e1849;
                     } else {
-                        phi_2679_ = bool();
-                        phi_2680_ = true;
+                        phi_2699_ = bool();
+                        phi_2700_ = true;
                     }
-                    let _e1828 = phi_2679_;
-                    let _e1830 = phi_2680_;
-                    if _e1830 {
-                        phi_2684_ = false;
+                    let _e1851 = phi_2699_;
+                    let _e1853 = phi_2700_;
+                    if _e1853 {
+                        phi_2704_ = false;
                     } else {
-                        phi_2684_ = _e1828;
+                        phi_2704_ = _e1851;
                     }
-                    let _e1832 = phi_2684_;
-                    if _e1832 {
-                        let _e1833 = (0u >= _e92);
-                        if _e1833 {
-                            phi_4272_ = bool();
+                    let _e1855 = phi_2704_;
+                    if _e1855 {
+                        let _e1856 = (0u >= _e92);
+                        if _e1856 {
+                            phi_4292_ = bool();
                         } else {
                             if (0u < _e92) {
                             } else {
                                 return;
                             }
-                            let _e1839 = nodes.member[(0u + 0u)].frame[0u];
-                            let _e1843 = nodes.member[(0u + 0u)].frame[1u];
-                            let _e1847 = nodes.member[(0u + 0u)].frame[2u];
-                            let _e1851 = nodes.member[(0u + 0u)].frame[0u];
-                            let _e1855 = nodes.member[(0u + 0u)].frame[1u];
-                            let _e1859 = nodes.member[(0u + 0u)].frame[2u];
-                            let _e1863 = nodes.member[(0u + 0u)].frame[3u];
-                            let _e1897 = core_intrinsics_maximum_number_nsz_f32_(abs(_e298), abs(_e299));
-                            let _e1898 = core_intrinsics_maximum_number_nsz_f32_(_e1897, abs(_e300));
-                            let _e1899 = (_e1898 * 0.0000000000009094947f);
-                            if (abs(_e298) < _e1899) {
-                                phi_2754_ = _e1899;
+                            let _e1862 = nodes.member[(0u + 0u)].frame[0u];
+                            let _e1866 = nodes.member[(0u + 0u)].frame[1u];
+                            let _e1870 = nodes.member[(0u + 0u)].frame[2u];
+                            let _e1874 = nodes.member[(0u + 0u)].frame[0u];
+                            let _e1878 = nodes.member[(0u + 0u)].frame[1u];
+                            let _e1882 = nodes.member[(0u + 0u)].frame[2u];
+                            let _e1886 = nodes.member[(0u + 0u)].frame[3u];
+                            let _e1920 = core_intrinsics_maximum_number_nsz_f32_(abs(_e298), abs(_e299));
+                            let _e1921 = core_intrinsics_maximum_number_nsz_f32_(_e1920, abs(_e300));
+                            let _e1922 = (_e1921 * 0.0000000000009094947f);
+                            if (abs(_e298) < _e1922) {
+                                phi_2774_ = _e1922;
                             } else {
-                                phi_2754_ = abs(_e298);
+                                phi_2774_ = abs(_e298);
                             }
-                            let _e1904 = phi_2754_;
+                            let _e1927 = phi_2774_;
                             if (_e298 < 0f) {
-                                phi_2761_ = (-1f / _e1904);
+                                phi_2781_ = (-1f / _e1927);
                             } else {
-                                phi_2761_ = (1f / _e1904);
+                                phi_2781_ = (1f / _e1927);
                             }
-                            let _e1909 = phi_2761_;
-                            if (abs(_e299) < _e1899) {
-                                phi_2768_ = _e1899;
+                            let _e1932 = phi_2781_;
+                            if (abs(_e299) < _e1922) {
+                                phi_2788_ = _e1922;
                             } else {
-                                phi_2768_ = abs(_e299);
+                                phi_2788_ = abs(_e299);
                             }
-                            let _e1914 = phi_2768_;
+                            let _e1937 = phi_2788_;
                             if (_e299 < 0f) {
-                                phi_2775_ = (-1f / _e1914);
+                                phi_2795_ = (-1f / _e1937);
                             } else {
-                                phi_2775_ = (1f / _e1914);
+                                phi_2795_ = (1f / _e1937);
                             }
-                            let _e1919 = phi_2775_;
-                            if (abs(_e300) < _e1899) {
-                                phi_2782_ = _e1899;
+                            let _e1942 = phi_2795_;
+                            if (abs(_e300) < _e1922) {
+                                phi_2802_ = _e1922;
                             } else {
-                                phi_2782_ = abs(_e300);
+                                phi_2802_ = abs(_e300);
                             }
-                            let _e1924 = phi_2782_;
+                            let _e1947 = phi_2802_;
                             if (_e300 < 0f) {
-                                phi_2789_ = (-1f / _e1924);
+                                phi_2809_ = (-1f / _e1947);
                             } else {
-                                phi_2789_ = (1f / _e1924);
+                                phi_2809_ = (1f / _e1947);
                             }
-                            let _e1929 = phi_2789_;
-                            let _e1933 = abs((bitcast<f32>(_e1839) - _e278));
-                            let _e1934 = abs((bitcast<f32>(_e1843) - _e280));
-                            let _e1935 = abs((bitcast<f32>(_e1847) - _e282));
-                            let _e1939 = abs(((bitcast<f32>(_e1851) + (bitcast<f32>((((_e1863 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e278));
-                            let _e1940 = abs(((bitcast<f32>(_e1855) + (bitcast<f32>((((_e1863 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e280));
-                            let _e1941 = abs(((bitcast<f32>(_e1859) + (bitcast<f32>((((_e1863 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e282));
-                            if (_e1933 > _e1939) {
-                                phi_2806_ = _e1933;
+                            let _e1952 = phi_2809_;
+                            let _e1956 = abs((bitcast<f32>(_e1862) - _e278));
+                            let _e1957 = abs((bitcast<f32>(_e1866) - _e280));
+                            let _e1958 = abs((bitcast<f32>(_e1870) - _e282));
+                            let _e1962 = abs(((bitcast<f32>(_e1874) + (bitcast<f32>((((_e1886 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e278));
+                            let _e1963 = abs(((bitcast<f32>(_e1878) + (bitcast<f32>((((_e1886 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e280));
+                            let _e1964 = abs(((bitcast<f32>(_e1882) + (bitcast<f32>((((_e1886 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e282));
+                            if (_e1956 > _e1962) {
+                                phi_2826_ = _e1956;
                             } else {
-                                phi_2806_ = _e1939;
+                                phi_2826_ = _e1962;
                             }
-                            let _e1944 = phi_2806_;
-                            if (_e1934 > _e1940) {
-                                phi_2811_ = _e1934;
+                            let _e1967 = phi_2826_;
+                            if (_e1957 > _e1963) {
+                                phi_2831_ = _e1957;
                             } else {
-                                phi_2811_ = _e1940;
+                                phi_2831_ = _e1963;
                             }
-                            let _e1947 = phi_2811_;
-                            if (_e1935 > _e1941) {
-                                phi_2816_ = _e1935;
+                            let _e1970 = phi_2831_;
+                            if (_e1958 > _e1964) {
+                                phi_2836_ = _e1958;
                             } else {
-                                phi_2816_ = _e1941;
+                                phi_2836_ = _e1964;
                             }
-                            let _e1950 = phi_2816_;
-                            if (_e1944 > _e1947) {
-                                phi_2821_ = _e1944;
+                            let _e1973 = phi_2836_;
+                            if (_e1967 > _e1970) {
+                                phi_2841_ = _e1967;
                             } else {
-                                phi_2821_ = _e1947;
+                                phi_2841_ = _e1970;
                             }
-                            let _e1953 = phi_2821_;
-                            if (_e1953 > _e1950) {
-                                phi_2826_ = _e1953;
+                            let _e1976 = phi_2841_;
+                            if (_e1976 > _e1973) {
+                                phi_2846_ = _e1976;
                             } else {
-                                phi_2826_ = _e1950;
+                                phi_2846_ = _e1973;
                             }
-                            let _e1956 = phi_2826_;
-                            let _e1960 = (_e1956 * 0.0000019073486f);
-                            let _e1961 = (abs(_e1909) * _e1960);
-                            let _e1962 = (abs(_e1919) * _e1960);
-                            let _e1963 = (abs(_e1929) * _e1960);
-                            let _e1967 = (_e1956 * 0.0000009536743f);
-                            let _e1968 = (abs(_e1909) * _e1967);
-                            let _e1969 = (abs(_e1919) * _e1967);
-                            let _e1970 = (abs(_e1929) * _e1967);
-                            let _e1971 = abs(_e298);
-                            let _e1972 = abs(_e299);
-                            let _e1973 = abs(_e300);
-                            if (_e1971 >= _e1972) {
-                                if (_e1971 >= _e1973) {
-                                    phi_2852_ = false;
+                            let _e1979 = phi_2846_;
+                            let _e1983 = (_e1979 * 0.0000019073486f);
+                            let _e1984 = (abs(_e1932) * _e1983);
+                            let _e1985 = (abs(_e1942) * _e1983);
+                            let _e1986 = (abs(_e1952) * _e1983);
+                            let _e1990 = (_e1979 * 0.0000009536743f);
+                            let _e1991 = (abs(_e1932) * _e1990);
+                            let _e1992 = (abs(_e1942) * _e1990);
+                            let _e1993 = (abs(_e1952) * _e1990);
+                            let _e1994 = abs(_e298);
+                            let _e1995 = abs(_e299);
+                            let _e1996 = abs(_e300);
+                            if (_e1994 >= _e1995) {
+                                if (_e1994 >= _e1996) {
+                                    phi_2872_ = false;
                                 } else {
-                                    phi_2852_ = true;
+                                    phi_2872_ = true;
                                 }
-                                let _e1977 = phi_2852_;
-                                phi_2853_ = _e1977;
+                                let _e2000 = phi_2872_;
+                                phi_2873_ = _e2000;
                             } else {
-                                phi_2853_ = true;
+                                phi_2873_ = true;
                             }
-                            let _e1979 = phi_2853_;
-                            if _e1979 {
-                                if (_e1972 >= _e1973) {
-                                    phi_2861_ = 1u;
+                            let _e2002 = phi_2873_;
+                            if _e2002 {
+                                if (_e1995 >= _e1996) {
+                                    phi_2881_ = 1u;
                                 } else {
-                                    phi_2861_ = 2u;
+                                    phi_2881_ = 2u;
                                 }
-                                let _e1982 = phi_2861_;
-                                phi_2862_ = _e1982;
+                                let _e2005 = phi_2881_;
+                                phi_2882_ = _e2005;
                             } else {
-                                phi_2862_ = 0u;
+                                phi_2882_ = 0u;
                             }
-                            let _e1984 = phi_2862_;
-                            if (_e1984 == 0u) {
-                                phi_2874_ = vec3<f32>(_e299, _e300, _e298);
+                            let _e2007 = phi_2882_;
+                            if (_e2007 == 0u) {
+                                phi_2894_ = vec3<f32>(_e299, _e300, _e298);
                             } else {
-                                if (_e1984 == 1u) {
-                                    phi_2873_ = vec3<f32>(_e300, _e298, _e299);
+                                if (_e2007 == 1u) {
+                                    phi_2893_ = vec3<f32>(_e300, _e298, _e299);
                                 } else {
-                                    phi_2873_ = _e301;
+                                    phi_2893_ = _e301;
                                 }
-                                let _e1990 = phi_2873_;
-                                phi_2874_ = _e1990;
+                                let _e2013 = phi_2893_;
+                                phi_2894_ = _e2013;
                             }
-                            let _e1992 = phi_2874_;
-                            let _e1995 = (_e1992.x / _e1992.z);
-                            let _e1998 = (_e1992.y / _e1992.z);
-                            if (_e1909 < 0f) {
-                                phi_2887_ = 0u;
+                            let _e2015 = phi_2894_;
+                            let _e2018 = (_e2015.x / _e2015.z);
+                            let _e2021 = (_e2015.y / _e2015.z);
+                            if (_e1932 < 0f) {
+                                phi_2907_ = 0u;
                             } else {
-                                phi_2887_ = 1u;
+                                phi_2907_ = 1u;
                             }
-                            let _e2003 = phi_2887_;
-                            if (_e1919 < 0f) {
-                                phi_2892_ = 0u;
+                            let _e2026 = phi_2907_;
+                            if (_e1942 < 0f) {
+                                phi_2912_ = 0u;
                             } else {
-                                phi_2892_ = 2u;
+                                phi_2912_ = 2u;
                             }
-                            let _e2006 = phi_2892_;
-                            if (_e1929 < 0f) {
-                                phi_2897_ = 0u;
+                            let _e2029 = phi_2912_;
+                            if (_e1952 < 0f) {
+                                phi_2917_ = 0u;
                             } else {
-                                phi_2897_ = 4u;
+                                phi_2917_ = 4u;
                             }
-                            let _e2009 = phi_2897_;
-                            let _e2011 = ((_e2003 | _e2006) | _e2009);
-                            let _e2012 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                            local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e2012.first[0], _e2012.first[1], _e2012.first[2], _e2012.first[3], _e2012.first[4], _e2012.first[5], _e2012.first[6], _e2012.first[7], _e2012.first[8], _e2012.first[9], _e2012.first[10], _e2012.first[11], _e2012.first[12], _e2012.first[13], _e2012.first[14], _e2012.first[15], _e2012.first[16], _e2012.first[17], _e2012.first[18], _e2012.first[19], _e2012.first[20], _e2012.first[21], _e2012.first[22], _e2012.first[23], _e2012.first[24], _e2012.first[25], _e2012.first[26], _e2012.first[27], _e2012.first[28], _e2012.first[29], _e2012.first[30], _e2012.first[31]), array<u32, 32>(_e2012.mask[0], _e2012.mask[1], _e2012.mask[2], _e2012.mask[3], _e2012.mask[4], _e2012.mask[5], _e2012.mask[6], _e2012.mask[7], _e2012.mask[8], _e2012.mask[9], _e2012.mask[10], _e2012.mask[11], _e2012.mask[12], _e2012.mask[13], _e2012.mask[14], _e2012.mask[15], _e2012.mask[16], _e2012.mask[17], _e2012.mask[18], _e2012.mask[19], _e2012.mask[20], _e2012.mask[21], _e2012.mask[22], _e2012.mask[23], _e2012.mask[24], _e2012.mask[25], _e2012.mask[26], _e2012.mask[27], _e2012.mask[28], _e2012.mask[29], _e2012.mask[30], _e2012.mask[31]), _e2012.len, _e2012.group, _e2012.group_mask);
-                            let _e2086 = local_1.group_mask;
-                            if ((_e2086 & 4278190080u) == 0u) {
-                                let _e2090 = local_1.len;
-                                if (_e2090 == 0u) {
-                                    phi_3011_ = false;
+                            let _e2032 = phi_2917_;
+                            let _e2034 = ((_e2026 | _e2029) | _e2032);
+                            let _e2035 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                            local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e2035.first[0], _e2035.first[1], _e2035.first[2], _e2035.first[3], _e2035.first[4], _e2035.first[5], _e2035.first[6], _e2035.first[7], _e2035.first[8], _e2035.first[9], _e2035.first[10], _e2035.first[11], _e2035.first[12], _e2035.first[13], _e2035.first[14], _e2035.first[15], _e2035.first[16], _e2035.first[17], _e2035.first[18], _e2035.first[19], _e2035.first[20], _e2035.first[21], _e2035.first[22], _e2035.first[23], _e2035.first[24], _e2035.first[25], _e2035.first[26], _e2035.first[27], _e2035.first[28], _e2035.first[29], _e2035.first[30], _e2035.first[31]), array<u32, 32>(_e2035.mask[0], _e2035.mask[1], _e2035.mask[2], _e2035.mask[3], _e2035.mask[4], _e2035.mask[5], _e2035.mask[6], _e2035.mask[7], _e2035.mask[8], _e2035.mask[9], _e2035.mask[10], _e2035.mask[11], _e2035.mask[12], _e2035.mask[13], _e2035.mask[14], _e2035.mask[15], _e2035.mask[16], _e2035.mask[17], _e2035.mask[18], _e2035.mask[19], _e2035.mask[20], _e2035.mask[21], _e2035.mask[22], _e2035.mask[23], _e2035.mask[24], _e2035.mask[25], _e2035.mask[26], _e2035.mask[27], _e2035.mask[28], _e2035.mask[29], _e2035.mask[30], _e2035.mask[31]), _e2035.len, _e2035.group, _e2035.group_mask);
+                            let _e2109 = local_1.group_mask;
+                            if ((_e2109 & 4278190080u) == 0u) {
+                                let _e2113 = local_1.len;
+                                if (_e2113 == 0u) {
+                                    phi_3031_ = false;
                                 } else {
-                                    let _e2094 = local_1.len;
-                                    local_1.len = (_e2094 - 1u);
-                                    let _e2097 = local_1.len;
-                                    if (_e2097 < 32u) {
+                                    let _e2117 = local_1.len;
+                                    local_1.len = (_e2117 - 1u);
+                                    let _e2120 = local_1.len;
+                                    if (_e2120 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2102 = local_1.first[(0u + _e2097)];
-                                    local_1.group = _e2102;
-                                    let _e2105 = local_1.len;
-                                    if (_e2105 < 32u) {
+                                    let _e2125 = local_1.first[(0u + _e2120)];
+                                    local_1.group = _e2125;
+                                    let _e2128 = local_1.len;
+                                    if (_e2128 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2110 = local_1.mask[(0u + _e2105)];
-                                    local_1.group_mask = _e2110;
-                                    phi_3011_ = true;
+                                    let _e2133 = local_1.mask[(0u + _e2128)];
+                                    local_1.group_mask = _e2133;
+                                    phi_3031_ = true;
                                 }
-                                let _e2113 = phi_3011_;
-                                phi_3012_ = _e2113;
+                                let _e2136 = phi_3031_;
+                                phi_3032_ = _e2136;
                             } else {
-                                phi_3012_ = true;
+                                phi_3032_ = true;
                             }
-                            let _e2115 = phi_3012_;
-                            if _e2115 {
-                                let _e2117 = local_1.group_mask;
-                                let _e2123 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2117)), 32u, (_e2117 == 0u)));
-                                let _e2127 = local_1.group_mask;
-                                let _e2141 = local_1.group_mask;
-                                local_1.group_mask = (_e2141 & ~((1u << bitcast<u32>((_e2123 & 31u)))));
-                                let _e2144 = local_1.group;
-                                phi_3043_ = (_e2144 + countOneBits(((_e2127 & ~((4294967295u << bitcast<u32>((((_e2123 - 24u) ^ 7u) & 31u))))) & 255u)));
+                            let _e2138 = phi_3032_;
+                            if _e2138 {
+                                let _e2140 = local_1.group_mask;
+                                let _e2146 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2140)), 32u, (_e2140 == 0u)));
+                                let _e2150 = local_1.group_mask;
+                                let _e2164 = local_1.group_mask;
+                                local_1.group_mask = (_e2164 & ~((1u << bitcast<u32>((_e2146 & 31u)))));
+                                let _e2167 = local_1.group;
+                                phi_3063_ = (_e2167 + countOneBits(((_e2150 & ~((4294967295u << bitcast<u32>((((_e2146 - 24u) ^ 7u) & 31u))))) & 255u)));
                             } else {
-                                phi_3043_ = 4294967295u;
+                                phi_3063_ = 4294967295u;
                             }
-                            let _e2147 = phi_3043_;
-                            phi_3045_ = _e2147;
-                            phi_3048_ = false;
+                            let _e2170 = phi_3063_;
+                            phi_3065_ = _e2170;
+                            phi_3068_ = false;
                             loop {
-                                let _e2149 = phi_3045_;
-                                let _e2151 = phi_3048_;
-                                local_21 = _e2151;
-                                if (_e2149 != 4294967295u) {
-                                    if (_e2149 < _e92) {
+                                let _e2172 = phi_3065_;
+                                let _e2174 = phi_3068_;
+                                local_26 = _e2174;
+                                if (_e2172 != 4294967295u) {
+                                    if (_e2172 < _e92) {
                                     } else {
                                         return;
                                     }
-                                    let _e2158 = nodes.member[(0u + _e2149)].frame[3u];
-                                    let _e2183 = (bitcast<f32>((((_e2158 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1909);
-                                    let _e2184 = (bitcast<f32>((((_e2158 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1919);
-                                    let _e2185 = (bitcast<f32>((((_e2158 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1929);
-                                    let _e2188 = nodes.member[(0u + _e2149)].frame[0u];
-                                    let _e2192 = nodes.member[(0u + _e2149)].frame[1u];
-                                    let _e2196 = nodes.member[(0u + _e2149)].frame[2u];
-                                    let _e2201 = ((bitcast<f32>(_e2188) - _e278) * _e1909);
-                                    let _e2202 = ((bitcast<f32>(_e2192) - _e280) * _e1919);
-                                    let _e2203 = ((bitcast<f32>(_e2196) - _e282) * _e1929);
-                                    let _e2211 = nodes.member[(0u + _e2149)].x;
-                                    if (_e1909 < 0f) {
-                                        let _e2222 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2211.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2228 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2222.unnamed.word, _e2211.w), _e2222.unnamed_1);
-                                        let _e2234 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2228.unnamed, lt_mask_LightPlace(_e2211.x, _e2228.unnamed_1.shift));
-                                        phi_3128_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2234.unnamed, lt_mask_LightPlace(_e2234.unnamed_1.word, _e2211.y));
+                                    let _e2181 = nodes.member[(0u + _e2172)].frame[3u];
+                                    let _e2206 = (bitcast<f32>((((_e2181 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1932);
+                                    let _e2207 = (bitcast<f32>((((_e2181 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1942);
+                                    let _e2208 = (bitcast<f32>((((_e2181 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1952);
+                                    let _e2211 = nodes.member[(0u + _e2172)].frame[0u];
+                                    let _e2215 = nodes.member[(0u + _e2172)].frame[1u];
+                                    let _e2219 = nodes.member[(0u + _e2172)].frame[2u];
+                                    let _e2224 = ((bitcast<f32>(_e2211) - _e278) * _e1932);
+                                    let _e2225 = ((bitcast<f32>(_e2215) - _e280) * _e1942);
+                                    let _e2226 = ((bitcast<f32>(_e2219) - _e282) * _e1952);
+                                    let _e2234 = nodes.member[(0u + _e2172)].x;
+                                    if (_e1932 < 0f) {
+                                        let _e2245 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2234.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2251 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2245.unnamed.word, _e2234.w), _e2245.unnamed_1);
+                                        let _e2257 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2251.unnamed, lt_mask_LightPlace(_e2234.x, _e2251.unnamed_1.shift));
+                                        phi_3148_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2257.unnamed, lt_mask_LightPlace(_e2257.unnamed_1.word, _e2234.y));
                                     } else {
-                                        let _e2250 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2211.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2256 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2250.unnamed.word, _e2211.y), _e2250.unnamed_1);
-                                        let _e2262 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2256.unnamed, lt_mask_LightPlace(_e2211.z, _e2256.unnamed_1.shift));
-                                        phi_3128_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2262.unnamed, lt_mask_LightPlace(_e2262.unnamed_1.word, _e2211.w));
+                                        let _e2273 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2234.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2279 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2273.unnamed.word, _e2234.y), _e2273.unnamed_1);
+                                        let _e2285 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2279.unnamed, lt_mask_LightPlace(_e2234.z, _e2279.unnamed_1.shift));
+                                        phi_3148_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2285.unnamed, lt_mask_LightPlace(_e2285.unnamed_1.word, _e2234.w));
                                     }
-                                    let _e2270 = phi_3128_;
-                                    let _e2280 = nodes.member[(0u + _e2149)].y;
-                                    if (_e1919 < 0f) {
-                                        let _e2291 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2280.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2297 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2291.unnamed.word, _e2280.w), _e2291.unnamed_1);
-                                        let _e2303 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2297.unnamed, lt_mask_LightPlace(_e2280.x, _e2297.unnamed_1.shift));
-                                        phi_3155_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2303.unnamed, lt_mask_LightPlace(_e2303.unnamed_1.word, _e2280.y));
+                                    let _e2293 = phi_3148_;
+                                    let _e2303 = nodes.member[(0u + _e2172)].y;
+                                    if (_e1942 < 0f) {
+                                        let _e2314 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2303.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2320 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2314.unnamed.word, _e2303.w), _e2314.unnamed_1);
+                                        let _e2326 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2320.unnamed, lt_mask_LightPlace(_e2303.x, _e2320.unnamed_1.shift));
+                                        phi_3175_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2326.unnamed, lt_mask_LightPlace(_e2326.unnamed_1.word, _e2303.y));
                                     } else {
-                                        let _e2319 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2280.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2325 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2319.unnamed.word, _e2280.y), _e2319.unnamed_1);
-                                        let _e2331 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2325.unnamed, lt_mask_LightPlace(_e2280.z, _e2325.unnamed_1.shift));
-                                        phi_3155_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2331.unnamed, lt_mask_LightPlace(_e2331.unnamed_1.word, _e2280.w));
+                                        let _e2342 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2303.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2348 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2342.unnamed.word, _e2303.y), _e2342.unnamed_1);
+                                        let _e2354 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2348.unnamed, lt_mask_LightPlace(_e2303.z, _e2348.unnamed_1.shift));
+                                        phi_3175_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2354.unnamed, lt_mask_LightPlace(_e2354.unnamed_1.word, _e2303.w));
                                     }
-                                    let _e2339 = phi_3155_;
-                                    let _e2349 = nodes.member[(0u + _e2149)].z;
-                                    if (_e1929 < 0f) {
-                                        let _e2360 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2349.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2366 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2360.unnamed.word, _e2349.w), _e2360.unnamed_1);
-                                        let _e2372 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2366.unnamed, lt_mask_LightPlace(_e2349.x, _e2366.unnamed_1.shift));
-                                        phi_3182_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2372.unnamed, lt_mask_LightPlace(_e2372.unnamed_1.word, _e2349.y));
+                                    let _e2362 = phi_3175_;
+                                    let _e2372 = nodes.member[(0u + _e2172)].z;
+                                    if (_e1952 < 0f) {
+                                        let _e2383 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2372.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2389 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2383.unnamed.word, _e2372.w), _e2383.unnamed_1);
+                                        let _e2395 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2389.unnamed, lt_mask_LightPlace(_e2372.x, _e2389.unnamed_1.shift));
+                                        phi_3202_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2395.unnamed, lt_mask_LightPlace(_e2395.unnamed_1.word, _e2372.y));
                                     } else {
-                                        let _e2388 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2349.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2394 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2388.unnamed.word, _e2349.y), _e2388.unnamed_1);
-                                        let _e2400 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2394.unnamed, lt_mask_LightPlace(_e2349.z, _e2394.unnamed_1.shift));
-                                        phi_3182_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2400.unnamed, lt_mask_LightPlace(_e2400.unnamed_1.word, _e2349.w));
+                                        let _e2411 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2372.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2417 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2411.unnamed.word, _e2372.y), _e2411.unnamed_1);
+                                        let _e2423 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2417.unnamed, lt_mask_LightPlace(_e2372.z, _e2417.unnamed_1.shift));
+                                        phi_3202_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2423.unnamed, lt_mask_LightPlace(_e2423.unnamed_1.word, _e2372.w));
                                     }
-                                    let _e2408 = phi_3182_;
-                                    phi_3188_ = 0u;
-                                    phi_3191_ = 0u;
+                                    let _e2431 = phi_3202_;
+                                    phi_3208_ = 0u;
+                                    phi_3211_ = 0u;
                                     loop {
-                                        let _e2418 = phi_3188_;
-                                        let _e2420 = phi_3191_;
-                                        local_7 = _e2420;
-                                        local_8 = _e2420;
-                                        local_9 = _e2420;
-                                        let _e2421 = (_e2418 < 8u);
-                                        if _e2421 {
-                                            let _e2423 = (_e2418 >> bitcast<u32>(2i));
-                                            let _e2424 = (_e2418 & 3u);
-                                            if (_e2423 == 0u) {
-                                                phi_3205_ = _e2270.unnamed.word;
+                                        let _e2441 = phi_3208_;
+                                        let _e2443 = phi_3211_;
+                                        local_9 = _e2443;
+                                        local_10 = _e2443;
+                                        local_11 = _e2443;
+                                        let _e2444 = (_e2441 < 8u);
+                                        if _e2444 {
+                                            let _e2446 = (_e2441 >> bitcast<u32>(2i));
+                                            let _e2447 = (_e2441 & 3u);
+                                            if (_e2446 == 0u) {
+                                                phi_3225_ = _e2293.unnamed.word;
                                             } else {
-                                                phi_3205_ = _e2270.unnamed.shift;
+                                                phi_3225_ = _e2293.unnamed.shift;
                                             }
-                                            let _e2427 = phi_3205_;
-                                            if (_e2423 == 0u) {
-                                                phi_3215_ = _e2339.unnamed.word;
+                                            let _e2450 = phi_3225_;
+                                            if (_e2446 == 0u) {
+                                                phi_3235_ = _e2362.unnamed.word;
                                             } else {
-                                                phi_3215_ = _e2339.unnamed.shift;
+                                                phi_3235_ = _e2362.unnamed.shift;
                                             }
-                                            let _e2436 = phi_3215_;
-                                            if (_e2423 == 0u) {
-                                                phi_3225_ = _e2408.unnamed.word;
+                                            let _e2459 = phi_3235_;
+                                            if (_e2446 == 0u) {
+                                                phi_3245_ = _e2431.unnamed.word;
                                             } else {
-                                                phi_3225_ = _e2408.unnamed.shift;
+                                                phi_3245_ = _e2431.unnamed.shift;
                                             }
-                                            let _e2445 = phi_3225_;
-                                            let _e2458 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2427 >> bitcast<u32>(((_e2424 * 8u) & 31u))) & 255u)) * _e2183) + (_e2201 - _e1961)), ((f32(((_e2436 >> bitcast<u32>(((_e2424 * 8u) & 31u))) & 255u)) * _e2184) + (_e2202 - _e1962)));
-                                            let _e2459 = core_intrinsics_maximum_number_nsz_f32_(_e2458, ((f32(((_e2445 >> bitcast<u32>(((_e2424 * 8u) & 31u))) & 255u)) * _e2185) + (_e2203 - _e1963)));
-                                            if (_e2423 == 0u) {
-                                                phi_3243_ = _e2270.unnamed_1.word;
+                                            let _e2468 = phi_3245_;
+                                            let _e2481 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2450 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2206) + (_e2224 - _e1984)), ((f32(((_e2459 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2207) + (_e2225 - _e1985)));
+                                            let _e2482 = core_intrinsics_maximum_number_nsz_f32_(_e2481, ((f32(((_e2468 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2208) + (_e2226 - _e1986)));
+                                            if (_e2446 == 0u) {
+                                                phi_3263_ = _e2293.unnamed_1.word;
                                             } else {
-                                                phi_3243_ = _e2270.unnamed_1.shift;
+                                                phi_3263_ = _e2293.unnamed_1.shift;
                                             }
-                                            let _e2462 = phi_3243_;
-                                            if (_e2423 == 0u) {
-                                                phi_3253_ = _e2339.unnamed_1.word;
+                                            let _e2485 = phi_3263_;
+                                            if (_e2446 == 0u) {
+                                                phi_3273_ = _e2362.unnamed_1.word;
                                             } else {
-                                                phi_3253_ = _e2339.unnamed_1.shift;
+                                                phi_3273_ = _e2362.unnamed_1.shift;
                                             }
-                                            let _e2471 = phi_3253_;
-                                            if (_e2423 == 0u) {
-                                                phi_3263_ = _e2408.unnamed_1.word;
+                                            let _e2494 = phi_3273_;
+                                            if (_e2446 == 0u) {
+                                                phi_3283_ = _e2431.unnamed_1.word;
                                             } else {
-                                                phi_3263_ = _e2408.unnamed_1.shift;
+                                                phi_3283_ = _e2431.unnamed_1.shift;
                                             }
-                                            let _e2480 = phi_3263_;
-                                            let _e2493 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2462 >> bitcast<u32>(((_e2424 * 8u) & 31u))) & 255u)) * _e2183) + (_e2201 + _e1961)), ((f32(((_e2471 >> bitcast<u32>(((_e2424 * 8u) & 31u))) & 255u)) * _e2184) + (_e2202 + _e1962)));
-                                            let _e2494 = core_intrinsics_minimum_number_nsz_f32_(_e2493, ((f32(((_e2480 >> bitcast<u32>(((_e2424 * 8u) & 31u))) & 255u)) * _e2185) + (_e2203 + _e1963)));
-                                            if (_e2459 <= _e2494) {
-                                                if (_e2459 <= _e290) {
-                                                    if (_e2494 >= 0f) {
-                                                        if (_e2423 == 0u) {
-                                                            let _e2501 = nodes.member[(0u + _e2149)].links[2u];
-                                                            phi_3299_ = _e2501;
+                                            let _e2503 = phi_3283_;
+                                            let _e2516 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2485 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2206) + (_e2224 + _e1984)), ((f32(((_e2494 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2207) + (_e2225 + _e1985)));
+                                            let _e2517 = core_intrinsics_minimum_number_nsz_f32_(_e2516, ((f32(((_e2503 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2208) + (_e2226 + _e1986)));
+                                            if (_e2482 <= _e2517) {
+                                                if (_e2482 <= _e290) {
+                                                    if (_e2517 >= 0f) {
+                                                        if (_e2446 == 0u) {
+                                                            let _e2524 = nodes.member[(0u + _e2172)].links[2u];
+                                                            phi_3319_ = _e2524;
                                                         } else {
-                                                            let _e2504 = nodes.member[(0u + _e2149)].links[3u];
-                                                            phi_3299_ = _e2504;
+                                                            let _e2527 = nodes.member[(0u + _e2172)].links[3u];
+                                                            phi_3319_ = _e2527;
                                                         }
-                                                        let _e2506 = phi_3299_;
-                                                        let _e2511 = ((_e2506 >> bitcast<u32>(((_e2424 * 8u) & 31u))) & 255u);
-                                                        let _e2512 = (_e2511 & 31u);
-                                                        if (_e2512 >= 24u) {
-                                                            phi_3312_ = (24u + ((_e2512 - 24u) ^ _e2011));
+                                                        let _e2529 = phi_3319_;
+                                                        let _e2534 = ((_e2529 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u);
+                                                        let _e2535 = (_e2534 & 31u);
+                                                        if (_e2535 >= 24u) {
+                                                            phi_3332_ = (24u + ((_e2535 - 24u) ^ _e2034));
                                                         } else {
-                                                            phi_3312_ = _e2512;
+                                                            phi_3332_ = _e2535;
                                                         }
-                                                        let _e2518 = phi_3312_;
-                                                        phi_3317_ = (_e2420 | ((_e2511 >> bitcast<u32>(5i)) << bitcast<u32>((_e2518 & 31u))));
+                                                        let _e2541 = phi_3332_;
+                                                        phi_3337_ = (_e2443 | ((_e2534 >> bitcast<u32>(5i)) << bitcast<u32>((_e2541 & 31u))));
                                                     } else {
-                                                        phi_3317_ = _e2420;
+                                                        phi_3337_ = _e2443;
                                                     }
-                                                    let _e2526 = phi_3317_;
-                                                    phi_3318_ = _e2526;
+                                                    let _e2549 = phi_3337_;
+                                                    phi_3338_ = _e2549;
                                                 } else {
-                                                    phi_3318_ = _e2420;
+                                                    phi_3338_ = _e2443;
                                                 }
-                                                let _e2528 = phi_3318_;
-                                                phi_3319_ = _e2528;
+                                                let _e2551 = phi_3338_;
+                                                phi_3339_ = _e2551;
                                             } else {
-                                                phi_3319_ = _e2420;
+                                                phi_3339_ = _e2443;
                                             }
-                                            let _e2530 = phi_3319_;
-                                            phi_3189_ = (_e2418 + 1u);
-                                            phi_3192_ = _e2530;
+                                            let _e2553 = phi_3339_;
+                                            phi_3209_ = (_e2441 + 1u);
+                                            phi_3212_ = _e2553;
                                         } else {
-                                            phi_3189_ = u32();
-                                            phi_3192_ = u32();
+                                            phi_3209_ = u32();
+                                            phi_3212_ = u32();
                                         }
-                                        let _e2533 = phi_3189_;
-                                        let _e2535 = phi_3192_;
+                                        let _e2556 = phi_3209_;
+                                        let _e2558 = phi_3212_;
                                         continue;
                                         continuing {
-                                            phi_3188_ = _e2533;
-                                            phi_3191_ = _e2535;
-                                            break if !(_e2421);
+                                            phi_3208_ = _e2556;
+                                            phi_3211_ = _e2558;
+                                            break if !(_e2444);
                                         }
                                     }
-                                    let _e2539 = nodes.member[(0u + _e2149)].links[0u];
-                                    let _e2543 = nodes.member[(0u + _e2149)].frame[3u];
-                                    let _e2547 = local_7;
-                                    if ((_e2547 & 4278190080u) == 0u) {
+                                    let _e2562 = nodes.member[(0u + _e2172)].links[0u];
+                                    let _e2566 = nodes.member[(0u + _e2172)].frame[3u];
+                                    let _e2570 = local_9;
+                                    if ((_e2570 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2551 = local_1.group_mask;
-                                        if ((_e2551 & 4278190080u) == 0u) {
+                                        let _e2574 = local_1.group_mask;
+                                        if ((_e2574 & 4278190080u) == 0u) {
                                         } else {
-                                            let _e2555 = local_1.len;
-                                            if (_e2555 < 32u) {
-                                                let _e2558 = local_1.group;
-                                                let _e2560 = local_1.len;
-                                                if (_e2560 < 32u) {
+                                            let _e2578 = local_1.len;
+                                            if (_e2578 < 32u) {
+                                                let _e2581 = local_1.group;
+                                                let _e2583 = local_1.len;
+                                                if (_e2583 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                local_1.first[(0u + _e2560)] = _e2558;
-                                                let _e2566 = local_1.group_mask;
-                                                let _e2568 = local_1.len;
-                                                if (_e2568 < 32u) {
+                                                local_1.first[(0u + _e2583)] = _e2581;
+                                                let _e2589 = local_1.group_mask;
+                                                let _e2591 = local_1.len;
+                                                if (_e2591 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                local_1.mask[(0u + _e2568)] = _e2566;
-                                                let _e2575 = local_1.len;
-                                                local_1.len = (_e2575 + 1u);
+                                                local_1.mask[(0u + _e2591)] = _e2589;
+                                                let _e2598 = local_1.len;
+                                                local_1.len = (_e2598 + 1u);
                                             }
                                         }
-                                        local_1.group = (0u + _e2539);
-                                        let _e2579 = local_8;
-                                        local_1.group_mask = ((_e2579 & 4278190080u) | (_e2543 >> bitcast<u32>(24i)));
+                                        local_1.group = (0u + _e2562);
+                                        let _e2602 = local_10;
+                                        local_1.group_mask = ((_e2602 & 4278190080u) | (_e2566 >> bitcast<u32>(24i)));
                                     }
-                                    let _e2584 = local_9;
-                                    phi_3377_ = (_e2584 & 16777215u);
-                                    phi_3380_ = _e2151;
+                                    let _e2607 = local_11;
+                                    phi_3397_ = (_e2607 & 16777215u);
+                                    phi_3400_ = _e2174;
                                     loop {
-                                        let _e2587 = phi_3377_;
-                                        let _e2589 = phi_3380_;
-                                        local_17 = _e2589;
-                                        let _e2590 = (_e2587 == 0u);
-                                        local_10 = _e2590;
-                                        local_19 = _e2590;
-                                        if _e2590 {
-                                            phi_3378_ = u32();
-                                            phi_3381_ = bool();
-                                            phi_4184_ = bool();
-                                            phi_4185_ = false;
+                                        let _e2610 = phi_3397_;
+                                        let _e2612 = phi_3400_;
+                                        local_22 = _e2612;
+                                        let _e2613 = (_e2610 == 0u);
+                                        local_12 = _e2613;
+                                        local_24 = _e2613;
+                                        if _e2613 {
+                                            phi_3398_ = u32();
+                                            phi_3401_ = bool();
+                                            phi_4204_ = bool();
+                                            phi_4205_ = false;
                                         } else {
-                                            let _e2593 = nodes.member[(0u + _e2149)].links[1u];
-                                            let _e2598 = ((0u + _e2593) + select(firstTrailingBit(_e2587), 32u, (_e2587 == 0u)));
-                                            if (_e2598 < _e95) {
+                                            let _e2616 = nodes.member[(0u + _e2172)].links[1u];
+                                            let _e2621 = ((0u + _e2616) + select(firstTrailingBit(_e2610), 32u, (_e2610 == 0u)));
+                                            if (_e2621 < _e95) {
                                             } else {
                                                 return;
                                             }
-                                            let _e2605 = triangles.member[(0u + _e2598)].v0_;
-                                            let _e2607 = (_e2605.x - _e278);
-                                            let _e2609 = (_e2605.y - _e280);
-                                            let _e2611 = (_e2605.z - _e282);
-                                            if (_e1984 == 0u) {
-                                                phi_3425_ = vec3<f32>(_e2609, _e2611, _e2607);
+                                            let _e2628 = triangles.member[(0u + _e2621)].v0_;
+                                            let _e2630 = (_e2628.x - _e278);
+                                            let _e2632 = (_e2628.y - _e280);
+                                            let _e2634 = (_e2628.z - _e282);
+                                            if (_e2007 == 0u) {
+                                                phi_3445_ = vec3<f32>(_e2632, _e2634, _e2630);
                                             } else {
-                                                if (_e1984 == 1u) {
-                                                    phi_3424_ = vec3<f32>(_e2611, _e2607, _e2609);
+                                                if (_e2007 == 1u) {
+                                                    phi_3444_ = vec3<f32>(_e2634, _e2630, _e2632);
                                                 } else {
-                                                    phi_3424_ = (_e2605 - vec3<f32>(_e278, _e280, _e282));
+                                                    phi_3444_ = (_e2628 - vec3<f32>(_e278, _e280, _e282));
                                                 }
-                                                let _e2619 = phi_3424_;
-                                                phi_3425_ = _e2619;
+                                                let _e2642 = phi_3444_;
+                                                phi_3445_ = _e2642;
                                             }
-                                            let _e2621 = phi_3425_;
-                                            let _e2625 = (_e2621.x - (_e1995 * _e2621.z));
-                                            let _e2629 = (_e2621.y - (_e1998 * _e2621.z));
-                                            let _e2631 = triangles.member[(0u + _e2598)].v1_;
-                                            let _e2633 = (_e2631.x - _e278);
-                                            let _e2635 = (_e2631.y - _e280);
-                                            let _e2637 = (_e2631.z - _e282);
-                                            if (_e1984 == 0u) {
-                                                phi_3455_ = vec3<f32>(_e2635, _e2637, _e2633);
+                                            let _e2644 = phi_3445_;
+                                            let _e2648 = (_e2644.x - (_e2018 * _e2644.z));
+                                            let _e2652 = (_e2644.y - (_e2021 * _e2644.z));
+                                            let _e2654 = triangles.member[(0u + _e2621)].v1_;
+                                            let _e2656 = (_e2654.x - _e278);
+                                            let _e2658 = (_e2654.y - _e280);
+                                            let _e2660 = (_e2654.z - _e282);
+                                            if (_e2007 == 0u) {
+                                                phi_3475_ = vec3<f32>(_e2658, _e2660, _e2656);
                                             } else {
-                                                if (_e1984 == 1u) {
-                                                    phi_3454_ = vec3<f32>(_e2637, _e2633, _e2635);
+                                                if (_e2007 == 1u) {
+                                                    phi_3474_ = vec3<f32>(_e2660, _e2656, _e2658);
                                                 } else {
-                                                    phi_3454_ = (_e2631 - vec3<f32>(_e278, _e280, _e282));
+                                                    phi_3474_ = (_e2654 - vec3<f32>(_e278, _e280, _e282));
                                                 }
-                                                let _e2645 = phi_3454_;
-                                                phi_3455_ = _e2645;
+                                                let _e2668 = phi_3474_;
+                                                phi_3475_ = _e2668;
                                             }
-                                            let _e2647 = phi_3455_;
-                                            let _e2651 = (_e2647.x - (_e1995 * _e2647.z));
-                                            let _e2655 = (_e2647.y - (_e1998 * _e2647.z));
-                                            let _e2657 = triangles.member[(0u + _e2598)].v2_;
-                                            let _e2659 = (_e2657.x - _e278);
-                                            let _e2661 = (_e2657.y - _e280);
-                                            let _e2663 = (_e2657.z - _e282);
-                                            if (_e1984 == 0u) {
-                                                phi_3485_ = vec3<f32>(_e2661, _e2663, _e2659);
+                                            let _e2670 = phi_3475_;
+                                            let _e2674 = (_e2670.x - (_e2018 * _e2670.z));
+                                            let _e2678 = (_e2670.y - (_e2021 * _e2670.z));
+                                            let _e2680 = triangles.member[(0u + _e2621)].v2_;
+                                            let _e2682 = (_e2680.x - _e278);
+                                            let _e2684 = (_e2680.y - _e280);
+                                            let _e2686 = (_e2680.z - _e282);
+                                            if (_e2007 == 0u) {
+                                                phi_3505_ = vec3<f32>(_e2684, _e2686, _e2682);
                                             } else {
-                                                if (_e1984 == 1u) {
-                                                    phi_3484_ = vec3<f32>(_e2663, _e2659, _e2661);
+                                                if (_e2007 == 1u) {
+                                                    phi_3504_ = vec3<f32>(_e2686, _e2682, _e2684);
                                                 } else {
-                                                    phi_3484_ = (_e2657 - vec3<f32>(_e278, _e280, _e282));
+                                                    phi_3504_ = (_e2680 - vec3<f32>(_e278, _e280, _e282));
                                                 }
-                                                let _e2671 = phi_3484_;
-                                                phi_3485_ = _e2671;
+                                                let _e2694 = phi_3504_;
+                                                phi_3505_ = _e2694;
                                             }
-                                            let _e2673 = phi_3485_;
-                                            let _e2677 = (_e2673.x - (_e1995 * _e2673.z));
-                                            let _e2681 = (_e2673.y - (_e1998 * _e2673.z));
-                                            if (_e2651 < _e2677) {
-                                                phi_3504_ = true;
+                                            let _e2696 = phi_3505_;
+                                            let _e2700 = (_e2696.x - (_e2018 * _e2696.z));
+                                            let _e2704 = (_e2696.y - (_e2021 * _e2696.z));
+                                            if (_e2674 < _e2700) {
+                                                phi_3524_ = true;
                                             } else {
-                                                if (_e2651 == _e2677) {
-                                                    phi_3503_ = (_e2655 < _e2681);
+                                                if (_e2674 == _e2700) {
+                                                    phi_3523_ = (_e2678 < _e2704);
                                                 } else {
-                                                    phi_3503_ = false;
+                                                    phi_3523_ = false;
                                                 }
-                                                let _e2686 = phi_3503_;
-                                                phi_3504_ = _e2686;
+                                                let _e2709 = phi_3523_;
+                                                phi_3524_ = _e2709;
                                             }
-                                            let _e2688 = phi_3504_;
-                                            if _e2688 {
-                                                phi_3508_ = _e2681;
-                                                phi_3509_ = _e2677;
-                                                phi_3510_ = _e2655;
-                                                phi_3511_ = _e2651;
+                                            let _e2711 = phi_3524_;
+                                            if _e2711 {
+                                                phi_3528_ = _e2704;
+                                                phi_3529_ = _e2700;
+                                                phi_3530_ = _e2678;
+                                                phi_3531_ = _e2674;
                                             } else {
-                                                phi_3508_ = _e2655;
-                                                phi_3509_ = _e2651;
-                                                phi_3510_ = _e2681;
-                                                phi_3511_ = _e2677;
+                                                phi_3528_ = _e2678;
+                                                phi_3529_ = _e2674;
+                                                phi_3530_ = _e2704;
+                                                phi_3531_ = _e2700;
                                             }
-                                            let _e2690 = phi_3508_;
-                                            let _e2692 = phi_3509_;
-                                            let _e2694 = phi_3510_;
-                                            let _e2696 = phi_3511_;
-                                            let _e2699 = ((_e2696 * _e2690) - (_e2694 * _e2692));
-                                            if _e2688 {
-                                                phi_3519_ = -(_e2699);
+                                            let _e2713 = phi_3528_;
+                                            let _e2715 = phi_3529_;
+                                            let _e2717 = phi_3530_;
+                                            let _e2719 = phi_3531_;
+                                            let _e2722 = ((_e2719 * _e2713) - (_e2717 * _e2715));
+                                            if _e2711 {
+                                                phi_3539_ = -(_e2722);
                                             } else {
-                                                phi_3519_ = _e2699;
+                                                phi_3539_ = _e2722;
                                             }
-                                            let _e2702 = phi_3519_;
-                                            if (_e2677 < _e2625) {
-                                                phi_3530_ = true;
+                                            let _e2725 = phi_3539_;
+                                            if (_e2700 < _e2648) {
+                                                phi_3550_ = true;
                                             } else {
-                                                if (_e2677 == _e2625) {
-                                                    phi_3529_ = (_e2681 < _e2629);
+                                                if (_e2700 == _e2648) {
+                                                    phi_3549_ = (_e2704 < _e2652);
                                                 } else {
-                                                    phi_3529_ = false;
+                                                    phi_3549_ = false;
                                                 }
-                                                let _e2707 = phi_3529_;
-                                                phi_3530_ = _e2707;
+                                                let _e2730 = phi_3549_;
+                                                phi_3550_ = _e2730;
                                             }
-                                            let _e2709 = phi_3530_;
-                                            if _e2709 {
-                                                phi_3534_ = _e2629;
-                                                phi_3535_ = _e2625;
-                                                phi_3536_ = _e2681;
-                                                phi_3537_ = _e2677;
+                                            let _e2732 = phi_3550_;
+                                            if _e2732 {
+                                                phi_3554_ = _e2652;
+                                                phi_3555_ = _e2648;
+                                                phi_3556_ = _e2704;
+                                                phi_3557_ = _e2700;
                                             } else {
-                                                phi_3534_ = _e2681;
-                                                phi_3535_ = _e2677;
-                                                phi_3536_ = _e2629;
-                                                phi_3537_ = _e2625;
+                                                phi_3554_ = _e2704;
+                                                phi_3555_ = _e2700;
+                                                phi_3556_ = _e2652;
+                                                phi_3557_ = _e2648;
                                             }
-                                            let _e2711 = phi_3534_;
-                                            let _e2713 = phi_3535_;
-                                            let _e2715 = phi_3536_;
-                                            let _e2717 = phi_3537_;
-                                            let _e2720 = ((_e2717 * _e2711) - (_e2715 * _e2713));
-                                            if _e2709 {
-                                                phi_3545_ = -(_e2720);
+                                            let _e2734 = phi_3554_;
+                                            let _e2736 = phi_3555_;
+                                            let _e2738 = phi_3556_;
+                                            let _e2740 = phi_3557_;
+                                            let _e2743 = ((_e2740 * _e2734) - (_e2738 * _e2736));
+                                            if _e2732 {
+                                                phi_3565_ = -(_e2743);
                                             } else {
-                                                phi_3545_ = _e2720;
+                                                phi_3565_ = _e2743;
                                             }
-                                            let _e2723 = phi_3545_;
-                                            if (_e2625 < _e2651) {
-                                                phi_3556_ = true;
+                                            let _e2746 = phi_3565_;
+                                            if (_e2648 < _e2674) {
+                                                phi_3576_ = true;
                                             } else {
-                                                if (_e2625 == _e2651) {
-                                                    phi_3555_ = (_e2629 < _e2655);
+                                                if (_e2648 == _e2674) {
+                                                    phi_3575_ = (_e2652 < _e2678);
                                                 } else {
-                                                    phi_3555_ = false;
+                                                    phi_3575_ = false;
                                                 }
-                                                let _e2728 = phi_3555_;
-                                                phi_3556_ = _e2728;
+                                                let _e2751 = phi_3575_;
+                                                phi_3576_ = _e2751;
                                             }
-                                            let _e2730 = phi_3556_;
-                                            if _e2730 {
-                                                phi_3560_ = _e2655;
-                                                phi_3561_ = _e2651;
-                                                phi_3562_ = _e2629;
-                                                phi_3563_ = _e2625;
+                                            let _e2753 = phi_3576_;
+                                            if _e2753 {
+                                                phi_3580_ = _e2678;
+                                                phi_3581_ = _e2674;
+                                                phi_3582_ = _e2652;
+                                                phi_3583_ = _e2648;
                                             } else {
-                                                phi_3560_ = _e2629;
-                                                phi_3561_ = _e2625;
-                                                phi_3562_ = _e2655;
-                                                phi_3563_ = _e2651;
+                                                phi_3580_ = _e2652;
+                                                phi_3581_ = _e2648;
+                                                phi_3582_ = _e2678;
+                                                phi_3583_ = _e2674;
                                             }
-                                            let _e2732 = phi_3560_;
-                                            let _e2734 = phi_3561_;
-                                            let _e2736 = phi_3562_;
-                                            let _e2738 = phi_3563_;
-                                            let _e2741 = ((_e2738 * _e2732) - (_e2736 * _e2734));
-                                            if _e2730 {
-                                                phi_3571_ = -(_e2741);
+                                            let _e2755 = phi_3580_;
+                                            let _e2757 = phi_3581_;
+                                            let _e2759 = phi_3582_;
+                                            let _e2761 = phi_3583_;
+                                            let _e2764 = ((_e2761 * _e2755) - (_e2759 * _e2757));
+                                            if _e2753 {
+                                                phi_3591_ = -(_e2764);
                                             } else {
-                                                phi_3571_ = _e2741;
+                                                phi_3591_ = _e2764;
                                             }
-                                            let _e2744 = phi_3571_;
-                                            if (_e2702 >= 0f) {
-                                                if (_e2723 >= 0f) {
-                                                    if (_e2744 >= 0f) {
-                                                        phi_3586_ = ((_e2702 + _e2723) + _e2744);
-                                                        phi_3587_ = false;
+                                            let _e2767 = phi_3591_;
+                                            if (_e2725 >= 0f) {
+                                                if (_e2746 >= 0f) {
+                                                    if (_e2767 >= 0f) {
+                                                        phi_3606_ = ((_e2725 + _e2746) + _e2767);
+                                                        phi_3607_ = false;
                                                     } else {
-                                                        phi_3586_ = f32();
-                                                        phi_3587_ = true;
+                                                        phi_3606_ = f32();
+                                                        phi_3607_ = true;
                                                     }
-                                                    let _e2751 = phi_3586_;
-                                                    let _e2753 = phi_3587_;
-                                                    phi_3588_ = _e2751;
-                                                    phi_3589_ = _e2753;
+                                                    let _e2774 = phi_3606_;
+                                                    let _e2776 = phi_3607_;
+                                                    phi_3608_ = _e2774;
+                                                    phi_3609_ = _e2776;
                                                 } else {
-                                                    phi_3588_ = f32();
-                                                    phi_3589_ = true;
+                                                    phi_3608_ = f32();
+                                                    phi_3609_ = true;
                                                 }
-                                                let _e2755 = phi_3588_;
-                                                let _e2757 = phi_3589_;
-                                                phi_3590_ = _e2755;
-                                                phi_3591_ = _e2757;
+                                                let _e2778 = phi_3608_;
+                                                let _e2780 = phi_3609_;
+                                                phi_3610_ = _e2778;
+                                                phi_3611_ = _e2780;
                                             } else {
-                                                phi_3590_ = f32();
-                                                phi_3591_ = true;
+                                                phi_3610_ = f32();
+                                                phi_3611_ = true;
                                             }
-                                            let _e2759 = phi_3590_;
-                                            let _e2761 = phi_3591_;
-                                            if _e2761 {
-                                                if (_e2702 <= 0f) {
-                                                    if (_e2723 <= 0f) {
-                                                        let _e2764 = (_e2744 <= 0f);
-                                                        if _e2764 {
-                                                        }
-                                                        phi_3609_ = ((_e2702 + _e2723) + _e2744);
-                                                        phi_3610_ = false;
-                                                        phi_3611_ = _e2764;
-                                                    } else {
-                                                        phi_3609_ = f32();
-                                                        phi_3610_ = true;
-                                                        phi_3611_ = false;
-                                                    }
-                                                    let _e2768 = phi_3609_;
-                                                    let _e2770 = phi_3610_;
-                                                    let _e2772 = phi_3611_;
-                                                    phi_3612_ = _e2768;
-                                                    phi_3613_ = _e2770;
-                                                    phi_3614_ = _e2772;
-                                                } else {
-                                                    phi_3612_ = f32();
-                                                    phi_3613_ = true;
-                                                    phi_3614_ = false;
-                                                }
-                                                let _e2774 = phi_3612_;
-                                                let _e2776 = phi_3613_;
-                                                let _e2778 = phi_3614_;
-                                                if _e2776 {
-                                                    phi_3618_ = false;
-                                                } else {
-                                                    phi_3618_ = _e2778;
-                                                }
-                                                let _e2780 = phi_3618_;
-                                                phi_3619_ = _e2774;
-                                                phi_3620_ = _e2780;
-                                            } else {
-                                                phi_3619_ = _e2759;
-                                                phi_3620_ = true;
-                                            }
-                                            let _e2782 = phi_3619_;
-                                            let _e2784 = phi_3620_;
+                                            let _e2782 = phi_3610_;
+                                            let _e2784 = phi_3611_;
                                             if _e2784 {
-                                                let _e2785 = (_e2782 == 0f);
-                                                if _e2785 {
-                                                    phi_3936_ = lt_bvh_triangle_Intersection();
-                                                    phi_3937_ = false;
+                                                if (_e2725 <= 0f) {
+                                                    if (_e2746 <= 0f) {
+                                                        let _e2787 = (_e2767 <= 0f);
+                                                        if _e2787 {
+                                                        }
+                                                        phi_3629_ = ((_e2725 + _e2746) + _e2767);
+                                                        phi_3630_ = false;
+                                                        phi_3631_ = _e2787;
+                                                    } else {
+                                                        phi_3629_ = f32();
+                                                        phi_3630_ = true;
+                                                        phi_3631_ = false;
+                                                    }
+                                                    let _e2791 = phi_3629_;
+                                                    let _e2793 = phi_3630_;
+                                                    let _e2795 = phi_3631_;
+                                                    phi_3632_ = _e2791;
+                                                    phi_3633_ = _e2793;
+                                                    phi_3634_ = _e2795;
                                                 } else {
-                                                    let _e2787 = triangles.member[(0u + _e2598)].v0_;
-                                                    let _e2789 = (_e2787.x - _e278);
-                                                    let _e2791 = (_e2787.y - _e280);
-                                                    let _e2793 = (_e2787.z - _e282);
-                                                    if (_e1984 == 0u) {
-                                                        phi_3649_ = vec3<f32>(_e2791, _e2793, _e2789);
-                                                    } else {
-                                                        if (_e1984 == 1u) {
-                                                            phi_3648_ = vec3<f32>(_e2793, _e2789, _e2791);
-                                                        } else {
-                                                            phi_3648_ = (_e2787 - vec3<f32>(_e278, _e280, _e282));
-                                                        }
-                                                        let _e2801 = phi_3648_;
-                                                        phi_3649_ = _e2801;
-                                                    }
-                                                    let _e2803 = phi_3649_;
-                                                    let _e2805 = triangles.member[(0u + _e2598)].v1_;
-                                                    let _e2807 = triangles.member[(0u + _e2598)].v0_;
-                                                    let _e2810 = (_e2805.x - _e2807.x);
-                                                    let _e2813 = (_e2805.y - _e2807.y);
-                                                    let _e2816 = (_e2805.z - _e2807.z);
-                                                    if (_e1984 == 0u) {
-                                                        phi_3675_ = vec3<f32>(_e2813, _e2816, _e2810);
-                                                    } else {
-                                                        if (_e1984 == 1u) {
-                                                            phi_3674_ = vec3<f32>(_e2816, _e2810, _e2813);
-                                                        } else {
-                                                            phi_3674_ = (_e2805 - _e2807);
-                                                        }
-                                                        let _e2823 = phi_3674_;
-                                                        phi_3675_ = _e2823;
-                                                    }
-                                                    let _e2825 = phi_3675_;
-                                                    let _e2827 = triangles.member[(0u + _e2598)].v2_;
-                                                    let _e2829 = triangles.member[(0u + _e2598)].v0_;
-                                                    let _e2832 = (_e2827.x - _e2829.x);
-                                                    let _e2835 = (_e2827.y - _e2829.y);
-                                                    let _e2838 = (_e2827.z - _e2829.z);
-                                                    if (_e1984 == 0u) {
-                                                        phi_3701_ = vec3<f32>(_e2835, _e2838, _e2832);
-                                                    } else {
-                                                        if (_e1984 == 1u) {
-                                                            phi_3700_ = vec3<f32>(_e2838, _e2832, _e2835);
-                                                        } else {
-                                                            phi_3700_ = (_e2827 - _e2829);
-                                                        }
-                                                        let _e2845 = phi_3700_;
-                                                        phi_3701_ = _e2845;
-                                                    }
-                                                    let _e2847 = phi_3701_;
-                                                    let _e2854 = ((_e2825.y * _e2847.z) - (_e2825.z * _e2847.y));
-                                                    let _e2861 = ((_e2825.z * _e2847.x) - (_e2825.x * _e2847.z));
-                                                    let _e2868 = ((_e2825.x * _e2847.y) - (_e2825.y * _e2847.x));
-                                                    let _e2882 = (((1f / _e1992.z) * (((_e2854 * _e2803.x) + (_e2861 * _e2803.y)) + (_e2868 * _e2803.z))) / (((_e2854 * _e1995) + (_e2861 * _e1998)) + _e2868));
-                                                    if (_e2882 > 0f) {
-                                                        if (_e2882 < _e290) {
-                                                            let _e2886 = triangles.member[(0u + _e2598)].v0_;
-                                                            let _e2888 = triangles.member[(0u + _e2598)].v1_;
-                                                            if (_e2886.x < _e2888.x) {
-                                                                phi_3757_ = _e2886.x;
-                                                            } else {
-                                                                phi_3757_ = _e2888.x;
-                                                            }
-                                                            let _e2895 = phi_3757_;
-                                                            if (_e2886.y < _e2888.y) {
-                                                                phi_3766_ = _e2886.y;
-                                                            } else {
-                                                                phi_3766_ = _e2888.y;
-                                                            }
-                                                            let _e2902 = phi_3766_;
-                                                            if (_e2886.z < _e2888.z) {
-                                                                phi_3775_ = _e2886.z;
-                                                            } else {
-                                                                phi_3775_ = _e2888.z;
-                                                            }
-                                                            let _e2909 = phi_3775_;
-                                                            let _e2911 = triangles.member[(0u + _e2598)].v2_;
-                                                            if (_e2895 < _e2911.x) {
-                                                                phi_3784_ = _e2895;
-                                                            } else {
-                                                                phi_3784_ = _e2911.x;
-                                                            }
-                                                            let _e2916 = phi_3784_;
-                                                            if (_e2902 < _e2911.y) {
-                                                                phi_3791_ = _e2902;
-                                                            } else {
-                                                                phi_3791_ = _e2911.y;
-                                                            }
-                                                            let _e2921 = phi_3791_;
-                                                            if (_e2909 < _e2911.z) {
-                                                                phi_3798_ = _e2909;
-                                                            } else {
-                                                                phi_3798_ = _e2911.z;
-                                                            }
-                                                            let _e2926 = phi_3798_;
-                                                            let _e2928 = triangles.member[(0u + _e2598)].v0_;
-                                                            let _e2930 = triangles.member[(0u + _e2598)].v1_;
-                                                            if (_e2928.x > _e2930.x) {
-                                                                phi_3811_ = _e2928.x;
-                                                            } else {
-                                                                phi_3811_ = _e2930.x;
-                                                            }
-                                                            let _e2937 = phi_3811_;
-                                                            if (_e2928.y > _e2930.y) {
-                                                                phi_3820_ = _e2928.y;
-                                                            } else {
-                                                                phi_3820_ = _e2930.y;
-                                                            }
-                                                            let _e2944 = phi_3820_;
-                                                            if (_e2928.z > _e2930.z) {
-                                                                phi_3829_ = _e2928.z;
-                                                            } else {
-                                                                phi_3829_ = _e2930.z;
-                                                            }
-                                                            let _e2951 = phi_3829_;
-                                                            let _e2953 = triangles.member[(0u + _e2598)].v2_;
-                                                            if (_e2937 > _e2953.x) {
-                                                                phi_3838_ = _e2937;
-                                                            } else {
-                                                                phi_3838_ = _e2953.x;
-                                                            }
-                                                            let _e2958 = phi_3838_;
-                                                            if (_e2944 > _e2953.y) {
-                                                                phi_3845_ = _e2944;
-                                                            } else {
-                                                                phi_3845_ = _e2953.y;
-                                                            }
-                                                            let _e2963 = phi_3845_;
-                                                            if (_e2951 > _e2953.z) {
-                                                                phi_3852_ = _e2951;
-                                                            } else {
-                                                                phi_3852_ = _e2953.z;
-                                                            }
-                                                            let _e2968 = phi_3852_;
-                                                            let _e2972 = ((_e2916 - _e278) * _e1909);
-                                                            let _e2973 = ((_e2921 - _e280) * _e1919);
-                                                            let _e2974 = ((_e2926 - _e282) * _e1929);
-                                                            let _e2978 = ((_e2958 - _e278) * _e1909);
-                                                            let _e2979 = ((_e2963 - _e280) * _e1919);
-                                                            let _e2980 = ((_e2968 - _e282) * _e1929);
-                                                            if (_e2972 < _e2978) {
-                                                                phi_3869_ = _e2972;
-                                                            } else {
-                                                                phi_3869_ = _e2978;
-                                                            }
-                                                            let _e2983 = phi_3869_;
-                                                            if (_e2973 < _e2979) {
-                                                                phi_3874_ = _e2973;
-                                                            } else {
-                                                                phi_3874_ = _e2979;
-                                                            }
-                                                            let _e2986 = phi_3874_;
-                                                            if (_e2974 < _e2980) {
-                                                                phi_3879_ = _e2974;
-                                                            } else {
-                                                                phi_3879_ = _e2980;
-                                                            }
-                                                            let _e2989 = phi_3879_;
-                                                            if (_e2972 > _e2978) {
-                                                                phi_3887_ = _e2972;
-                                                            } else {
-                                                                phi_3887_ = _e2978;
-                                                            }
-                                                            let _e2995 = phi_3887_;
-                                                            if (_e2973 > _e2979) {
-                                                                phi_3892_ = _e2973;
-                                                            } else {
-                                                                phi_3892_ = _e2979;
-                                                            }
-                                                            let _e2998 = phi_3892_;
-                                                            if (_e2974 > _e2980) {
-                                                                phi_3897_ = _e2974;
-                                                            } else {
-                                                                phi_3897_ = _e2980;
-                                                            }
-                                                            let _e3001 = phi_3897_;
-                                                            let _e3005 = core_intrinsics_maximum_number_nsz_f32_((_e2983 - _e1968), (_e2986 - _e1969));
-                                                            let _e3006 = core_intrinsics_maximum_number_nsz_f32_(_e3005, (_e2989 - _e1970));
-                                                            let _e3007 = core_intrinsics_minimum_number_nsz_f32_((_e2995 + _e1968), (_e2998 + _e1969));
-                                                            let _e3008 = core_intrinsics_minimum_number_nsz_f32_(_e3007, (_e3001 + _e1970));
-                                                            if (_e3006 > -300000000000000000000000000000000000000f) {
-                                                                phi_3909_ = _e3006;
-                                                            } else {
-                                                                phi_3909_ = -300000000000000000000000000000000000000f;
-                                                            }
-                                                            let _e3011 = phi_3909_;
-                                                            if (_e3008 < 300000000000000000000000000000000000000f) {
-                                                                phi_3914_ = _e3008;
-                                                            } else {
-                                                                phi_3914_ = 300000000000000000000000000000000000000f;
-                                                            }
-                                                            let _e3014 = phi_3914_;
-                                                            if (_e2882 < _e3011) {
-                                                                phi_3919_ = _e3011;
-                                                            } else {
-                                                                phi_3919_ = _e2882;
-                                                            }
-                                                            let _e3017 = phi_3919_;
-                                                            if (_e3017 > _e3014) {
-                                                                phi_3924_ = _e3014;
-                                                            } else {
-                                                                phi_3924_ = _e3017;
-                                                            }
-                                                            let _e3020 = phi_3924_;
-                                                            phi_3929_ = lt_bvh_triangle_Intersection(_e3020, (_e2723 / _e2782), (_e2744 / _e2782), (_e3011 <= _e3014));
-                                                            phi_3930_ = false;
-                                                        } else {
-                                                            phi_3929_ = lt_bvh_triangle_Intersection();
-                                                            phi_3930_ = true;
-                                                        }
-                                                        let _e3026 = phi_3929_;
-                                                        let _e3028 = phi_3930_;
-                                                        phi_3931_ = _e3026;
-                                                        phi_3932_ = _e3028;
-                                                    } else {
-                                                        phi_3931_ = lt_bvh_triangle_Intersection();
-                                                        phi_3932_ = true;
-                                                    }
-                                                    let _e3030 = phi_3931_;
-                                                    let _e3032 = phi_3932_;
-                                                    if _e3032 {
-                                                    }
-                                                    phi_3936_ = _e3030;
-                                                    phi_3937_ = _e3032;
+                                                    phi_3632_ = f32();
+                                                    phi_3633_ = true;
+                                                    phi_3634_ = false;
                                                 }
-                                                let _e3034 = phi_3936_;
-                                                let _e3036 = phi_3937_;
-                                                phi_3938_ = _e3034;
-                                                phi_3939_ = _e2785;
-                                                phi_3940_ = _e3036;
+                                                let _e2797 = phi_3632_;
+                                                let _e2799 = phi_3633_;
+                                                let _e2801 = phi_3634_;
+                                                if _e2799 {
+                                                    phi_3638_ = false;
+                                                } else {
+                                                    phi_3638_ = _e2801;
+                                                }
+                                                let _e2803 = phi_3638_;
+                                                phi_3639_ = _e2797;
+                                                phi_3640_ = _e2803;
                                             } else {
-                                                phi_3938_ = lt_bvh_triangle_Intersection();
-                                                phi_3939_ = true;
-                                                phi_3940_ = false;
+                                                phi_3639_ = _e2782;
+                                                phi_3640_ = true;
                                             }
-                                            let _e3038 = phi_3938_;
-                                            let _e3040 = phi_3939_;
-                                            let _e3042 = phi_3940_;
-                                            if _e3040 {
-                                                phi_3944_ = true;
-                                            } else {
-                                                phi_3944_ = _e3042;
-                                            }
-                                            let _e3044 = phi_3944_;
-                                            if _e3044 {
-                                                phi_3948_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                            } else {
-                                                phi_3948_ = _e3038;
-                                            }
-                                            let _e3046 = phi_3948_;
-                                            if _e3046.is_hit {
-                                                if (_e3046.t > 0f) {
-                                                    if (_e3046.t < _e290) {
-                                                        let _e3053 = triangles.member[(0u + _e2598)].i0_;
-                                                        if ((_e3053 & 2147483648u) == 0u) {
-                                                            phi_4167_ = true;
+                                            let _e2805 = phi_3639_;
+                                            let _e2807 = phi_3640_;
+                                            if _e2807 {
+                                                let _e2808 = (_e2805 == 0f);
+                                                if _e2808 {
+                                                    phi_3956_ = lt_bvh_triangle_Intersection();
+                                                    phi_3957_ = false;
+                                                } else {
+                                                    let _e2810 = triangles.member[(0u + _e2621)].v0_;
+                                                    let _e2812 = (_e2810.x - _e278);
+                                                    let _e2814 = (_e2810.y - _e280);
+                                                    let _e2816 = (_e2810.z - _e282);
+                                                    if (_e2007 == 0u) {
+                                                        phi_3669_ = vec3<f32>(_e2814, _e2816, _e2812);
+                                                    } else {
+                                                        if (_e2007 == 1u) {
+                                                            phi_3668_ = vec3<f32>(_e2816, _e2812, _e2814);
                                                         } else {
-                                                            if (_e2598 < _e95) {
+                                                            phi_3668_ = (_e2810 - vec3<f32>(_e278, _e280, _e282));
+                                                        }
+                                                        let _e2824 = phi_3668_;
+                                                        phi_3669_ = _e2824;
+                                                    }
+                                                    let _e2826 = phi_3669_;
+                                                    let _e2828 = triangles.member[(0u + _e2621)].v1_;
+                                                    let _e2830 = triangles.member[(0u + _e2621)].v0_;
+                                                    let _e2833 = (_e2828.x - _e2830.x);
+                                                    let _e2836 = (_e2828.y - _e2830.y);
+                                                    let _e2839 = (_e2828.z - _e2830.z);
+                                                    if (_e2007 == 0u) {
+                                                        phi_3695_ = vec3<f32>(_e2836, _e2839, _e2833);
+                                                    } else {
+                                                        if (_e2007 == 1u) {
+                                                            phi_3694_ = vec3<f32>(_e2839, _e2833, _e2836);
+                                                        } else {
+                                                            phi_3694_ = (_e2828 - _e2830);
+                                                        }
+                                                        let _e2846 = phi_3694_;
+                                                        phi_3695_ = _e2846;
+                                                    }
+                                                    let _e2848 = phi_3695_;
+                                                    let _e2850 = triangles.member[(0u + _e2621)].v2_;
+                                                    let _e2852 = triangles.member[(0u + _e2621)].v0_;
+                                                    let _e2855 = (_e2850.x - _e2852.x);
+                                                    let _e2858 = (_e2850.y - _e2852.y);
+                                                    let _e2861 = (_e2850.z - _e2852.z);
+                                                    if (_e2007 == 0u) {
+                                                        phi_3721_ = vec3<f32>(_e2858, _e2861, _e2855);
+                                                    } else {
+                                                        if (_e2007 == 1u) {
+                                                            phi_3720_ = vec3<f32>(_e2861, _e2855, _e2858);
+                                                        } else {
+                                                            phi_3720_ = (_e2850 - _e2852);
+                                                        }
+                                                        let _e2868 = phi_3720_;
+                                                        phi_3721_ = _e2868;
+                                                    }
+                                                    let _e2870 = phi_3721_;
+                                                    let _e2877 = ((_e2848.y * _e2870.z) - (_e2848.z * _e2870.y));
+                                                    let _e2884 = ((_e2848.z * _e2870.x) - (_e2848.x * _e2870.z));
+                                                    let _e2891 = ((_e2848.x * _e2870.y) - (_e2848.y * _e2870.x));
+                                                    let _e2905 = (((1f / _e2015.z) * (((_e2877 * _e2826.x) + (_e2884 * _e2826.y)) + (_e2891 * _e2826.z))) / (((_e2877 * _e2018) + (_e2884 * _e2021)) + _e2891));
+                                                    if (_e2905 > 0f) {
+                                                        if (_e2905 < _e290) {
+                                                            let _e2909 = triangles.member[(0u + _e2621)].v0_;
+                                                            let _e2911 = triangles.member[(0u + _e2621)].v1_;
+                                                            if (_e2909.x < _e2911.x) {
+                                                                phi_3777_ = _e2909.x;
+                                                            } else {
+                                                                phi_3777_ = _e2911.x;
+                                                            }
+                                                            let _e2918 = phi_3777_;
+                                                            if (_e2909.y < _e2911.y) {
+                                                                phi_3786_ = _e2909.y;
+                                                            } else {
+                                                                phi_3786_ = _e2911.y;
+                                                            }
+                                                            let _e2925 = phi_3786_;
+                                                            if (_e2909.z < _e2911.z) {
+                                                                phi_3795_ = _e2909.z;
+                                                            } else {
+                                                                phi_3795_ = _e2911.z;
+                                                            }
+                                                            let _e2932 = phi_3795_;
+                                                            let _e2934 = triangles.member[(0u + _e2621)].v2_;
+                                                            if (_e2918 < _e2934.x) {
+                                                                phi_3804_ = _e2918;
+                                                            } else {
+                                                                phi_3804_ = _e2934.x;
+                                                            }
+                                                            let _e2939 = phi_3804_;
+                                                            if (_e2925 < _e2934.y) {
+                                                                phi_3811_ = _e2925;
+                                                            } else {
+                                                                phi_3811_ = _e2934.y;
+                                                            }
+                                                            let _e2944 = phi_3811_;
+                                                            if (_e2932 < _e2934.z) {
+                                                                phi_3818_ = _e2932;
+                                                            } else {
+                                                                phi_3818_ = _e2934.z;
+                                                            }
+                                                            let _e2949 = phi_3818_;
+                                                            let _e2951 = triangles.member[(0u + _e2621)].v0_;
+                                                            let _e2953 = triangles.member[(0u + _e2621)].v1_;
+                                                            if (_e2951.x > _e2953.x) {
+                                                                phi_3831_ = _e2951.x;
+                                                            } else {
+                                                                phi_3831_ = _e2953.x;
+                                                            }
+                                                            let _e2960 = phi_3831_;
+                                                            if (_e2951.y > _e2953.y) {
+                                                                phi_3840_ = _e2951.y;
+                                                            } else {
+                                                                phi_3840_ = _e2953.y;
+                                                            }
+                                                            let _e2967 = phi_3840_;
+                                                            if (_e2951.z > _e2953.z) {
+                                                                phi_3849_ = _e2951.z;
+                                                            } else {
+                                                                phi_3849_ = _e2953.z;
+                                                            }
+                                                            let _e2974 = phi_3849_;
+                                                            let _e2976 = triangles.member[(0u + _e2621)].v2_;
+                                                            if (_e2960 > _e2976.x) {
+                                                                phi_3858_ = _e2960;
+                                                            } else {
+                                                                phi_3858_ = _e2976.x;
+                                                            }
+                                                            let _e2981 = phi_3858_;
+                                                            if (_e2967 > _e2976.y) {
+                                                                phi_3865_ = _e2967;
+                                                            } else {
+                                                                phi_3865_ = _e2976.y;
+                                                            }
+                                                            let _e2986 = phi_3865_;
+                                                            if (_e2974 > _e2976.z) {
+                                                                phi_3872_ = _e2974;
+                                                            } else {
+                                                                phi_3872_ = _e2976.z;
+                                                            }
+                                                            let _e2991 = phi_3872_;
+                                                            let _e2995 = ((_e2939 - _e278) * _e1932);
+                                                            let _e2996 = ((_e2944 - _e280) * _e1942);
+                                                            let _e2997 = ((_e2949 - _e282) * _e1952);
+                                                            let _e3001 = ((_e2981 - _e278) * _e1932);
+                                                            let _e3002 = ((_e2986 - _e280) * _e1942);
+                                                            let _e3003 = ((_e2991 - _e282) * _e1952);
+                                                            if (_e2995 < _e3001) {
+                                                                phi_3889_ = _e2995;
+                                                            } else {
+                                                                phi_3889_ = _e3001;
+                                                            }
+                                                            let _e3006 = phi_3889_;
+                                                            if (_e2996 < _e3002) {
+                                                                phi_3894_ = _e2996;
+                                                            } else {
+                                                                phi_3894_ = _e3002;
+                                                            }
+                                                            let _e3009 = phi_3894_;
+                                                            if (_e2997 < _e3003) {
+                                                                phi_3899_ = _e2997;
+                                                            } else {
+                                                                phi_3899_ = _e3003;
+                                                            }
+                                                            let _e3012 = phi_3899_;
+                                                            if (_e2995 > _e3001) {
+                                                                phi_3907_ = _e2995;
+                                                            } else {
+                                                                phi_3907_ = _e3001;
+                                                            }
+                                                            let _e3018 = phi_3907_;
+                                                            if (_e2996 > _e3002) {
+                                                                phi_3912_ = _e2996;
+                                                            } else {
+                                                                phi_3912_ = _e3002;
+                                                            }
+                                                            let _e3021 = phi_3912_;
+                                                            if (_e2997 > _e3003) {
+                                                                phi_3917_ = _e2997;
+                                                            } else {
+                                                                phi_3917_ = _e3003;
+                                                            }
+                                                            let _e3024 = phi_3917_;
+                                                            let _e3028 = core_intrinsics_maximum_number_nsz_f32_((_e3006 - _e1991), (_e3009 - _e1992));
+                                                            let _e3029 = core_intrinsics_maximum_number_nsz_f32_(_e3028, (_e3012 - _e1993));
+                                                            let _e3030 = core_intrinsics_minimum_number_nsz_f32_((_e3018 + _e1991), (_e3021 + _e1992));
+                                                            let _e3031 = core_intrinsics_minimum_number_nsz_f32_(_e3030, (_e3024 + _e1993));
+                                                            if (_e3029 > -300000000000000000000000000000000000000f) {
+                                                                phi_3929_ = _e3029;
+                                                            } else {
+                                                                phi_3929_ = -300000000000000000000000000000000000000f;
+                                                            }
+                                                            let _e3034 = phi_3929_;
+                                                            if (_e3031 < 300000000000000000000000000000000000000f) {
+                                                                phi_3934_ = _e3031;
+                                                            } else {
+                                                                phi_3934_ = 300000000000000000000000000000000000000f;
+                                                            }
+                                                            let _e3037 = phi_3934_;
+                                                            if (_e2905 < _e3034) {
+                                                                phi_3939_ = _e3034;
+                                                            } else {
+                                                                phi_3939_ = _e2905;
+                                                            }
+                                                            let _e3040 = phi_3939_;
+                                                            if (_e3040 > _e3037) {
+                                                                phi_3944_ = _e3037;
+                                                            } else {
+                                                                phi_3944_ = _e3040;
+                                                            }
+                                                            let _e3043 = phi_3944_;
+                                                            phi_3949_ = lt_bvh_triangle_Intersection(_e3043, (_e2746 / _e2805), (_e2767 / _e2805), (_e3034 <= _e3037));
+                                                            phi_3950_ = false;
+                                                        } else {
+                                                            phi_3949_ = lt_bvh_triangle_Intersection();
+                                                            phi_3950_ = true;
+                                                        }
+                                                        let _e3049 = phi_3949_;
+                                                        let _e3051 = phi_3950_;
+                                                        phi_3951_ = _e3049;
+                                                        phi_3952_ = _e3051;
+                                                    } else {
+                                                        phi_3951_ = lt_bvh_triangle_Intersection();
+                                                        phi_3952_ = true;
+                                                    }
+                                                    let _e3053 = phi_3951_;
+                                                    let _e3055 = phi_3952_;
+                                                    if _e3055 {
+                                                    }
+                                                    phi_3956_ = _e3053;
+                                                    phi_3957_ = _e3055;
+                                                }
+                                                let _e3057 = phi_3956_;
+                                                let _e3059 = phi_3957_;
+                                                phi_3958_ = _e3057;
+                                                phi_3959_ = _e2808;
+                                                phi_3960_ = _e3059;
+                                            } else {
+                                                phi_3958_ = lt_bvh_triangle_Intersection();
+                                                phi_3959_ = true;
+                                                phi_3960_ = false;
+                                            }
+                                            let _e3061 = phi_3958_;
+                                            let _e3063 = phi_3959_;
+                                            let _e3065 = phi_3960_;
+                                            if _e3063 {
+                                                phi_3964_ = true;
+                                            } else {
+                                                phi_3964_ = _e3065;
+                                            }
+                                            let _e3067 = phi_3964_;
+                                            if _e3067 {
+                                                phi_3968_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                            } else {
+                                                phi_3968_ = _e3061;
+                                            }
+                                            let _e3069 = phi_3968_;
+                                            if _e3069.is_hit {
+                                                if (_e3069.t > 0f) {
+                                                    if (_e3069.t < _e290) {
+                                                        let _e3076 = triangles.member[(0u + _e2621)].i0_;
+                                                        if ((_e3076 & 2147483648u) == 0u) {
+                                                            phi_4187_ = true;
+                                                        } else {
+                                                            if (_e2621 < _e95) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e3062 = triangles.member[(0u + _e2598)].i0_;
-                                                            let _e3063 = (_e3062 & 2147483647u);
-                                                            let _e3065 = triangles.member[(0u + _e2598)].i1_;
-                                                            let _e3067 = triangles.member[(0u + _e2598)].i2_;
-                                                            if (_e3063 < _e105) {
+                                                            let _e3085 = triangles.member[(0u + _e2621)].i0_;
+                                                            let _e3086 = (_e3085 & 2147483647u);
+                                                            let _e3088 = triangles.member[(0u + _e2621)].i1_;
+                                                            let _e3090 = triangles.member[(0u + _e2621)].i2_;
+                                                            if (_e3086 < _e105) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e3071 = vertices.member[(0u + _e3063)];
-                                                            if (_e3065 < _e105) {
+                                                            let _e3094 = vertices.member[(0u + _e3086)];
+                                                            if (_e3088 < _e105) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e3075 = vertices.member[(0u + _e3065)];
-                                                            if (_e3067 < _e105) {
+                                                            let _e3098 = vertices.member[(0u + _e3088)];
+                                                            if (_e3090 < _e105) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e3079 = vertices.member[(0u + _e3067)];
-                                                            let _e3080 = array<abi_Vertex, 3>(_e3071, _e3075, _e3079);
-                                                            if (_e3080[0].material < _e108) {
+                                                            let _e3102 = vertices.member[(0u + _e3090)];
+                                                            let _e3103 = array<abi_Vertex, 3>(_e3094, _e3098, _e3102);
+                                                            if (_e3103[0].material < _e108) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e3086 = materials.member[(0u + _e3080[0].material)];
-                                                            if ((_e3086.flags & 1u) == 1u) {
-                                                                let _e3091 = ((1f - _e3046.u) - _e3046.v);
-                                                                if (_e3086.cutoff <= 0f) {
-                                                                    phi_4165_ = true;
+                                                            let _e3109 = materials.member[(0u + _e3103[0].material)];
+                                                            if ((_e3109.flags & 1u) == 1u) {
+                                                                let _e3114 = ((1f - _e3069.u) - _e3069.v);
+                                                                if (_e3109.cutoff <= 0f) {
+                                                                    phi_4185_ = true;
                                                                 } else {
-                                                                    let _e3118 = (_e3086.base_color.w * ((((f32((_e3080[0].color >> bitcast<u32>(24i))) * _e3091) + (f32((_e3080[1].color >> bitcast<u32>(24i))) * _e3046.u)) + (f32((_e3080[2].color >> bitcast<u32>(24i))) * _e3046.v)) * (1f / 255f)));
-                                                                    if (_e3086.alpha_size == 0u) {
-                                                                        phi_4162_ = _e3118;
+                                                                    let _e3141 = (_e3109.base_color.w * ((((f32((_e3103[0].color >> bitcast<u32>(24i))) * _e3114) + (f32((_e3103[1].color >> bitcast<u32>(24i))) * _e3069.u)) + (f32((_e3103[2].color >> bitcast<u32>(24i))) * _e3069.v)) * (1f / 255f)));
+                                                                    if (_e3109.alpha_size == 0u) {
+                                                                        phi_4182_ = _e3141;
                                                                     } else {
-                                                                        local.offset = _e3086.alpha_offset;
-                                                                        local.size = _e3086.alpha_size;
-                                                                        local.flags = _e3086.flags;
-                                                                        let _e3149 = _lt_shaders_texture_TextureView_quad((&local), (((_e3080[0].u * _e3091) + (_e3080[1].u * _e3046.u)) + (_e3080[2].u * _e3046.v)), (((_e3080[0].v * _e3091) + (_e3080[1].v * _e3046.u)) + (_e3080[2].v * _e3046.v)));
-                                                                        let _e3153 = (_e3149.indices[0] >> bitcast<u32>(2i));
-                                                                        if (_e3153 < _e111) {
+                                                                        local.offset = _e3109.alpha_offset;
+                                                                        local.size = _e3109.alpha_size;
+                                                                        local.flags = _e3109.flags;
+                                                                        let _e3172 = _lt_shaders_texture_TextureView_quad((&local), (((_e3103[0].u * _e3114) + (_e3103[1].u * _e3069.u)) + (_e3103[2].u * _e3069.v)), (((_e3103[0].v * _e3114) + (_e3103[1].v * _e3069.u)) + (_e3103[2].v * _e3069.v)));
+                                                                        let _e3176 = (_e3172.indices[0] >> bitcast<u32>(2i));
+                                                                        if (_e3176 < _e111) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e3157 = alpha_texels.member[(0u + _e3153)];
-                                                                        let _e3173 = (_e3149.indices[1] >> bitcast<u32>(2i));
-                                                                        if (_e3173 < _e111) {
+                                                                        let _e3180 = alpha_texels.member[(0u + _e3176)];
+                                                                        let _e3196 = (_e3172.indices[1] >> bitcast<u32>(2i));
+                                                                        if (_e3196 < _e111) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e3177 = alpha_texels.member[(0u + _e3173)];
-                                                                        let _e3194 = (_e3149.indices[2] >> bitcast<u32>(2i));
-                                                                        if (_e3194 < _e111) {
+                                                                        let _e3200 = alpha_texels.member[(0u + _e3196)];
+                                                                        let _e3217 = (_e3172.indices[2] >> bitcast<u32>(2i));
+                                                                        if (_e3217 < _e111) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e3198 = alpha_texels.member[(0u + _e3194)];
-                                                                        let _e3215 = (_e3149.indices[3] >> bitcast<u32>(2i));
-                                                                        if (_e3215 < _e111) {
+                                                                        let _e3221 = alpha_texels.member[(0u + _e3217)];
+                                                                        let _e3238 = (_e3172.indices[3] >> bitcast<u32>(2i));
+                                                                        if (_e3238 < _e111) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e3219 = alpha_texels.member[(0u + _e3215)];
-                                                                        phi_4162_ = (_e3118 * (((((f32(((_e3157 >> bitcast<u32>((((_e3149.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3149.weights.x) + ((f32(((_e3177 >> bitcast<u32>((((_e3149.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3149.weights.y)) + ((f32(((_e3198 >> bitcast<u32>((((_e3149.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3149.weights.z)) + ((f32(((_e3219 >> bitcast<u32>((((_e3149.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3149.weights.w)));
+                                                                        let _e3242 = alpha_texels.member[(0u + _e3238)];
+                                                                        phi_4182_ = (_e3141 * (((((f32(((_e3180 >> bitcast<u32>((((_e3172.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3172.weights.x) + ((f32(((_e3200 >> bitcast<u32>((((_e3172.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3172.weights.y)) + ((f32(((_e3221 >> bitcast<u32>((((_e3172.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3172.weights.z)) + ((f32(((_e3242 >> bitcast<u32>((((_e3172.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3172.weights.w)));
                                                                     }
-                                                                    let _e3235 = phi_4162_;
-                                                                    phi_4165_ = (_e3235 >= _e3086.cutoff);
+                                                                    let _e3258 = phi_4182_;
+                                                                    phi_4185_ = (_e3258 >= _e3109.cutoff);
                                                                 }
-                                                                let _e3239 = phi_4165_;
-                                                                phi_4166_ = _e3239;
+                                                                let _e3262 = phi_4185_;
+                                                                phi_4186_ = _e3262;
                                                             } else {
-                                                                phi_4166_ = false;
+                                                                phi_4186_ = false;
                                                             }
-                                                            let _e3241 = phi_4166_;
-                                                            phi_4167_ = _e3241;
+                                                            let _e3264 = phi_4186_;
+                                                            phi_4187_ = _e3264;
                                                         }
-                                                        let _e3243 = phi_4167_;
-                                                        if _e3243 {
-                                                            phi_4171_ = false;
+                                                        let _e3266 = phi_4187_;
+                                                        if _e3266 {
+                                                            phi_4191_ = false;
                                                         } else {
-                                                            phi_4171_ = true;
+                                                            phi_4191_ = true;
                                                         }
-                                                        let _e3245 = phi_4171_;
-                                                        phi_4172_ = _e3243;
-                                                        phi_4173_ = _e3243;
-                                                        phi_4174_ = _e3245;
+                                                        let _e3268 = phi_4191_;
+                                                        phi_4192_ = _e3266;
+                                                        phi_4193_ = _e3266;
+                                                        phi_4194_ = _e3268;
                                                     } else {
-                                                        phi_4172_ = bool();
-                                                        phi_4173_ = _e2589;
-                                                        phi_4174_ = true;
+                                                        phi_4192_ = bool();
+                                                        phi_4193_ = _e2612;
+                                                        phi_4194_ = true;
                                                     }
-                                                    let _e3247 = phi_4172_;
-                                                    let _e3249 = phi_4173_;
-                                                    let _e3251 = phi_4174_;
-                                                    phi_4175_ = _e3247;
-                                                    phi_4176_ = _e3249;
-                                                    phi_4177_ = _e3251;
+                                                    let _e3270 = phi_4192_;
+                                                    let _e3272 = phi_4193_;
+                                                    let _e3274 = phi_4194_;
+                                                    phi_4195_ = _e3270;
+                                                    phi_4196_ = _e3272;
+                                                    phi_4197_ = _e3274;
                                                 } else {
-                                                    phi_4175_ = bool();
-                                                    phi_4176_ = _e2589;
-                                                    phi_4177_ = true;
+                                                    phi_4195_ = bool();
+                                                    phi_4196_ = _e2612;
+                                                    phi_4197_ = true;
                                                 }
-                                                let _e3253 = phi_4175_;
-                                                let _e3255 = phi_4176_;
-                                                let _e3257 = phi_4177_;
-                                                phi_4178_ = _e3253;
-                                                phi_4179_ = _e3255;
-                                                phi_4180_ = _e3257;
+                                                let _e3276 = phi_4195_;
+                                                let _e3278 = phi_4196_;
+                                                let _e3280 = phi_4197_;
+                                                phi_4198_ = _e3276;
+                                                phi_4199_ = _e3278;
+                                                phi_4200_ = _e3280;
                                             } else {
-                                                phi_4178_ = bool();
-                                                phi_4179_ = _e2589;
-                                                phi_4180_ = true;
+                                                phi_4198_ = bool();
+                                                phi_4199_ = _e2612;
+                                                phi_4200_ = true;
                                             }
-                                            let _e3259 = phi_4178_;
-                                            let _e3261 = phi_4179_;
-                                            let _e3263 = phi_4180_;
-                                            if _e3263 {
+                                            let _e3282 = phi_4198_;
+                                            let _e3284 = phi_4199_;
+                                            let _e3286 = phi_4200_;
+                                            if _e3286 {
                                             }
-                                            phi_3378_ = (_e2587 & (_e2587 - 1u));
-                                            phi_3381_ = _e3261;
-                                            phi_4184_ = _e3259;
-                                            phi_4185_ = _e3263;
+                                            phi_3398_ = (_e2610 & (_e2610 - 1u));
+                                            phi_3401_ = _e3284;
+                                            phi_4204_ = _e3282;
+                                            phi_4205_ = _e3286;
                                         }
-                                        let _e3265 = phi_3378_;
-                                        let _e3267 = phi_3381_;
-                                        let _e3269 = phi_4184_;
-                                        let _e3271 = phi_4185_;
-                                        local_18 = _e3269;
+                                        let _e3288 = phi_3398_;
+                                        let _e3290 = phi_3401_;
+                                        let _e3292 = phi_4204_;
+                                        let _e3294 = phi_4205_;
+                                        local_23 = _e3292;
                                         continue;
                                         continuing {
-                                            phi_3377_ = _e3265;
-                                            phi_3380_ = _e3267;
-                                            break if !(_e3271);
+                                            phi_3397_ = _e3288;
+                                            phi_3400_ = _e3290;
+                                            break if !(_e3294);
                                         }
                                     }
-                                    let _e3274 = local_10;
-                                    if _e3274 {
-                                        let _e3276 = local_1.group_mask;
-                                        if ((_e3276 & 4278190080u) == 0u) {
-                                            let _e3280 = local_1.len;
-                                            if (_e3280 == 0u) {
-                                                phi_4227_ = false;
+                                    let _e3297 = local_12;
+                                    if _e3297 {
+                                        let _e3299 = local_1.group_mask;
+                                        if ((_e3299 & 4278190080u) == 0u) {
+                                            let _e3303 = local_1.len;
+                                            if (_e3303 == 0u) {
+                                                phi_4247_ = false;
                                             } else {
-                                                let _e3284 = local_1.len;
-                                                local_1.len = (_e3284 - 1u);
-                                                let _e3287 = local_1.len;
-                                                if (_e3287 < 32u) {
+                                                let _e3307 = local_1.len;
+                                                local_1.len = (_e3307 - 1u);
+                                                let _e3310 = local_1.len;
+                                                if (_e3310 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3292 = local_1.first[(0u + _e3287)];
-                                                local_1.group = _e3292;
-                                                let _e3295 = local_1.len;
-                                                if (_e3295 < 32u) {
+                                                let _e3315 = local_1.first[(0u + _e3310)];
+                                                local_1.group = _e3315;
+                                                let _e3318 = local_1.len;
+                                                if (_e3318 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3300 = local_1.mask[(0u + _e3295)];
-                                                local_1.group_mask = _e3300;
-                                                phi_4227_ = true;
+                                                let _e3323 = local_1.mask[(0u + _e3318)];
+                                                local_1.group_mask = _e3323;
+                                                phi_4247_ = true;
                                             }
-                                            let _e3303 = phi_4227_;
-                                            phi_4228_ = _e3303;
+                                            let _e3326 = phi_4247_;
+                                            phi_4248_ = _e3326;
                                         } else {
-                                            phi_4228_ = true;
+                                            phi_4248_ = true;
                                         }
-                                        let _e3305 = phi_4228_;
-                                        if _e3305 {
-                                            let _e3307 = local_1.group_mask;
-                                            let _e3313 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3307)), 32u, (_e3307 == 0u)));
-                                            let _e3317 = local_1.group_mask;
-                                            let _e3331 = local_1.group_mask;
-                                            local_1.group_mask = (_e3331 & ~((1u << bitcast<u32>((_e3313 & 31u)))));
-                                            let _e3334 = local_1.group;
-                                            phi_4259_ = (_e3334 + countOneBits(((_e3317 & ~((4294967295u << bitcast<u32>((((_e3313 - 24u) ^ _e2011) & 31u))))) & 255u)));
+                                        let _e3328 = phi_4248_;
+                                        if _e3328 {
+                                            let _e3330 = local_1.group_mask;
+                                            let _e3336 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3330)), 32u, (_e3330 == 0u)));
+                                            let _e3340 = local_1.group_mask;
+                                            let _e3354 = local_1.group_mask;
+                                            local_1.group_mask = (_e3354 & ~((1u << bitcast<u32>((_e3336 & 31u)))));
+                                            let _e3357 = local_1.group;
+                                            phi_4279_ = (_e3357 + countOneBits(((_e3340 & ~((4294967295u << bitcast<u32>((((_e3336 - 24u) ^ _e2034) & 31u))))) & 255u)));
                                         } else {
-                                            phi_4259_ = 4294967295u;
+                                            phi_4279_ = 4294967295u;
                                         }
-                                        let _e3337 = phi_4259_;
-                                        phi_4260_ = _e3337;
+                                        let _e3360 = phi_4279_;
+                                        phi_4280_ = _e3360;
                                     } else {
-                                        phi_4260_ = u32();
+                                        phi_4280_ = u32();
                                     }
-                                    let _e3339 = phi_4260_;
-                                    phi_3046_ = _e3339;
-                                    let _e3796 = local_17;
-                                    phi_3049_ = _e3796;
-                                    let _e3799 = local_18;
-                                    phi_4261_ = _e3799;
-                                    let _e3802 = local_19;
-                                    phi_4262_ = _e3802;
-                                    phi_4263_ = false;
+                                    let _e3362 = phi_4280_;
+                                    phi_3066_ = _e3362;
+                                    let _e3835 = local_22;
+                                    phi_3069_ = _e3835;
+                                    let _e3838 = local_23;
+                                    phi_4281_ = _e3838;
+                                    let _e3841 = local_24;
+                                    phi_4282_ = _e3841;
+                                    phi_4283_ = false;
                                 } else {
-                                    phi_3046_ = u32();
-                                    phi_3049_ = bool();
-                                    phi_4261_ = bool();
-                                    phi_4262_ = false;
-                                    phi_4263_ = true;
+                                    phi_3066_ = u32();
+                                    phi_3069_ = bool();
+                                    phi_4281_ = bool();
+                                    phi_4282_ = false;
+                                    phi_4283_ = true;
                                 }
-                                let _e3341 = phi_3046_;
-                                let _e3343 = phi_3049_;
-                                let _e3345 = phi_4261_;
-                                let _e3347 = phi_4262_;
-                                let _e3349 = phi_4263_;
-                                local_11 = _e3349;
-                                local_20 = _e3345;
+                                let _e3364 = phi_3066_;
+                                let _e3366 = phi_3069_;
+                                let _e3368 = phi_4281_;
+                                let _e3370 = phi_4282_;
+                                let _e3372 = phi_4283_;
+                                local_13 = _e3372;
+                                local_25 = _e3368;
                                 continue;
                                 continuing {
-                                    phi_3045_ = _e3341;
-                                    phi_3048_ = _e3343;
-                                    break if !(_e3347);
+                                    phi_3065_ = _e3364;
+                                    phi_3068_ = _e3366;
+                                    break if !(_e3370);
                                 }
                             }
-                            let _e3352 = local_11;
-                            if _e3352 {
-                                phi_4267_ = false;
+                            let _e3375 = local_13;
+                            if _e3375 {
+                                phi_4287_ = false;
                             } else {
-                                phi_4267_ = true;
+                                phi_4287_ = true;
                             }
-                            let _e3354 = phi_4267_;
-                            if _e3354 {
-                                let _e3808 = local_20;
-                                phi_4271_ = _e3808;
+                            let _e3377 = phi_4287_;
+                            if _e3377 {
+                                let _e3847 = local_25;
+                                phi_4291_ = _e3847;
                             } else {
-                                let _e3810 = local_21;
-                                phi_4271_ = _e3810;
+                                let _e3849 = local_26;
+                                phi_4291_ = _e3849;
                             }
-                            let _e3356 = phi_4271_;
-                            phi_4272_ = _e3356;
+                            let _e3379 = phi_4291_;
+                            phi_4292_ = _e3379;
                         }
-                        let _e3358 = phi_4272_;
-                        phi_4273_ = _e3358;
-                        phi_4274_ = _e1833;
+                        let _e3381 = phi_4292_;
+                        phi_4293_ = _e3381;
+                        phi_4294_ = _e1856;
                     } else {
-                        phi_4273_ = bool();
-                        phi_4274_ = true;
+                        phi_4293_ = bool();
+                        phi_4294_ = true;
                     }
-                    let _e3360 = phi_4273_;
-                    let _e3362 = phi_4274_;
-                    if _e3362 {
-                        phi_4278_ = false;
+                    let _e3383 = phi_4293_;
+                    let _e3385 = phi_4294_;
+                    if _e3385 {
+                        phi_4298_ = false;
                     } else {
-                        phi_4278_ = _e3360;
+                        phi_4298_ = _e3383;
                     }
-                    let _e3364 = phi_4278_;
-                    phi_4279_ = _e3364;
+                    let _e3387 = phi_4298_;
+                    phi_4299_ = _e3387;
                 }
-                let _e3366 = phi_4279_;
-                phi_4280_ = _e3366;
+                let _e3389 = phi_4299_;
+                phi_4300_ = _e3389;
             } else {
-                phi_4280_ = false;
+                phi_4300_ = false;
             }
-            let _e3368 = phi_4280_;
-            if _e3368 {
-                phi_4284_ = 0f;
+            let _e3391 = phi_4300_;
+            if _e3391 {
+                phi_4304_ = 0f;
             } else {
-                phi_4284_ = 1f;
+                phi_4304_ = 1f;
             }
-            let _e3370 = phi_4284_;
-            phi_4285_ = _e3370;
+            let _e3393 = phi_4304_;
+            phi_4305_ = _e3393;
         }
-        let _e3372 = phi_4285_;
+        let _e3395 = phi_4305_;
         if (_e117.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e117.shift)] = _e3372;
+        visibility.member[(0u + _e117.shift)] = _e3395;
     }
     return;
 }

@@ -370,161 +370,166 @@ fn function_() {
     var phi_937_: vec3<f32>;
     var phi_949_: u32;
     var phi_952_: u32;
-    var phi_1021_: f32;
-    var phi_1022_: f32;
-    var phi_1036_: u32;
-    var phi_1059_: f32;
-    var phi_1060_: f32;
-    var phi_1074_: u32;
-    var phi_1097_: f32;
-    var phi_1098_: f32;
-    var phi_1112_: u32;
-    var phi_1239_: u32;
+    var phi_961_: u32;
+    var phi_964_: u32;
+    var phi_966_: u32;
+    var phi_968_: u32;
+    var phi_1041_: f32;
+    var phi_1042_: f32;
+    var phi_1056_: u32;
+    var phi_1079_: f32;
+    var phi_1080_: f32;
+    var phi_1094_: u32;
+    var phi_1117_: f32;
+    var phi_1118_: f32;
+    var phi_1132_: u32;
     var phi_1279_: u32;
     var phi_1280_: u32;
+    var phi_1284_: u32;
+    var phi_1285_: u32;
     var phi_1286_: u32;
-    var phi_1315_: vec3<f32>;
-    var phi_1316_: vec3<f32>;
-    var phi_1345_: vec3<f32>;
-    var phi_1346_: vec3<f32>;
-    var phi_1375_: vec3<f32>;
-    var phi_1376_: vec3<f32>;
-    var phi_1394_: bool;
-    var phi_1395_: bool;
-    var phi_1399_: f32;
-    var phi_1400_: f32;
-    var phi_1401_: f32;
-    var phi_1402_: f32;
-    var phi_1410_: f32;
-    var phi_1420_: bool;
-    var phi_1421_: bool;
-    var phi_1425_: f32;
-    var phi_1426_: f32;
-    var phi_1427_: f32;
-    var phi_1428_: f32;
-    var phi_1436_: f32;
-    var phi_1446_: bool;
-    var phi_1447_: bool;
-    var phi_1451_: f32;
-    var phi_1452_: f32;
-    var phi_1453_: f32;
-    var phi_1454_: f32;
-    var phi_1462_: f32;
-    var phi_1477_: f32;
-    var phi_1478_: bool;
-    var phi_1479_: f32;
-    var phi_1480_: bool;
-    var phi_1481_: f32;
-    var phi_1482_: bool;
-    var phi_1500_: f32;
-    var phi_1501_: bool;
-    var phi_1502_: bool;
-    var phi_1503_: f32;
-    var phi_1504_: bool;
-    var phi_1505_: bool;
-    var phi_1509_: bool;
-    var phi_1510_: f32;
-    var phi_1511_: bool;
-    var phi_1539_: vec3<f32>;
-    var phi_1540_: vec3<f32>;
-    var phi_1565_: vec3<f32>;
-    var phi_1566_: vec3<f32>;
-    var phi_1591_: vec3<f32>;
-    var phi_1592_: vec3<f32>;
-    var phi_1648_: f32;
-    var phi_1657_: f32;
-    var phi_1666_: f32;
-    var phi_1675_: f32;
-    var phi_1682_: f32;
-    var phi_1689_: f32;
-    var phi_1702_: f32;
-    var phi_1711_: f32;
-    var phi_1720_: f32;
-    var phi_1729_: f32;
-    var phi_1736_: f32;
-    var phi_1743_: f32;
-    var phi_1760_: f32;
-    var phi_1765_: f32;
-    var phi_1770_: f32;
-    var phi_1778_: f32;
-    var phi_1783_: f32;
-    var phi_1788_: f32;
-    var phi_1800_: f32;
-    var phi_1805_: f32;
-    var phi_1810_: f32;
-    var phi_1815_: f32;
-    var phi_1820_: lt_bvh_triangle_Intersection;
-    var phi_1821_: bool;
-    var phi_1822_: lt_bvh_triangle_Intersection;
-    var phi_1823_: bool;
-    var phi_1827_: lt_bvh_triangle_Intersection;
-    var phi_1828_: bool;
-    var phi_1829_: lt_bvh_triangle_Intersection;
-    var phi_1830_: bool;
-    var phi_1831_: bool;
-    var phi_1835_: bool;
-    var phi_1839_: lt_bvh_triangle_Intersection;
-    var phi_1864_: bool;
-    var phi_1865_: bool;
-    var phi_1866_: bool;
-    var phi_1867_: bool;
-    var phi_1868_: bool;
-    var phi_1869_: bool;
-    var phi_1870_: bool;
-    var phi_1871_: bool;
-    var phi_1872_: bool;
-    var phi_1873_: bool;
-    var phi_1874_: bool;
-    var phi_1875_: bool;
-    var phi_1876_: bool;
-    var phi_1877_: bool;
-    var phi_1881_: bool;
-    var phi_1882_: bool;
-    var phi_1883_: bool;
-    var phi_1887_: bool;
-    var phi_1888_: bool;
-    var phi_1240_: u32;
-    var phi_1889_: bool;
-    var phi_1890_: bool;
-    var phi_1891_: bool;
+    var phi_1287_: u32;
+    var phi_1288_: u32;
+    var phi_1289_: u32;
+    var phi_1307_: u32;
+    var phi_1308_: u32;
+    var phi_1309_: u32;
+    var phi_1310_: u32;
+    var phi_1311_: u32;
+    var phi_1312_: u32;
+    var phi_1313_: u32;
+    var phi_1314_: u32;
+    var phi_962_: u32;
+    var phi_965_: u32;
+    var phi_967_: u32;
+    var phi_969_: u32;
+    var phi_1315_: bool;
     var local_3: bool;
-    var phi_1895_: bool;
-    var phi_1896_: bool;
-    var phi_1917_: u32;
-    var phi_1918_: u32;
-    var phi_1922_: u32;
-    var phi_1923_: u32;
-    var phi_1924_: u32;
-    var phi_1925_: u32;
-    var phi_1926_: bool;
-    var phi_1927_: bool;
-    var phi_1928_: bool;
-    var phi_1949_: u32;
-    var phi_1950_: u32;
-    var phi_1951_: u32;
-    var phi_1952_: u32;
-    var phi_1953_: u32;
-    var phi_1954_: u32;
+    var phi_1320_: u32;
+    var local_4: u32;
+    var phi_1359_: u32;
+    var phi_1360_: u32;
+    var phi_1366_: u32;
+    var phi_1395_: vec3<f32>;
+    var phi_1396_: vec3<f32>;
+    var phi_1425_: vec3<f32>;
+    var phi_1426_: vec3<f32>;
+    var phi_1455_: vec3<f32>;
+    var phi_1456_: vec3<f32>;
+    var phi_1474_: bool;
+    var phi_1475_: bool;
+    var phi_1479_: f32;
+    var phi_1480_: f32;
+    var phi_1481_: f32;
+    var phi_1482_: f32;
+    var phi_1490_: f32;
+    var phi_1500_: bool;
+    var phi_1501_: bool;
+    var phi_1505_: f32;
+    var phi_1506_: f32;
+    var phi_1507_: f32;
+    var phi_1508_: f32;
+    var phi_1516_: f32;
+    var phi_1526_: bool;
+    var phi_1527_: bool;
+    var phi_1531_: f32;
+    var phi_1532_: f32;
+    var phi_1533_: f32;
+    var phi_1534_: f32;
+    var phi_1542_: f32;
+    var phi_1557_: f32;
+    var phi_1558_: bool;
+    var phi_1559_: f32;
+    var phi_1560_: bool;
+    var phi_1561_: f32;
+    var phi_1562_: bool;
+    var phi_1580_: f32;
+    var phi_1581_: bool;
+    var phi_1582_: bool;
+    var phi_1583_: f32;
+    var phi_1584_: bool;
+    var phi_1585_: bool;
+    var phi_1589_: bool;
+    var phi_1590_: f32;
+    var phi_1591_: bool;
+    var phi_1619_: vec3<f32>;
+    var phi_1620_: vec3<f32>;
+    var phi_1645_: vec3<f32>;
+    var phi_1646_: vec3<f32>;
+    var phi_1671_: vec3<f32>;
+    var phi_1672_: vec3<f32>;
+    var phi_1728_: f32;
+    var phi_1737_: f32;
+    var phi_1746_: f32;
+    var phi_1755_: f32;
+    var phi_1762_: f32;
+    var phi_1769_: f32;
+    var phi_1782_: f32;
+    var phi_1791_: f32;
+    var phi_1800_: f32;
+    var phi_1809_: f32;
+    var phi_1816_: f32;
+    var phi_1823_: f32;
+    var phi_1840_: f32;
+    var phi_1845_: f32;
+    var phi_1850_: f32;
+    var phi_1858_: f32;
+    var phi_1863_: f32;
+    var phi_1868_: f32;
+    var phi_1880_: f32;
+    var phi_1885_: f32;
+    var phi_1890_: f32;
+    var phi_1895_: f32;
+    var phi_1900_: lt_bvh_triangle_Intersection;
+    var phi_1901_: bool;
+    var phi_1902_: lt_bvh_triangle_Intersection;
+    var phi_1903_: bool;
+    var phi_1907_: lt_bvh_triangle_Intersection;
+    var phi_1908_: bool;
+    var phi_1909_: lt_bvh_triangle_Intersection;
+    var phi_1910_: bool;
+    var phi_1911_: bool;
+    var phi_1915_: bool;
+    var phi_1919_: lt_bvh_triangle_Intersection;
+    var phi_1944_: bool;
+    var phi_1945_: bool;
+    var phi_1946_: bool;
+    var phi_1947_: bool;
+    var phi_1948_: bool;
+    var phi_1949_: bool;
+    var phi_1950_: bool;
+    var phi_1951_: bool;
+    var phi_1952_: bool;
+    var phi_1953_: bool;
+    var phi_1954_: bool;
     var phi_1955_: bool;
     var phi_1956_: bool;
+    var phi_1957_: bool;
+    var phi_1961_: bool;
+    var phi_1962_: bool;
+    var phi_1963_: bool;
+    var phi_1967_: bool;
+    var phi_1968_: bool;
+    var phi_1321_: u32;
+    var phi_1969_: bool;
+    var phi_1970_: bool;
+    var phi_1971_: bool;
+    var local_5: bool;
+    var phi_1975_: bool;
+    var phi_1976_: bool;
     var phi_950_: u32;
     var phi_953_: u32;
-    var phi_1957_: bool;
-    var phi_1958_: bool;
-    var phi_1959_: bool;
-    var local_4: bool;
-    var phi_1963_: bool;
-    var phi_1964_: bool;
-    var phi_1968_: bool;
-    var phi_1972_: bool;
-    var phi_1976_: bool;
     var phi_1977_: bool;
-    var phi_1981_: bool;
+    var phi_1978_: bool;
+    var phi_1979_: bool;
+    var local_6: bool;
+    var phi_1983_: bool;
+    var phi_1984_: bool;
+    var phi_1988_: bool;
+    var phi_1992_: bool;
+    var phi_1996_: bool;
     var phi_1997_: bool;
-    var phi_1998_: bool;
-    var phi_1999_: bool;
-    var phi_2000_: bool;
-    var phi_2004_: bool;
+    var phi_2001_: bool;
     var phi_2017_: bool;
     var phi_2018_: bool;
     var phi_2019_: bool;
@@ -533,179 +538,187 @@ fn function_() {
     var phi_2037_: bool;
     var phi_2038_: bool;
     var phi_2039_: bool;
-    var phi_2043_: bool;
+    var phi_2040_: bool;
     var phi_2044_: bool;
-    var phi_2045_: bool;
-    var phi_2046_: bool;
-    var phi_2047_: bool;
-    var phi_2051_: bool;
-    var phi_2121_: f32;
-    var phi_2128_: f32;
-    var phi_2135_: f32;
-    var phi_2142_: f32;
-    var phi_2149_: f32;
-    var phi_2156_: f32;
-    var phi_2173_: f32;
-    var phi_2178_: f32;
-    var phi_2183_: f32;
-    var phi_2188_: f32;
+    var phi_2057_: bool;
+    var phi_2058_: bool;
+    var phi_2059_: bool;
+    var phi_2063_: bool;
+    var phi_2064_: bool;
+    var phi_2065_: bool;
+    var phi_2066_: bool;
+    var phi_2067_: bool;
+    var phi_2071_: bool;
+    var phi_2141_: f32;
+    var phi_2148_: f32;
+    var phi_2155_: f32;
+    var phi_2162_: f32;
+    var phi_2169_: f32;
+    var phi_2176_: f32;
     var phi_2193_: f32;
-    var phi_2219_: bool;
-    var phi_2220_: bool;
-    var phi_2228_: u32;
-    var phi_2229_: u32;
-    var phi_2240_: vec3<f32>;
-    var phi_2241_: vec3<f32>;
-    var phi_2254_: u32;
-    var phi_2259_: u32;
-    var phi_2264_: u32;
-    var phi_2378_: bool;
-    var phi_2379_: bool;
-    var phi_2410_: u32;
-    var phi_2412_: u32;
-    var phi_2415_: bool;
-    var phi_2495_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2522_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2549_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2555_: u32;
-    var phi_2558_: u32;
-    var phi_2572_: u32;
-    var phi_2582_: u32;
+    var phi_2198_: f32;
+    var phi_2203_: f32;
+    var phi_2208_: f32;
+    var phi_2213_: f32;
+    var phi_2239_: bool;
+    var phi_2240_: bool;
+    var phi_2248_: u32;
+    var phi_2249_: u32;
+    var phi_2260_: vec3<f32>;
+    var phi_2261_: vec3<f32>;
+    var phi_2274_: u32;
+    var phi_2279_: u32;
+    var phi_2284_: u32;
+    var phi_2398_: bool;
+    var phi_2399_: bool;
+    var phi_2430_: u32;
+    var phi_2432_: u32;
+    var phi_2435_: bool;
+    var phi_2515_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2542_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2569_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2575_: u32;
+    var phi_2578_: u32;
     var phi_2592_: u32;
-    var phi_2610_: u32;
-    var phi_2620_: u32;
+    var phi_2602_: u32;
+    var phi_2612_: u32;
     var phi_2630_: u32;
-    var phi_2666_: u32;
-    var phi_2679_: u32;
-    var phi_2684_: u32;
-    var phi_2685_: u32;
+    var phi_2640_: u32;
+    var phi_2650_: u32;
     var phi_2686_: u32;
-    var phi_2556_: u32;
-    var phi_2559_: u32;
-    var local_5: u32;
-    var local_6: u32;
+    var phi_2699_: u32;
+    var phi_2704_: u32;
+    var phi_2705_: u32;
+    var phi_2706_: u32;
+    var phi_2576_: u32;
+    var phi_2579_: u32;
     var local_7: u32;
-    var phi_2744_: u32;
-    var phi_2747_: bool;
-    var phi_2791_: vec3<f32>;
-    var phi_2792_: vec3<f32>;
-    var phi_2821_: vec3<f32>;
-    var phi_2822_: vec3<f32>;
-    var phi_2851_: vec3<f32>;
-    var phi_2852_: vec3<f32>;
-    var phi_2870_: bool;
-    var phi_2871_: bool;
-    var phi_2875_: f32;
-    var phi_2876_: f32;
-    var phi_2877_: f32;
-    var phi_2878_: f32;
-    var phi_2886_: f32;
-    var phi_2896_: bool;
-    var phi_2897_: bool;
-    var phi_2901_: f32;
-    var phi_2902_: f32;
-    var phi_2903_: f32;
-    var phi_2904_: f32;
-    var phi_2912_: f32;
-    var phi_2922_: bool;
-    var phi_2923_: bool;
-    var phi_2927_: f32;
-    var phi_2928_: f32;
-    var phi_2929_: f32;
-    var phi_2930_: f32;
-    var phi_2938_: f32;
-    var phi_2953_: f32;
-    var phi_2954_: bool;
-    var phi_2955_: f32;
-    var phi_2956_: bool;
-    var phi_2957_: f32;
-    var phi_2958_: bool;
-    var phi_2976_: f32;
-    var phi_2977_: bool;
+    var local_8: u32;
+    var local_9: u32;
+    var phi_2764_: u32;
+    var phi_2767_: bool;
+    var phi_2811_: vec3<f32>;
+    var phi_2812_: vec3<f32>;
+    var phi_2841_: vec3<f32>;
+    var phi_2842_: vec3<f32>;
+    var phi_2871_: vec3<f32>;
+    var phi_2872_: vec3<f32>;
+    var phi_2890_: bool;
+    var phi_2891_: bool;
+    var phi_2895_: f32;
+    var phi_2896_: f32;
+    var phi_2897_: f32;
+    var phi_2898_: f32;
+    var phi_2906_: f32;
+    var phi_2916_: bool;
+    var phi_2917_: bool;
+    var phi_2921_: f32;
+    var phi_2922_: f32;
+    var phi_2923_: f32;
+    var phi_2924_: f32;
+    var phi_2932_: f32;
+    var phi_2942_: bool;
+    var phi_2943_: bool;
+    var phi_2947_: f32;
+    var phi_2948_: f32;
+    var phi_2949_: f32;
+    var phi_2950_: f32;
+    var phi_2958_: f32;
+    var phi_2973_: f32;
+    var phi_2974_: bool;
+    var phi_2975_: f32;
+    var phi_2976_: bool;
+    var phi_2977_: f32;
     var phi_2978_: bool;
-    var phi_2979_: f32;
-    var phi_2980_: bool;
-    var phi_2981_: bool;
-    var phi_2985_: bool;
-    var phi_2986_: f32;
-    var phi_2987_: bool;
-    var phi_3015_: vec3<f32>;
-    var phi_3016_: vec3<f32>;
-    var phi_3041_: vec3<f32>;
-    var phi_3042_: vec3<f32>;
-    var phi_3067_: vec3<f32>;
-    var phi_3068_: vec3<f32>;
-    var phi_3124_: f32;
-    var phi_3133_: f32;
-    var phi_3142_: f32;
-    var phi_3151_: f32;
-    var phi_3158_: f32;
-    var phi_3165_: f32;
+    var phi_2996_: f32;
+    var phi_2997_: bool;
+    var phi_2998_: bool;
+    var phi_2999_: f32;
+    var phi_3000_: bool;
+    var phi_3001_: bool;
+    var phi_3005_: bool;
+    var phi_3006_: f32;
+    var phi_3007_: bool;
+    var phi_3035_: vec3<f32>;
+    var phi_3036_: vec3<f32>;
+    var phi_3061_: vec3<f32>;
+    var phi_3062_: vec3<f32>;
+    var phi_3087_: vec3<f32>;
+    var phi_3088_: vec3<f32>;
+    var phi_3144_: f32;
+    var phi_3153_: f32;
+    var phi_3162_: f32;
+    var phi_3171_: f32;
     var phi_3178_: f32;
-    var phi_3187_: f32;
-    var phi_3196_: f32;
-    var phi_3205_: f32;
-    var phi_3212_: f32;
-    var phi_3219_: f32;
-    var phi_3236_: f32;
-    var phi_3241_: f32;
-    var phi_3246_: f32;
-    var phi_3254_: f32;
-    var phi_3259_: f32;
-    var phi_3264_: f32;
-    var phi_3276_: f32;
-    var phi_3281_: f32;
-    var phi_3286_: f32;
-    var phi_3291_: f32;
-    var phi_3296_: lt_bvh_triangle_Intersection;
-    var phi_3297_: bool;
-    var phi_3298_: lt_bvh_triangle_Intersection;
-    var phi_3299_: bool;
-    var phi_3303_: lt_bvh_triangle_Intersection;
-    var phi_3304_: bool;
-    var phi_3305_: lt_bvh_triangle_Intersection;
-    var phi_3306_: bool;
-    var phi_3307_: bool;
-    var phi_3311_: bool;
-    var phi_3315_: lt_bvh_triangle_Intersection;
-    var phi_3335_: bool;
-    var phi_3336_: bool;
-    var phi_3337_: bool;
-    var phi_3338_: bool;
-    var phi_3339_: bool;
-    var phi_3340_: bool;
-    var phi_3341_: bool;
-    var phi_2745_: u32;
-    var phi_2748_: bool;
-    var phi_3345_: bool;
-    var local_8: bool;
-    var phi_3387_: bool;
-    var phi_3388_: bool;
-    var phi_3419_: u32;
-    var phi_3420_: u32;
-    var phi_2413_: u32;
-    var phi_2416_: bool;
-    var phi_3421_: bool;
-    var phi_3422_: bool;
-    var local_9: bool;
-    var phi_3426_: bool;
-    var phi_3430_: bool;
-    var phi_3431_: bool;
-    var phi_3432_: bool;
-    var phi_3433_: bool;
-    var phi_3437_: bool;
-    var phi_3438_: bool;
-    var phi_3439_: bool;
-    var phi_3443_: f32;
-    var phi_3444_: f32;
+    var phi_3185_: f32;
+    var phi_3198_: f32;
+    var phi_3207_: f32;
+    var phi_3216_: f32;
+    var phi_3225_: f32;
+    var phi_3232_: f32;
+    var phi_3239_: f32;
+    var phi_3256_: f32;
+    var phi_3261_: f32;
+    var phi_3266_: f32;
+    var phi_3274_: f32;
+    var phi_3279_: f32;
+    var phi_3284_: f32;
+    var phi_3296_: f32;
+    var phi_3301_: f32;
+    var phi_3306_: f32;
+    var phi_3311_: f32;
+    var phi_3316_: lt_bvh_triangle_Intersection;
+    var phi_3317_: bool;
+    var phi_3318_: lt_bvh_triangle_Intersection;
+    var phi_3319_: bool;
+    var phi_3323_: lt_bvh_triangle_Intersection;
+    var phi_3324_: bool;
+    var phi_3325_: lt_bvh_triangle_Intersection;
+    var phi_3326_: bool;
+    var phi_3327_: bool;
+    var phi_3331_: bool;
+    var phi_3335_: lt_bvh_triangle_Intersection;
+    var phi_3355_: bool;
+    var phi_3356_: bool;
+    var phi_3357_: bool;
+    var phi_3358_: bool;
+    var phi_3359_: bool;
+    var phi_3360_: bool;
+    var phi_3361_: bool;
+    var phi_2765_: u32;
+    var phi_2768_: bool;
+    var phi_3365_: bool;
     var local_10: bool;
+    var phi_3407_: bool;
+    var phi_3408_: bool;
+    var phi_3439_: u32;
+    var phi_3440_: u32;
+    var phi_2433_: u32;
+    var phi_2436_: bool;
+    var phi_3441_: bool;
+    var phi_3442_: bool;
     var local_11: bool;
-    var local_12: bool;
+    var phi_3446_: bool;
+    var phi_3450_: bool;
+    var phi_3451_: bool;
+    var phi_3452_: bool;
+    var phi_3453_: bool;
+    var phi_3457_: bool;
+    var phi_3458_: bool;
+    var phi_3459_: bool;
+    var phi_3463_: f32;
+    var phi_3464_: f32;
+    var local_12: u32;
     var local_13: bool;
     var local_14: bool;
-    var local_15: bool;
-    var local_16: bool;
+    var local_15: u32;
+    var local_16: u32;
     var local_17: bool;
+    var local_18: bool;
+    var local_19: bool;
+    var local_20: bool;
+    var local_21: bool;
+    var local_22: bool;
 
     let _e68 = id_1;
     let _e75 = arrayLength((&nodes.member));
@@ -785,7 +798,7 @@ fn function_() {
         let _e231 = phi_420_;
         let _e235 = space.member;
         if _e231.unnamed_1 {
-            phi_3444_ = _e231.unnamed.visibility;
+            phi_3464_ = _e231.unnamed.visibility;
         } else {
             let _e238 = local_2.position;
             let _e240 = local_2.normal;
@@ -1103,8 +1116,8 @@ fn function_() {
                     }
                     let _e492 = phi_753_;
                     if (_e492.unnamed_1 == 4294967295u) {
-                        phi_1976_ = false;
-                        phi_1977_ = true;
+                        phi_1996_ = false;
+                        phi_1997_ = true;
                     } else {
                         if (0u < _e75) {
                         } else {
@@ -1244,2053 +1257,2100 @@ fn function_() {
                             let _e662 = phi_949_;
                             let _e664 = phi_952_;
                             let _e665 = (_e662 == 0u);
-                            local_4 = _e665;
+                            local_6 = _e665;
                             if _e665 {
                                 phi_950_ = u32();
                                 phi_953_ = u32();
-                                phi_1957_ = false;
-                                phi_1958_ = false;
-                                phi_1959_ = false;
+                                phi_1977_ = false;
+                                phi_1978_ = false;
+                                phi_1979_ = false;
                             } else {
-                                let _e673 = (_e662 & (_e662 - 1u));
-                                let _e674 = (((_e662 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e662), 32u, (_e662 == 0u))) * 4u);
-                                if (_e674 < _e84) {
-                                } else {
-                                    return;
-                                }
-                                let _e678 = rows.member[(0u + _e674)];
-                                let _e679 = (_e674 + 1u);
-                                if (_e679 < _e84) {
-                                } else {
-                                    return;
-                                }
-                                let _e683 = rows.member[(0u + _e679)];
-                                let _e684 = (_e674 + 2u);
-                                if (_e684 < _e84) {
-                                } else {
-                                    return;
-                                }
-                                let _e688 = rows.member[(0u + _e684)];
-                                let _e689 = (_e674 + 3u);
-                                if (_e689 < _e84) {
-                                } else {
-                                    return;
-                                }
-                                let _e693 = rows.member[(0u + _e689)];
-                                let _e694 = lt_bvh_LightNode(_e678, _e683, _e688, _e693);
-                                let _e706 = (_e492.unnamed.positive_exponent - bitcast<f32>(_e694.frame.x));
-                                let _e709 = bitcast<f32>((((_e694.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                if (_e706 > 0f) {
-                                    if (_e706 < (255f * _e709)) {
-                                        phi_1021_ = (_e706 / _e709);
+                                phi_961_ = _e662;
+                                phi_964_ = 0u;
+                                phi_966_ = 0u;
+                                phi_968_ = _e664;
+                                loop {
+                                    let _e667 = phi_961_;
+                                    let _e669 = phi_964_;
+                                    let _e671 = phi_966_;
+                                    let _e673 = phi_968_;
+                                    local_12 = _e671;
+                                    local_4 = _e669;
+                                    local_15 = _e667;
+                                    local_16 = _e673;
+                                    let _e674 = (_e667 == 0u);
+                                    local_3 = _e674;
+                                    if _e674 {
+                                        phi_962_ = u32();
+                                        phi_965_ = u32();
+                                        phi_967_ = u32();
+                                        phi_969_ = u32();
+                                        phi_1315_ = false;
                                     } else {
-                                        phi_1021_ = 255f;
-                                    }
-                                    let _e715 = phi_1021_;
-                                    phi_1022_ = _e715;
-                                } else {
-                                    phi_1022_ = 0f;
-                                }
-                                let _e717 = phi_1022_;
-                                let _e724 = select(select(u32(_e717), 0u, (_e717 < bitcast<f32>(0u))), 4294967295u, (_e717 > bitcast<f32>(1333788671u)));
-                                if (f32(_e724) < _e717) {
-                                    phi_1036_ = (_e724 + 1u);
-                                } else {
-                                    phi_1036_ = _e724;
-                                }
-                                let _e729 = phi_1036_;
-                                let _e730 = (_e724 * 16843009u);
-                                let _e731 = (_e729 * 16843009u);
-                                let _e741 = (_e492.unnamed.negative_exponent - bitcast<f32>(_e694.frame.y));
-                                let _e744 = bitcast<f32>((((_e694.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                if (_e741 > 0f) {
-                                    if (_e741 < (255f * _e744)) {
-                                        phi_1059_ = (_e741 / _e744);
-                                    } else {
-                                        phi_1059_ = 255f;
-                                    }
-                                    let _e750 = phi_1059_;
-                                    phi_1060_ = _e750;
-                                } else {
-                                    phi_1060_ = 0f;
-                                }
-                                let _e752 = phi_1060_;
-                                let _e759 = select(select(u32(_e752), 0u, (_e752 < bitcast<f32>(0u))), 4294967295u, (_e752 > bitcast<f32>(1333788671u)));
-                                if (f32(_e759) < _e752) {
-                                    phi_1074_ = (_e759 + 1u);
-                                } else {
-                                    phi_1074_ = _e759;
-                                }
-                                let _e764 = phi_1074_;
-                                let _e765 = (_e759 * 16843009u);
-                                let _e766 = (_e764 * 16843009u);
-                                let _e776 = (_e492.unnamed.min_variance - bitcast<f32>(_e694.frame.z));
-                                let _e779 = bitcast<f32>((((_e694.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                if (_e776 > 0f) {
-                                    if (_e776 < (255f * _e779)) {
-                                        phi_1097_ = (_e776 / _e779);
-                                    } else {
-                                        phi_1097_ = 255f;
-                                    }
-                                    let _e785 = phi_1097_;
-                                    phi_1098_ = _e785;
-                                } else {
-                                    phi_1098_ = 0f;
-                                }
-                                let _e787 = phi_1098_;
-                                let _e794 = select(select(u32(_e787), 0u, (_e787 < bitcast<f32>(0u))), 4294967295u, (_e787 > bitcast<f32>(1333788671u)));
-                                if (f32(_e794) < _e787) {
-                                    phi_1112_ = (_e794 + 1u);
-                                } else {
-                                    phi_1112_ = _e794;
-                                }
-                                let _e799 = phi_1112_;
-                                let _e800 = (_e799 * 16843009u);
-                                let _e933 = (((((((((((_e730 & ~(_e694.x.x)) | (~((_e694.x.x ^ _e730)) & ((_e730 | 2155905152u) - (_e694.x.x & 2139062143u)))) & ((_e694.x.z & ~(_e731)) | (~((_e731 ^ _e694.x.z)) & ((_e694.x.z | 2155905152u) - (_e731 & 2139062143u))))) & ((_e765 & ~(_e694.y.x)) | (~((_e694.y.x ^ _e765)) & ((_e765 | 2155905152u) - (_e694.y.x & 2139062143u))))) & ((_e694.y.z & ~(_e766)) | (~((_e766 ^ _e694.y.z)) & ((_e694.y.z | 2155905152u) - (_e766 & 2139062143u))))) & ((_e694.rest.x & ~(_e800)) | (~((_e800 ^ _e694.rest.x)) & ((_e694.rest.x | 2155905152u) - (_e800 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e730 & ~(_e694.x.y)) | (~((_e694.x.y ^ _e730)) & ((_e730 | 2155905152u) - (_e694.x.y & 2139062143u)))) & ((_e694.x.w & ~(_e731)) | (~((_e731 ^ _e694.x.w)) & ((_e694.x.w | 2155905152u) - (_e731 & 2139062143u))))) & ((_e765 & ~(_e694.y.y)) | (~((_e694.y.y ^ _e765)) & ((_e765 | 2155905152u) - (_e694.y.y & 2139062143u))))) & ((_e694.y.w & ~(_e766)) | (~((_e766 ^ _e694.y.w)) & ((_e694.y.w | 2155905152u) - (_e766 & 2139062143u))))) & ((_e694.rest.y & ~(_e800)) | (~((_e800 ^ _e694.rest.y)) & ((_e694.rest.y | 2155905152u) - (_e800 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                                if ((_e694.frame.w & 16777216u) != 0u) {
-                                    phi_1239_ = _e933;
-                                    loop {
-                                        let _e939 = phi_1239_;
-                                        let _e940 = (_e939 == 0u);
-                                        local_3 = _e940;
-                                        local_12 = _e940;
-                                        if _e940 {
-                                            phi_1240_ = u32();
-                                            phi_1889_ = false;
-                                            phi_1890_ = false;
-                                            phi_1891_ = false;
-                                        } else {
-                                            let _e943 = select(firstTrailingBit(_e939), 32u, (_e939 == 0u));
-                                            let _e948 = (_e694.rest.z + (_e943 >> bitcast<u32>(2i)));
-                                            if (_e948 < _e84) {
+                                        let _e675 = (_e671 == 0u);
+                                        if _e675 {
+                                            let _e682 = (((_e667 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e667), 32u, (_e667 == 0u))) * 4u);
+                                            if (_e682 < _e84) {
                                             } else {
                                                 return;
                                             }
-                                            let _e953 = rows.member[(0u + _e948)][0u];
-                                            let _e957 = rows.member[(0u + _e948)][1u];
-                                            let _e961 = rows.member[(0u + _e948)][2u];
-                                            let _e965 = rows.member[(0u + _e948)][3u];
-                                            if ((_e943 & 2u) == 0u) {
-                                                phi_1279_ = _e957;
-                                                phi_1280_ = _e953;
-                                            } else {
-                                                phi_1279_ = _e965;
-                                                phi_1280_ = _e961;
-                                            }
-                                            let _e969 = phi_1279_;
-                                            let _e971 = phi_1280_;
-                                            if ((_e943 & 1u) == 0u) {
-                                                phi_1286_ = _e971;
-                                            } else {
-                                                phi_1286_ = _e969;
-                                            }
-                                            let _e975 = phi_1286_;
-                                            if (_e975 < _e78) {
+                                            let _e686 = rows.member[(0u + _e682)];
+                                            let _e687 = (_e682 + 1u);
+                                            if (_e687 < _e84) {
                                             } else {
                                                 return;
                                             }
-                                            let _e982 = triangles.member[(0u + _e975)].v0_;
-                                            let _e984 = (_e982.x - _e252);
-                                            let _e986 = (_e982.y - _e254);
-                                            let _e988 = (_e982.z - _e256);
-                                            if (_e641 == 0u) {
-                                                phi_1316_ = vec3<f32>(_e986, _e988, _e984);
-                                            } else {
-                                                if (_e641 == 1u) {
-                                                    phi_1315_ = vec3<f32>(_e988, _e984, _e986);
-                                                } else {
-                                                    phi_1315_ = (_e982 - vec3<f32>(_e252, _e254, _e256));
-                                                }
-                                                let _e996 = phi_1315_;
-                                                phi_1316_ = _e996;
-                                            }
-                                            let _e998 = phi_1316_;
-                                            let _e1002 = (_e998.x - (_e652 * _e998.z));
-                                            let _e1006 = (_e998.y - (_e655 * _e998.z));
-                                            let _e1008 = triangles.member[(0u + _e975)].v1_;
-                                            let _e1010 = (_e1008.x - _e252);
-                                            let _e1012 = (_e1008.y - _e254);
-                                            let _e1014 = (_e1008.z - _e256);
-                                            if (_e641 == 0u) {
-                                                phi_1346_ = vec3<f32>(_e1012, _e1014, _e1010);
-                                            } else {
-                                                if (_e641 == 1u) {
-                                                    phi_1345_ = vec3<f32>(_e1014, _e1010, _e1012);
-                                                } else {
-                                                    phi_1345_ = (_e1008 - vec3<f32>(_e252, _e254, _e256));
-                                                }
-                                                let _e1022 = phi_1345_;
-                                                phi_1346_ = _e1022;
-                                            }
-                                            let _e1024 = phi_1346_;
-                                            let _e1028 = (_e1024.x - (_e652 * _e1024.z));
-                                            let _e1032 = (_e1024.y - (_e655 * _e1024.z));
-                                            let _e1034 = triangles.member[(0u + _e975)].v2_;
-                                            let _e1036 = (_e1034.x - _e252);
-                                            let _e1038 = (_e1034.y - _e254);
-                                            let _e1040 = (_e1034.z - _e256);
-                                            if (_e641 == 0u) {
-                                                phi_1376_ = vec3<f32>(_e1038, _e1040, _e1036);
-                                            } else {
-                                                if (_e641 == 1u) {
-                                                    phi_1375_ = vec3<f32>(_e1040, _e1036, _e1038);
-                                                } else {
-                                                    phi_1375_ = (_e1034 - vec3<f32>(_e252, _e254, _e256));
-                                                }
-                                                let _e1048 = phi_1375_;
-                                                phi_1376_ = _e1048;
-                                            }
-                                            let _e1050 = phi_1376_;
-                                            let _e1054 = (_e1050.x - (_e652 * _e1050.z));
-                                            let _e1058 = (_e1050.y - (_e655 * _e1050.z));
-                                            if (_e1028 < _e1054) {
-                                                phi_1395_ = true;
-                                            } else {
-                                                if (_e1028 == _e1054) {
-                                                    phi_1394_ = (_e1032 < _e1058);
-                                                } else {
-                                                    phi_1394_ = false;
-                                                }
-                                                let _e1063 = phi_1394_;
-                                                phi_1395_ = _e1063;
-                                            }
-                                            let _e1065 = phi_1395_;
-                                            if _e1065 {
-                                                phi_1399_ = _e1058;
-                                                phi_1400_ = _e1054;
-                                                phi_1401_ = _e1032;
-                                                phi_1402_ = _e1028;
-                                            } else {
-                                                phi_1399_ = _e1032;
-                                                phi_1400_ = _e1028;
-                                                phi_1401_ = _e1058;
-                                                phi_1402_ = _e1054;
-                                            }
-                                            let _e1067 = phi_1399_;
-                                            let _e1069 = phi_1400_;
-                                            let _e1071 = phi_1401_;
-                                            let _e1073 = phi_1402_;
-                                            let _e1076 = ((_e1073 * _e1067) - (_e1071 * _e1069));
-                                            if _e1065 {
-                                                phi_1410_ = -(_e1076);
-                                            } else {
-                                                phi_1410_ = _e1076;
-                                            }
-                                            let _e1079 = phi_1410_;
-                                            if (_e1054 < _e1002) {
-                                                phi_1421_ = true;
-                                            } else {
-                                                if (_e1054 == _e1002) {
-                                                    phi_1420_ = (_e1058 < _e1006);
-                                                } else {
-                                                    phi_1420_ = false;
-                                                }
-                                                let _e1084 = phi_1420_;
-                                                phi_1421_ = _e1084;
-                                            }
-                                            let _e1086 = phi_1421_;
-                                            if _e1086 {
-                                                phi_1425_ = _e1006;
-                                                phi_1426_ = _e1002;
-                                                phi_1427_ = _e1058;
-                                                phi_1428_ = _e1054;
-                                            } else {
-                                                phi_1425_ = _e1058;
-                                                phi_1426_ = _e1054;
-                                                phi_1427_ = _e1006;
-                                                phi_1428_ = _e1002;
-                                            }
-                                            let _e1088 = phi_1425_;
-                                            let _e1090 = phi_1426_;
-                                            let _e1092 = phi_1427_;
-                                            let _e1094 = phi_1428_;
-                                            let _e1097 = ((_e1094 * _e1088) - (_e1092 * _e1090));
-                                            if _e1086 {
-                                                phi_1436_ = -(_e1097);
-                                            } else {
-                                                phi_1436_ = _e1097;
-                                            }
-                                            let _e1100 = phi_1436_;
-                                            if (_e1002 < _e1028) {
-                                                phi_1447_ = true;
-                                            } else {
-                                                if (_e1002 == _e1028) {
-                                                    phi_1446_ = (_e1006 < _e1032);
-                                                } else {
-                                                    phi_1446_ = false;
-                                                }
-                                                let _e1105 = phi_1446_;
-                                                phi_1447_ = _e1105;
-                                            }
-                                            let _e1107 = phi_1447_;
-                                            if _e1107 {
-                                                phi_1451_ = _e1032;
-                                                phi_1452_ = _e1028;
-                                                phi_1453_ = _e1006;
-                                                phi_1454_ = _e1002;
-                                            } else {
-                                                phi_1451_ = _e1006;
-                                                phi_1452_ = _e1002;
-                                                phi_1453_ = _e1032;
-                                                phi_1454_ = _e1028;
-                                            }
-                                            let _e1109 = phi_1451_;
-                                            let _e1111 = phi_1452_;
-                                            let _e1113 = phi_1453_;
-                                            let _e1115 = phi_1454_;
-                                            let _e1118 = ((_e1115 * _e1109) - (_e1113 * _e1111));
-                                            if _e1107 {
-                                                phi_1462_ = -(_e1118);
-                                            } else {
-                                                phi_1462_ = _e1118;
-                                            }
-                                            let _e1121 = phi_1462_;
-                                            if (_e1079 >= 0f) {
-                                                if (_e1100 >= 0f) {
-                                                    if (_e1121 >= 0f) {
-                                                        phi_1477_ = ((_e1079 + _e1100) + _e1121);
-                                                        phi_1478_ = false;
-                                                    } else {
-                                                        phi_1477_ = f32();
-                                                        phi_1478_ = true;
-                                                    }
-                                                    let _e1128 = phi_1477_;
-                                                    let _e1130 = phi_1478_;
-                                                    phi_1479_ = _e1128;
-                                                    phi_1480_ = _e1130;
-                                                } else {
-                                                    phi_1479_ = f32();
-                                                    phi_1480_ = true;
-                                                }
-                                                let _e1132 = phi_1479_;
-                                                let _e1134 = phi_1480_;
-                                                phi_1481_ = _e1132;
-                                                phi_1482_ = _e1134;
-                                            } else {
-                                                phi_1481_ = f32();
-                                                phi_1482_ = true;
-                                            }
-                                            let _e1136 = phi_1481_;
-                                            let _e1138 = phi_1482_;
-                                            if _e1138 {
-                                                if (_e1079 <= 0f) {
-                                                    if (_e1100 <= 0f) {
-                                                        let _e1141 = (_e1121 <= 0f);
-                                                        if _e1141 {
-                                                        }
-                                                        phi_1500_ = ((_e1079 + _e1100) + _e1121);
-                                                        phi_1501_ = false;
-                                                        phi_1502_ = _e1141;
-                                                    } else {
-                                                        phi_1500_ = f32();
-                                                        phi_1501_ = true;
-                                                        phi_1502_ = false;
-                                                    }
-                                                    let _e1145 = phi_1500_;
-                                                    let _e1147 = phi_1501_;
-                                                    let _e1149 = phi_1502_;
-                                                    phi_1503_ = _e1145;
-                                                    phi_1504_ = _e1147;
-                                                    phi_1505_ = _e1149;
-                                                } else {
-                                                    phi_1503_ = f32();
-                                                    phi_1504_ = true;
-                                                    phi_1505_ = false;
-                                                }
-                                                let _e1151 = phi_1503_;
-                                                let _e1153 = phi_1504_;
-                                                let _e1155 = phi_1505_;
-                                                if _e1153 {
-                                                    phi_1509_ = false;
-                                                } else {
-                                                    phi_1509_ = _e1155;
-                                                }
-                                                let _e1157 = phi_1509_;
-                                                phi_1510_ = _e1151;
-                                                phi_1511_ = _e1157;
-                                            } else {
-                                                phi_1510_ = _e1136;
-                                                phi_1511_ = true;
-                                            }
-                                            let _e1159 = phi_1510_;
-                                            let _e1161 = phi_1511_;
-                                            if _e1161 {
-                                                let _e1162 = (_e1159 == 0f);
-                                                if _e1162 {
-                                                    phi_1827_ = lt_bvh_triangle_Intersection();
-                                                    phi_1828_ = false;
-                                                } else {
-                                                    let _e1164 = triangles.member[(0u + _e975)].v0_;
-                                                    let _e1166 = (_e1164.x - _e252);
-                                                    let _e1168 = (_e1164.y - _e254);
-                                                    let _e1170 = (_e1164.z - _e256);
-                                                    if (_e641 == 0u) {
-                                                        phi_1540_ = vec3<f32>(_e1168, _e1170, _e1166);
-                                                    } else {
-                                                        if (_e641 == 1u) {
-                                                            phi_1539_ = vec3<f32>(_e1170, _e1166, _e1168);
-                                                        } else {
-                                                            phi_1539_ = (_e1164 - vec3<f32>(_e252, _e254, _e256));
-                                                        }
-                                                        let _e1178 = phi_1539_;
-                                                        phi_1540_ = _e1178;
-                                                    }
-                                                    let _e1180 = phi_1540_;
-                                                    let _e1182 = triangles.member[(0u + _e975)].v1_;
-                                                    let _e1184 = triangles.member[(0u + _e975)].v0_;
-                                                    let _e1187 = (_e1182.x - _e1184.x);
-                                                    let _e1190 = (_e1182.y - _e1184.y);
-                                                    let _e1193 = (_e1182.z - _e1184.z);
-                                                    if (_e641 == 0u) {
-                                                        phi_1566_ = vec3<f32>(_e1190, _e1193, _e1187);
-                                                    } else {
-                                                        if (_e641 == 1u) {
-                                                            phi_1565_ = vec3<f32>(_e1193, _e1187, _e1190);
-                                                        } else {
-                                                            phi_1565_ = (_e1182 - _e1184);
-                                                        }
-                                                        let _e1200 = phi_1565_;
-                                                        phi_1566_ = _e1200;
-                                                    }
-                                                    let _e1202 = phi_1566_;
-                                                    let _e1204 = triangles.member[(0u + _e975)].v2_;
-                                                    let _e1206 = triangles.member[(0u + _e975)].v0_;
-                                                    let _e1209 = (_e1204.x - _e1206.x);
-                                                    let _e1212 = (_e1204.y - _e1206.y);
-                                                    let _e1215 = (_e1204.z - _e1206.z);
-                                                    if (_e641 == 0u) {
-                                                        phi_1592_ = vec3<f32>(_e1212, _e1215, _e1209);
-                                                    } else {
-                                                        if (_e641 == 1u) {
-                                                            phi_1591_ = vec3<f32>(_e1215, _e1209, _e1212);
-                                                        } else {
-                                                            phi_1591_ = (_e1204 - _e1206);
-                                                        }
-                                                        let _e1222 = phi_1591_;
-                                                        phi_1592_ = _e1222;
-                                                    }
-                                                    let _e1224 = phi_1592_;
-                                                    let _e1231 = ((_e1202.y * _e1224.z) - (_e1202.z * _e1224.y));
-                                                    let _e1238 = ((_e1202.z * _e1224.x) - (_e1202.x * _e1224.z));
-                                                    let _e1245 = ((_e1202.x * _e1224.y) - (_e1202.y * _e1224.x));
-                                                    let _e1259 = (((1f / _e649.z) * (((_e1231 * _e1180.x) + (_e1238 * _e1180.y)) + (_e1245 * _e1180.z))) / (((_e1231 * _e652) + (_e1238 * _e655)) + _e1245));
-                                                    if (_e1259 > 0f) {
-                                                        if (_e1259 < _e264) {
-                                                            let _e1263 = triangles.member[(0u + _e975)].v0_;
-                                                            let _e1265 = triangles.member[(0u + _e975)].v1_;
-                                                            if (_e1263.x < _e1265.x) {
-                                                                phi_1648_ = _e1263.x;
-                                                            } else {
-                                                                phi_1648_ = _e1265.x;
-                                                            }
-                                                            let _e1272 = phi_1648_;
-                                                            if (_e1263.y < _e1265.y) {
-                                                                phi_1657_ = _e1263.y;
-                                                            } else {
-                                                                phi_1657_ = _e1265.y;
-                                                            }
-                                                            let _e1279 = phi_1657_;
-                                                            if (_e1263.z < _e1265.z) {
-                                                                phi_1666_ = _e1263.z;
-                                                            } else {
-                                                                phi_1666_ = _e1265.z;
-                                                            }
-                                                            let _e1286 = phi_1666_;
-                                                            let _e1288 = triangles.member[(0u + _e975)].v2_;
-                                                            if (_e1272 < _e1288.x) {
-                                                                phi_1675_ = _e1272;
-                                                            } else {
-                                                                phi_1675_ = _e1288.x;
-                                                            }
-                                                            let _e1293 = phi_1675_;
-                                                            if (_e1279 < _e1288.y) {
-                                                                phi_1682_ = _e1279;
-                                                            } else {
-                                                                phi_1682_ = _e1288.y;
-                                                            }
-                                                            let _e1298 = phi_1682_;
-                                                            if (_e1286 < _e1288.z) {
-                                                                phi_1689_ = _e1286;
-                                                            } else {
-                                                                phi_1689_ = _e1288.z;
-                                                            }
-                                                            let _e1303 = phi_1689_;
-                                                            let _e1305 = triangles.member[(0u + _e975)].v0_;
-                                                            let _e1307 = triangles.member[(0u + _e975)].v1_;
-                                                            if (_e1305.x > _e1307.x) {
-                                                                phi_1702_ = _e1305.x;
-                                                            } else {
-                                                                phi_1702_ = _e1307.x;
-                                                            }
-                                                            let _e1314 = phi_1702_;
-                                                            if (_e1305.y > _e1307.y) {
-                                                                phi_1711_ = _e1305.y;
-                                                            } else {
-                                                                phi_1711_ = _e1307.y;
-                                                            }
-                                                            let _e1321 = phi_1711_;
-                                                            if (_e1305.z > _e1307.z) {
-                                                                phi_1720_ = _e1305.z;
-                                                            } else {
-                                                                phi_1720_ = _e1307.z;
-                                                            }
-                                                            let _e1328 = phi_1720_;
-                                                            let _e1330 = triangles.member[(0u + _e975)].v2_;
-                                                            if (_e1314 > _e1330.x) {
-                                                                phi_1729_ = _e1314;
-                                                            } else {
-                                                                phi_1729_ = _e1330.x;
-                                                            }
-                                                            let _e1335 = phi_1729_;
-                                                            if (_e1321 > _e1330.y) {
-                                                                phi_1736_ = _e1321;
-                                                            } else {
-                                                                phi_1736_ = _e1330.y;
-                                                            }
-                                                            let _e1340 = phi_1736_;
-                                                            if (_e1328 > _e1330.z) {
-                                                                phi_1743_ = _e1328;
-                                                            } else {
-                                                                phi_1743_ = _e1330.z;
-                                                            }
-                                                            let _e1345 = phi_1743_;
-                                                            let _e1349 = ((_e1293 - _e252) * _e570);
-                                                            let _e1350 = ((_e1298 - _e254) * _e580);
-                                                            let _e1351 = ((_e1303 - _e256) * _e590);
-                                                            let _e1355 = ((_e1335 - _e252) * _e570);
-                                                            let _e1356 = ((_e1340 - _e254) * _e580);
-                                                            let _e1357 = ((_e1345 - _e256) * _e590);
-                                                            if (_e1349 < _e1355) {
-                                                                phi_1760_ = _e1349;
-                                                            } else {
-                                                                phi_1760_ = _e1355;
-                                                            }
-                                                            let _e1360 = phi_1760_;
-                                                            if (_e1350 < _e1356) {
-                                                                phi_1765_ = _e1350;
-                                                            } else {
-                                                                phi_1765_ = _e1356;
-                                                            }
-                                                            let _e1363 = phi_1765_;
-                                                            if (_e1351 < _e1357) {
-                                                                phi_1770_ = _e1351;
-                                                            } else {
-                                                                phi_1770_ = _e1357;
-                                                            }
-                                                            let _e1366 = phi_1770_;
-                                                            if (_e1349 > _e1355) {
-                                                                phi_1778_ = _e1349;
-                                                            } else {
-                                                                phi_1778_ = _e1355;
-                                                            }
-                                                            let _e1372 = phi_1778_;
-                                                            if (_e1350 > _e1356) {
-                                                                phi_1783_ = _e1350;
-                                                            } else {
-                                                                phi_1783_ = _e1356;
-                                                            }
-                                                            let _e1375 = phi_1783_;
-                                                            if (_e1351 > _e1357) {
-                                                                phi_1788_ = _e1351;
-                                                            } else {
-                                                                phi_1788_ = _e1357;
-                                                            }
-                                                            let _e1378 = phi_1788_;
-                                                            let _e1382 = core_intrinsics_maximum_number_nsz_f32_((_e1360 - _e625), (_e1363 - _e626));
-                                                            let _e1383 = core_intrinsics_maximum_number_nsz_f32_(_e1382, (_e1366 - _e627));
-                                                            let _e1384 = core_intrinsics_minimum_number_nsz_f32_((_e1372 + _e625), (_e1375 + _e626));
-                                                            let _e1385 = core_intrinsics_minimum_number_nsz_f32_(_e1384, (_e1378 + _e627));
-                                                            if (_e1383 > -300000000000000000000000000000000000000f) {
-                                                                phi_1800_ = _e1383;
-                                                            } else {
-                                                                phi_1800_ = -300000000000000000000000000000000000000f;
-                                                            }
-                                                            let _e1388 = phi_1800_;
-                                                            if (_e1385 < 300000000000000000000000000000000000000f) {
-                                                                phi_1805_ = _e1385;
-                                                            } else {
-                                                                phi_1805_ = 300000000000000000000000000000000000000f;
-                                                            }
-                                                            let _e1391 = phi_1805_;
-                                                            if (_e1259 < _e1388) {
-                                                                phi_1810_ = _e1388;
-                                                            } else {
-                                                                phi_1810_ = _e1259;
-                                                            }
-                                                            let _e1394 = phi_1810_;
-                                                            if (_e1394 > _e1391) {
-                                                                phi_1815_ = _e1391;
-                                                            } else {
-                                                                phi_1815_ = _e1394;
-                                                            }
-                                                            let _e1397 = phi_1815_;
-                                                            phi_1820_ = lt_bvh_triangle_Intersection(_e1397, (_e1100 / _e1159), (_e1121 / _e1159), (_e1388 <= _e1391));
-                                                            phi_1821_ = false;
-                                                        } else {
-                                                            phi_1820_ = lt_bvh_triangle_Intersection();
-                                                            phi_1821_ = true;
-                                                        }
-                                                        let _e1403 = phi_1820_;
-                                                        let _e1405 = phi_1821_;
-                                                        phi_1822_ = _e1403;
-                                                        phi_1823_ = _e1405;
-                                                    } else {
-                                                        phi_1822_ = lt_bvh_triangle_Intersection();
-                                                        phi_1823_ = true;
-                                                    }
-                                                    let _e1407 = phi_1822_;
-                                                    let _e1409 = phi_1823_;
-                                                    if _e1409 {
-                                                    }
-                                                    phi_1827_ = _e1407;
-                                                    phi_1828_ = _e1409;
-                                                }
-                                                let _e1411 = phi_1827_;
-                                                let _e1413 = phi_1828_;
-                                                phi_1829_ = _e1411;
-                                                phi_1830_ = _e1162;
-                                                phi_1831_ = _e1413;
-                                            } else {
-                                                phi_1829_ = lt_bvh_triangle_Intersection();
-                                                phi_1830_ = true;
-                                                phi_1831_ = false;
-                                            }
-                                            let _e1415 = phi_1829_;
-                                            let _e1417 = phi_1830_;
-                                            let _e1419 = phi_1831_;
-                                            if _e1417 {
-                                                phi_1835_ = true;
-                                            } else {
-                                                phi_1835_ = _e1419;
-                                            }
-                                            let _e1421 = phi_1835_;
-                                            if _e1421 {
-                                                phi_1839_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                            } else {
-                                                phi_1839_ = _e1415;
-                                            }
-                                            let _e1423 = phi_1839_;
-                                            if _e1423.is_hit {
-                                                if (_e1423.t > 0f) {
-                                                    if (_e1423.t < _e264) {
-                                                        let _e1430 = triangles.member[(0u + _e975)].i0_;
-                                                        let _e1432 = ((_e1430 & 2147483648u) == 0u);
-                                                        if _e1432 {
-                                                            phi_1865_ = false;
-                                                            phi_1866_ = false;
-                                                        } else {
-                                                            if true {
-                                                                phi_1864_ = false;
-                                                            } else {
-                                                                phi_1864_ = true;
-                                                            }
-                                                            let _e1434 = phi_1864_;
-                                                            phi_1865_ = _e1434;
-                                                            phi_1866_ = true;
-                                                        }
-                                                        let _e1436 = phi_1865_;
-                                                        let _e1438 = phi_1866_;
-                                                        phi_1867_ = _e1436;
-                                                        phi_1868_ = _e1432;
-                                                        phi_1869_ = _e1438;
-                                                    } else {
-                                                        phi_1867_ = true;
-                                                        phi_1868_ = false;
-                                                        phi_1869_ = false;
-                                                    }
-                                                    let _e1440 = phi_1867_;
-                                                    let _e1442 = phi_1868_;
-                                                    let _e1444 = phi_1869_;
-                                                    phi_1870_ = false;
-                                                    phi_1871_ = _e1440;
-                                                    phi_1872_ = _e1442;
-                                                    phi_1873_ = _e1444;
-                                                } else {
-                                                    phi_1870_ = true;
-                                                    phi_1871_ = false;
-                                                    phi_1872_ = false;
-                                                    phi_1873_ = false;
-                                                }
-                                                let _e1446 = phi_1870_;
-                                                let _e1448 = phi_1871_;
-                                                let _e1450 = phi_1872_;
-                                                let _e1452 = phi_1873_;
-                                                phi_1874_ = _e1446;
-                                                phi_1875_ = _e1448;
-                                                phi_1876_ = _e1450;
-                                                phi_1877_ = _e1452;
-                                            } else {
-                                                phi_1874_ = true;
-                                                phi_1875_ = false;
-                                                phi_1876_ = false;
-                                                phi_1877_ = false;
-                                            }
-                                            let _e1454 = phi_1874_;
-                                            let _e1456 = phi_1875_;
-                                            let _e1458 = phi_1876_;
-                                            let _e1460 = phi_1877_;
-                                            if _e1454 {
-                                                phi_1881_ = true;
-                                                phi_1882_ = false;
-                                                phi_1883_ = false;
-                                            } else {
-                                                phi_1881_ = _e1456;
-                                                phi_1882_ = _e1458;
-                                                phi_1883_ = _e1460;
-                                            }
-                                            let _e1462 = phi_1881_;
-                                            let _e1464 = phi_1882_;
-                                            let _e1466 = phi_1883_;
-                                            if _e1462 {
-                                                phi_1887_ = false;
-                                                phi_1888_ = false;
-                                            } else {
-                                                phi_1887_ = _e1464;
-                                                phi_1888_ = _e1466;
-                                            }
-                                            let _e1468 = phi_1887_;
-                                            let _e1470 = phi_1888_;
-                                            phi_1240_ = (_e939 & (_e939 - 1u));
-                                            phi_1889_ = _e1462;
-                                            phi_1890_ = _e1468;
-                                            phi_1891_ = _e1470;
-                                        }
-                                        let _e1472 = phi_1240_;
-                                        let _e1474 = phi_1889_;
-                                        let _e1476 = phi_1890_;
-                                        let _e1478 = phi_1891_;
-                                        local_10 = _e1476;
-                                        local_11 = _e1478;
-                                        continue;
-                                        continuing {
-                                            phi_1239_ = _e1472;
-                                            break if !(_e1474);
-                                        }
-                                    }
-                                    let _e1481 = local_3;
-                                    if _e1481 {
-                                        phi_1895_ = false;
-                                        phi_1896_ = false;
-                                    } else {
-                                        let _e3167 = local_10;
-                                        phi_1895_ = _e3167;
-                                        let _e3170 = local_11;
-                                        phi_1896_ = _e3170;
-                                    }
-                                    let _e1483 = phi_1895_;
-                                    let _e1485 = phi_1896_;
-                                    phi_1924_ = _e673;
-                                    phi_1925_ = _e664;
-                                    let _e3179 = local_12;
-                                    phi_1926_ = _e3179;
-                                    phi_1927_ = _e1483;
-                                    phi_1928_ = _e1485;
-                                } else {
-                                    if (_e933 == 0u) {
-                                        phi_1922_ = _e673;
-                                        phi_1923_ = _e664;
-                                    } else {
-                                        if ((_e673 & 255u) == 0u) {
-                                            phi_1918_ = _e664;
-                                        } else {
-                                            if (_e664 < 32u) {
-                                                if (_e664 < 32u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                local_1[(0u + _e664)] = _e673;
-                                                phi_1917_ = (_e664 + 1u);
-                                            } else {
-                                                phi_1917_ = _e664;
-                                            }
-                                            let _e1495 = phi_1917_;
-                                            phi_1918_ = _e1495;
-                                        }
-                                        let _e1497 = phi_1918_;
-                                        phi_1922_ = ((_e694.rest.z << bitcast<u32>(8i)) | _e933);
-                                        phi_1923_ = _e1497;
-                                    }
-                                    let _e1504 = phi_1922_;
-                                    let _e1506 = phi_1923_;
-                                    phi_1924_ = _e1504;
-                                    phi_1925_ = _e1506;
-                                    phi_1926_ = true;
-                                    phi_1927_ = false;
-                                    phi_1928_ = false;
-                                }
-                                let _e1508 = phi_1924_;
-                                let _e1510 = phi_1925_;
-                                let _e1512 = phi_1926_;
-                                let _e1514 = phi_1927_;
-                                let _e1516 = phi_1928_;
-                                if _e1512 {
-                                    if ((_e1508 & 255u) == 0u) {
-                                        if (_e1510 > 0u) {
-                                            let _e1520 = (_e1510 - 1u);
-                                            if (_e1520 < 32u) {
+                                            let _e691 = rows.member[(0u + _e687)];
+                                            let _e692 = (_e682 + 2u);
+                                            if (_e692 < _e84) {
                                             } else {
                                                 return;
                                             }
-                                            let _e1524 = local_1[(0u + _e1520)];
-                                            phi_1949_ = _e1524;
-                                            phi_1950_ = _e1520;
+                                            let _e696 = rows.member[(0u + _e692)];
+                                            let _e697 = (_e682 + 3u);
+                                            if (_e697 < _e84) {
+                                            } else {
+                                                return;
+                                            }
+                                            let _e701 = rows.member[(0u + _e697)];
+                                            let _e702 = lt_bvh_LightNode(_e686, _e691, _e696, _e701);
+                                            let _e704 = (_e667 & (_e667 - 1u));
+                                            let _e716 = (_e492.unnamed.positive_exponent - bitcast<f32>(_e702.frame.x));
+                                            let _e719 = bitcast<f32>((((_e702.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                            if (_e716 > 0f) {
+                                                if (_e716 < (255f * _e719)) {
+                                                    phi_1041_ = (_e716 / _e719);
+                                                } else {
+                                                    phi_1041_ = 255f;
+                                                }
+                                                let _e725 = phi_1041_;
+                                                phi_1042_ = _e725;
+                                            } else {
+                                                phi_1042_ = 0f;
+                                            }
+                                            let _e727 = phi_1042_;
+                                            let _e734 = select(select(u32(_e727), 0u, (_e727 < bitcast<f32>(0u))), 4294967295u, (_e727 > bitcast<f32>(1333788671u)));
+                                            if (f32(_e734) < _e727) {
+                                                phi_1056_ = (_e734 + 1u);
+                                            } else {
+                                                phi_1056_ = _e734;
+                                            }
+                                            let _e739 = phi_1056_;
+                                            let _e740 = (_e734 * 16843009u);
+                                            let _e741 = (_e739 * 16843009u);
+                                            let _e751 = (_e492.unnamed.negative_exponent - bitcast<f32>(_e702.frame.y));
+                                            let _e754 = bitcast<f32>((((_e702.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                            if (_e751 > 0f) {
+                                                if (_e751 < (255f * _e754)) {
+                                                    phi_1079_ = (_e751 / _e754);
+                                                } else {
+                                                    phi_1079_ = 255f;
+                                                }
+                                                let _e760 = phi_1079_;
+                                                phi_1080_ = _e760;
+                                            } else {
+                                                phi_1080_ = 0f;
+                                            }
+                                            let _e762 = phi_1080_;
+                                            let _e769 = select(select(u32(_e762), 0u, (_e762 < bitcast<f32>(0u))), 4294967295u, (_e762 > bitcast<f32>(1333788671u)));
+                                            if (f32(_e769) < _e762) {
+                                                phi_1094_ = (_e769 + 1u);
+                                            } else {
+                                                phi_1094_ = _e769;
+                                            }
+                                            let _e774 = phi_1094_;
+                                            let _e775 = (_e769 * 16843009u);
+                                            let _e776 = (_e774 * 16843009u);
+                                            let _e786 = (_e492.unnamed.min_variance - bitcast<f32>(_e702.frame.z));
+                                            let _e789 = bitcast<f32>((((_e702.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                            if (_e786 > 0f) {
+                                                if (_e786 < (255f * _e789)) {
+                                                    phi_1117_ = (_e786 / _e789);
+                                                } else {
+                                                    phi_1117_ = 255f;
+                                                }
+                                                let _e795 = phi_1117_;
+                                                phi_1118_ = _e795;
+                                            } else {
+                                                phi_1118_ = 0f;
+                                            }
+                                            let _e797 = phi_1118_;
+                                            let _e804 = select(select(u32(_e797), 0u, (_e797 < bitcast<f32>(0u))), 4294967295u, (_e797 > bitcast<f32>(1333788671u)));
+                                            if (f32(_e804) < _e797) {
+                                                phi_1132_ = (_e804 + 1u);
+                                            } else {
+                                                phi_1132_ = _e804;
+                                            }
+                                            let _e809 = phi_1132_;
+                                            let _e810 = (_e809 * 16843009u);
+                                            let _e943 = (((((((((((_e740 & ~(_e702.x.x)) | (~((_e702.x.x ^ _e740)) & ((_e740 | 2155905152u) - (_e702.x.x & 2139062143u)))) & ((_e702.x.z & ~(_e741)) | (~((_e741 ^ _e702.x.z)) & ((_e702.x.z | 2155905152u) - (_e741 & 2139062143u))))) & ((_e775 & ~(_e702.y.x)) | (~((_e702.y.x ^ _e775)) & ((_e775 | 2155905152u) - (_e702.y.x & 2139062143u))))) & ((_e702.y.z & ~(_e776)) | (~((_e776 ^ _e702.y.z)) & ((_e702.y.z | 2155905152u) - (_e776 & 2139062143u))))) & ((_e702.rest.x & ~(_e810)) | (~((_e810 ^ _e702.rest.x)) & ((_e702.rest.x | 2155905152u) - (_e810 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e740 & ~(_e702.x.y)) | (~((_e702.x.y ^ _e740)) & ((_e740 | 2155905152u) - (_e702.x.y & 2139062143u)))) & ((_e702.x.w & ~(_e741)) | (~((_e741 ^ _e702.x.w)) & ((_e702.x.w | 2155905152u) - (_e741 & 2139062143u))))) & ((_e775 & ~(_e702.y.y)) | (~((_e702.y.y ^ _e775)) & ((_e775 | 2155905152u) - (_e702.y.y & 2139062143u))))) & ((_e702.y.w & ~(_e776)) | (~((_e776 ^ _e702.y.w)) & ((_e702.y.w | 2155905152u) - (_e776 & 2139062143u))))) & ((_e702.rest.y & ~(_e810)) | (~((_e810 ^ _e702.rest.y)) & ((_e702.rest.y | 2155905152u) - (_e810 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                                            if ((_e702.frame.w & 16777216u) != 0u) {
+                                                phi_1286_ = _e704;
+                                                phi_1287_ = _e702.rest.z;
+                                                phi_1288_ = _e943;
+                                                phi_1289_ = _e673;
+                                            } else {
+                                                if (_e943 == 0u) {
+                                                    phi_1284_ = _e704;
+                                                    phi_1285_ = _e673;
+                                                } else {
+                                                    if ((_e704 & 255u) == 0u) {
+                                                        phi_1280_ = _e673;
+                                                    } else {
+                                                        if (_e673 < 32u) {
+                                                            if (_e673 < 32u) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            local_1[(0u + _e673)] = _e704;
+                                                            phi_1279_ = (_e673 + 1u);
+                                                        } else {
+                                                            phi_1279_ = _e673;
+                                                        }
+                                                        let _e959 = phi_1279_;
+                                                        phi_1280_ = _e959;
+                                                    }
+                                                    let _e961 = phi_1280_;
+                                                    phi_1284_ = ((_e702.rest.z << bitcast<u32>(8i)) | _e943);
+                                                    phi_1285_ = _e961;
+                                                }
+                                                let _e968 = phi_1284_;
+                                                let _e970 = phi_1285_;
+                                                phi_1286_ = _e968;
+                                                phi_1287_ = _e669;
+                                                phi_1288_ = _e671;
+                                                phi_1289_ = _e970;
+                                            }
+                                            let _e972 = phi_1286_;
+                                            let _e974 = phi_1287_;
+                                            let _e976 = phi_1288_;
+                                            let _e978 = phi_1289_;
+                                            if ((_e972 & 255u) == 0u) {
+                                                if (_e978 > 0u) {
+                                                    let _e982 = (_e978 - 1u);
+                                                    if (_e982 < 32u) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e986 = local_1[(0u + _e982)];
+                                                    phi_1307_ = _e986;
+                                                    phi_1308_ = _e982;
+                                                } else {
+                                                    phi_1307_ = 0u;
+                                                    phi_1308_ = _e978;
+                                                }
+                                                let _e988 = phi_1307_;
+                                                let _e990 = phi_1308_;
+                                                phi_1309_ = _e988;
+                                                phi_1310_ = _e990;
+                                            } else {
+                                                phi_1309_ = _e972;
+                                                phi_1310_ = _e978;
+                                            }
+                                            let _e992 = phi_1309_;
+                                            let _e994 = phi_1310_;
+                                            phi_1311_ = _e992;
+                                            phi_1312_ = _e974;
+                                            phi_1313_ = _e976;
+                                            phi_1314_ = _e994;
                                         } else {
-                                            phi_1949_ = 0u;
-                                            phi_1950_ = _e1510;
+                                            phi_1311_ = u32();
+                                            phi_1312_ = u32();
+                                            phi_1313_ = u32();
+                                            phi_1314_ = u32();
                                         }
-                                        let _e1526 = phi_1949_;
-                                        let _e1528 = phi_1950_;
-                                        phi_1951_ = _e1526;
-                                        phi_1952_ = _e1528;
-                                    } else {
-                                        phi_1951_ = _e1508;
-                                        phi_1952_ = _e1510;
+                                        let _e996 = phi_1311_;
+                                        let _e998 = phi_1312_;
+                                        let _e1000 = phi_1313_;
+                                        let _e1002 = phi_1314_;
+                                        phi_962_ = _e996;
+                                        phi_965_ = _e998;
+                                        phi_967_ = _e1000;
+                                        phi_969_ = _e1002;
+                                        phi_1315_ = _e675;
                                     }
-                                    let _e1530 = phi_1951_;
-                                    let _e1532 = phi_1952_;
-                                    phi_1953_ = _e1530;
-                                    phi_1954_ = _e1532;
-                                    phi_1955_ = false;
-                                    phi_1956_ = false;
-                                } else {
-                                    phi_1953_ = u32();
-                                    phi_1954_ = u32();
-                                    phi_1955_ = _e1514;
-                                    phi_1956_ = _e1516;
+                                    let _e1004 = phi_962_;
+                                    let _e1006 = phi_965_;
+                                    let _e1008 = phi_967_;
+                                    let _e1010 = phi_969_;
+                                    let _e1012 = phi_1315_;
+                                    continue;
+                                    continuing {
+                                        phi_961_ = _e1004;
+                                        phi_964_ = _e1006;
+                                        phi_966_ = _e1008;
+                                        phi_968_ = _e1010;
+                                        break if !(_e1012);
+                                    }
                                 }
-                                let _e1534 = phi_1953_;
-                                let _e1536 = phi_1954_;
-                                let _e1538 = phi_1955_;
-                                let _e1540 = phi_1956_;
-                                phi_950_ = _e1534;
-                                phi_953_ = _e1536;
-                                phi_1957_ = _e1512;
-                                phi_1958_ = _e1538;
-                                phi_1959_ = _e1540;
+                                let _e1015 = local_3;
+                                if _e1015 {
+                                }
+                                let _e3107 = local_12;
+                                phi_1320_ = _e3107;
+                                loop {
+                                    let _e1017 = phi_1320_;
+                                    let _e1018 = (_e1017 == 0u);
+                                    local_5 = _e1018;
+                                    local_17 = _e1018;
+                                    if _e1018 {
+                                        phi_1321_ = u32();
+                                        phi_1969_ = false;
+                                        phi_1970_ = false;
+                                        phi_1971_ = false;
+                                    } else {
+                                        let _e1021 = select(firstTrailingBit(_e1017), 32u, (_e1017 == 0u));
+                                        let _e1025 = local_4;
+                                        let _e1026 = (_e1025 + (_e1021 >> bitcast<u32>(2i)));
+                                        if (_e1026 < _e84) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e1031 = rows.member[(0u + _e1026)][0u];
+                                        let _e1035 = rows.member[(0u + _e1026)][1u];
+                                        let _e1039 = rows.member[(0u + _e1026)][2u];
+                                        let _e1043 = rows.member[(0u + _e1026)][3u];
+                                        if ((_e1021 & 2u) == 0u) {
+                                            phi_1359_ = _e1035;
+                                            phi_1360_ = _e1031;
+                                        } else {
+                                            phi_1359_ = _e1043;
+                                            phi_1360_ = _e1039;
+                                        }
+                                        let _e1047 = phi_1359_;
+                                        let _e1049 = phi_1360_;
+                                        if ((_e1021 & 1u) == 0u) {
+                                            phi_1366_ = _e1049;
+                                        } else {
+                                            phi_1366_ = _e1047;
+                                        }
+                                        let _e1053 = phi_1366_;
+                                        if (_e1053 < _e78) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e1060 = triangles.member[(0u + _e1053)].v0_;
+                                        let _e1062 = (_e1060.x - _e252);
+                                        let _e1064 = (_e1060.y - _e254);
+                                        let _e1066 = (_e1060.z - _e256);
+                                        if (_e641 == 0u) {
+                                            phi_1396_ = vec3<f32>(_e1064, _e1066, _e1062);
+                                        } else {
+                                            if (_e641 == 1u) {
+                                                phi_1395_ = vec3<f32>(_e1066, _e1062, _e1064);
+                                            } else {
+                                                phi_1395_ = (_e1060 - vec3<f32>(_e252, _e254, _e256));
+                                            }
+                                            let _e1074 = phi_1395_;
+                                            phi_1396_ = _e1074;
+                                        }
+                                        let _e1076 = phi_1396_;
+                                        let _e1080 = (_e1076.x - (_e652 * _e1076.z));
+                                        let _e1084 = (_e1076.y - (_e655 * _e1076.z));
+                                        let _e1086 = triangles.member[(0u + _e1053)].v1_;
+                                        let _e1088 = (_e1086.x - _e252);
+                                        let _e1090 = (_e1086.y - _e254);
+                                        let _e1092 = (_e1086.z - _e256);
+                                        if (_e641 == 0u) {
+                                            phi_1426_ = vec3<f32>(_e1090, _e1092, _e1088);
+                                        } else {
+                                            if (_e641 == 1u) {
+                                                phi_1425_ = vec3<f32>(_e1092, _e1088, _e1090);
+                                            } else {
+                                                phi_1425_ = (_e1086 - vec3<f32>(_e252, _e254, _e256));
+                                            }
+                                            let _e1100 = phi_1425_;
+                                            phi_1426_ = _e1100;
+                                        }
+                                        let _e1102 = phi_1426_;
+                                        let _e1106 = (_e1102.x - (_e652 * _e1102.z));
+                                        let _e1110 = (_e1102.y - (_e655 * _e1102.z));
+                                        let _e1112 = triangles.member[(0u + _e1053)].v2_;
+                                        let _e1114 = (_e1112.x - _e252);
+                                        let _e1116 = (_e1112.y - _e254);
+                                        let _e1118 = (_e1112.z - _e256);
+                                        if (_e641 == 0u) {
+                                            phi_1456_ = vec3<f32>(_e1116, _e1118, _e1114);
+                                        } else {
+                                            if (_e641 == 1u) {
+                                                phi_1455_ = vec3<f32>(_e1118, _e1114, _e1116);
+                                            } else {
+                                                phi_1455_ = (_e1112 - vec3<f32>(_e252, _e254, _e256));
+                                            }
+                                            let _e1126 = phi_1455_;
+                                            phi_1456_ = _e1126;
+                                        }
+                                        let _e1128 = phi_1456_;
+                                        let _e1132 = (_e1128.x - (_e652 * _e1128.z));
+                                        let _e1136 = (_e1128.y - (_e655 * _e1128.z));
+                                        if (_e1106 < _e1132) {
+                                            phi_1475_ = true;
+                                        } else {
+                                            if (_e1106 == _e1132) {
+                                                phi_1474_ = (_e1110 < _e1136);
+                                            } else {
+                                                phi_1474_ = false;
+                                            }
+                                            let _e1141 = phi_1474_;
+                                            phi_1475_ = _e1141;
+                                        }
+                                        let _e1143 = phi_1475_;
+                                        if _e1143 {
+                                            phi_1479_ = _e1136;
+                                            phi_1480_ = _e1132;
+                                            phi_1481_ = _e1110;
+                                            phi_1482_ = _e1106;
+                                        } else {
+                                            phi_1479_ = _e1110;
+                                            phi_1480_ = _e1106;
+                                            phi_1481_ = _e1136;
+                                            phi_1482_ = _e1132;
+                                        }
+                                        let _e1145 = phi_1479_;
+                                        let _e1147 = phi_1480_;
+                                        let _e1149 = phi_1481_;
+                                        let _e1151 = phi_1482_;
+                                        let _e1154 = ((_e1151 * _e1145) - (_e1149 * _e1147));
+                                        if _e1143 {
+                                            phi_1490_ = -(_e1154);
+                                        } else {
+                                            phi_1490_ = _e1154;
+                                        }
+                                        let _e1157 = phi_1490_;
+                                        if (_e1132 < _e1080) {
+                                            phi_1501_ = true;
+                                        } else {
+                                            if (_e1132 == _e1080) {
+                                                phi_1500_ = (_e1136 < _e1084);
+                                            } else {
+                                                phi_1500_ = false;
+                                            }
+                                            let _e1162 = phi_1500_;
+                                            phi_1501_ = _e1162;
+                                        }
+                                        let _e1164 = phi_1501_;
+                                        if _e1164 {
+                                            phi_1505_ = _e1084;
+                                            phi_1506_ = _e1080;
+                                            phi_1507_ = _e1136;
+                                            phi_1508_ = _e1132;
+                                        } else {
+                                            phi_1505_ = _e1136;
+                                            phi_1506_ = _e1132;
+                                            phi_1507_ = _e1084;
+                                            phi_1508_ = _e1080;
+                                        }
+                                        let _e1166 = phi_1505_;
+                                        let _e1168 = phi_1506_;
+                                        let _e1170 = phi_1507_;
+                                        let _e1172 = phi_1508_;
+                                        let _e1175 = ((_e1172 * _e1166) - (_e1170 * _e1168));
+                                        if _e1164 {
+                                            phi_1516_ = -(_e1175);
+                                        } else {
+                                            phi_1516_ = _e1175;
+                                        }
+                                        let _e1178 = phi_1516_;
+                                        if (_e1080 < _e1106) {
+                                            phi_1527_ = true;
+                                        } else {
+                                            if (_e1080 == _e1106) {
+                                                phi_1526_ = (_e1084 < _e1110);
+                                            } else {
+                                                phi_1526_ = false;
+                                            }
+                                            let _e1183 = phi_1526_;
+                                            phi_1527_ = _e1183;
+                                        }
+                                        let _e1185 = phi_1527_;
+                                        if _e1185 {
+                                            phi_1531_ = _e1110;
+                                            phi_1532_ = _e1106;
+                                            phi_1533_ = _e1084;
+                                            phi_1534_ = _e1080;
+                                        } else {
+                                            phi_1531_ = _e1084;
+                                            phi_1532_ = _e1080;
+                                            phi_1533_ = _e1110;
+                                            phi_1534_ = _e1106;
+                                        }
+                                        let _e1187 = phi_1531_;
+                                        let _e1189 = phi_1532_;
+                                        let _e1191 = phi_1533_;
+                                        let _e1193 = phi_1534_;
+                                        let _e1196 = ((_e1193 * _e1187) - (_e1191 * _e1189));
+                                        if _e1185 {
+                                            phi_1542_ = -(_e1196);
+                                        } else {
+                                            phi_1542_ = _e1196;
+                                        }
+                                        let _e1199 = phi_1542_;
+                                        if (_e1157 >= 0f) {
+                                            if (_e1178 >= 0f) {
+                                                if (_e1199 >= 0f) {
+                                                    phi_1557_ = ((_e1157 + _e1178) + _e1199);
+                                                    phi_1558_ = false;
+                                                } else {
+                                                    phi_1557_ = f32();
+                                                    phi_1558_ = true;
+                                                }
+                                                let _e1206 = phi_1557_;
+                                                let _e1208 = phi_1558_;
+                                                phi_1559_ = _e1206;
+                                                phi_1560_ = _e1208;
+                                            } else {
+                                                phi_1559_ = f32();
+                                                phi_1560_ = true;
+                                            }
+                                            let _e1210 = phi_1559_;
+                                            let _e1212 = phi_1560_;
+                                            phi_1561_ = _e1210;
+                                            phi_1562_ = _e1212;
+                                        } else {
+                                            phi_1561_ = f32();
+                                            phi_1562_ = true;
+                                        }
+                                        let _e1214 = phi_1561_;
+                                        let _e1216 = phi_1562_;
+                                        if _e1216 {
+                                            if (_e1157 <= 0f) {
+                                                if (_e1178 <= 0f) {
+                                                    let _e1219 = (_e1199 <= 0f);
+                                                    if _e1219 {
+                                                    }
+                                                    phi_1580_ = ((_e1157 + _e1178) + _e1199);
+                                                    phi_1581_ = false;
+                                                    phi_1582_ = _e1219;
+                                                } else {
+                                                    phi_1580_ = f32();
+                                                    phi_1581_ = true;
+                                                    phi_1582_ = false;
+                                                }
+                                                let _e1223 = phi_1580_;
+                                                let _e1225 = phi_1581_;
+                                                let _e1227 = phi_1582_;
+                                                phi_1583_ = _e1223;
+                                                phi_1584_ = _e1225;
+                                                phi_1585_ = _e1227;
+                                            } else {
+                                                phi_1583_ = f32();
+                                                phi_1584_ = true;
+                                                phi_1585_ = false;
+                                            }
+                                            let _e1229 = phi_1583_;
+                                            let _e1231 = phi_1584_;
+                                            let _e1233 = phi_1585_;
+                                            if _e1231 {
+                                                phi_1589_ = false;
+                                            } else {
+                                                phi_1589_ = _e1233;
+                                            }
+                                            let _e1235 = phi_1589_;
+                                            phi_1590_ = _e1229;
+                                            phi_1591_ = _e1235;
+                                        } else {
+                                            phi_1590_ = _e1214;
+                                            phi_1591_ = true;
+                                        }
+                                        let _e1237 = phi_1590_;
+                                        let _e1239 = phi_1591_;
+                                        if _e1239 {
+                                            let _e1240 = (_e1237 == 0f);
+                                            if _e1240 {
+                                                phi_1907_ = lt_bvh_triangle_Intersection();
+                                                phi_1908_ = false;
+                                            } else {
+                                                let _e1242 = triangles.member[(0u + _e1053)].v0_;
+                                                let _e1244 = (_e1242.x - _e252);
+                                                let _e1246 = (_e1242.y - _e254);
+                                                let _e1248 = (_e1242.z - _e256);
+                                                if (_e641 == 0u) {
+                                                    phi_1620_ = vec3<f32>(_e1246, _e1248, _e1244);
+                                                } else {
+                                                    if (_e641 == 1u) {
+                                                        phi_1619_ = vec3<f32>(_e1248, _e1244, _e1246);
+                                                    } else {
+                                                        phi_1619_ = (_e1242 - vec3<f32>(_e252, _e254, _e256));
+                                                    }
+                                                    let _e1256 = phi_1619_;
+                                                    phi_1620_ = _e1256;
+                                                }
+                                                let _e1258 = phi_1620_;
+                                                let _e1260 = triangles.member[(0u + _e1053)].v1_;
+                                                let _e1262 = triangles.member[(0u + _e1053)].v0_;
+                                                let _e1265 = (_e1260.x - _e1262.x);
+                                                let _e1268 = (_e1260.y - _e1262.y);
+                                                let _e1271 = (_e1260.z - _e1262.z);
+                                                if (_e641 == 0u) {
+                                                    phi_1646_ = vec3<f32>(_e1268, _e1271, _e1265);
+                                                } else {
+                                                    if (_e641 == 1u) {
+                                                        phi_1645_ = vec3<f32>(_e1271, _e1265, _e1268);
+                                                    } else {
+                                                        phi_1645_ = (_e1260 - _e1262);
+                                                    }
+                                                    let _e1278 = phi_1645_;
+                                                    phi_1646_ = _e1278;
+                                                }
+                                                let _e1280 = phi_1646_;
+                                                let _e1282 = triangles.member[(0u + _e1053)].v2_;
+                                                let _e1284 = triangles.member[(0u + _e1053)].v0_;
+                                                let _e1287 = (_e1282.x - _e1284.x);
+                                                let _e1290 = (_e1282.y - _e1284.y);
+                                                let _e1293 = (_e1282.z - _e1284.z);
+                                                if (_e641 == 0u) {
+                                                    phi_1672_ = vec3<f32>(_e1290, _e1293, _e1287);
+                                                } else {
+                                                    if (_e641 == 1u) {
+                                                        phi_1671_ = vec3<f32>(_e1293, _e1287, _e1290);
+                                                    } else {
+                                                        phi_1671_ = (_e1282 - _e1284);
+                                                    }
+                                                    let _e1300 = phi_1671_;
+                                                    phi_1672_ = _e1300;
+                                                }
+                                                let _e1302 = phi_1672_;
+                                                let _e1309 = ((_e1280.y * _e1302.z) - (_e1280.z * _e1302.y));
+                                                let _e1316 = ((_e1280.z * _e1302.x) - (_e1280.x * _e1302.z));
+                                                let _e1323 = ((_e1280.x * _e1302.y) - (_e1280.y * _e1302.x));
+                                                let _e1337 = (((1f / _e649.z) * (((_e1309 * _e1258.x) + (_e1316 * _e1258.y)) + (_e1323 * _e1258.z))) / (((_e1309 * _e652) + (_e1316 * _e655)) + _e1323));
+                                                if (_e1337 > 0f) {
+                                                    if (_e1337 < _e264) {
+                                                        let _e1341 = triangles.member[(0u + _e1053)].v0_;
+                                                        let _e1343 = triangles.member[(0u + _e1053)].v1_;
+                                                        if (_e1341.x < _e1343.x) {
+                                                            phi_1728_ = _e1341.x;
+                                                        } else {
+                                                            phi_1728_ = _e1343.x;
+                                                        }
+                                                        let _e1350 = phi_1728_;
+                                                        if (_e1341.y < _e1343.y) {
+                                                            phi_1737_ = _e1341.y;
+                                                        } else {
+                                                            phi_1737_ = _e1343.y;
+                                                        }
+                                                        let _e1357 = phi_1737_;
+                                                        if (_e1341.z < _e1343.z) {
+                                                            phi_1746_ = _e1341.z;
+                                                        } else {
+                                                            phi_1746_ = _e1343.z;
+                                                        }
+                                                        let _e1364 = phi_1746_;
+                                                        let _e1366 = triangles.member[(0u + _e1053)].v2_;
+                                                        if (_e1350 < _e1366.x) {
+                                                            phi_1755_ = _e1350;
+                                                        } else {
+                                                            phi_1755_ = _e1366.x;
+                                                        }
+                                                        let _e1371 = phi_1755_;
+                                                        if (_e1357 < _e1366.y) {
+                                                            phi_1762_ = _e1357;
+                                                        } else {
+                                                            phi_1762_ = _e1366.y;
+                                                        }
+                                                        let _e1376 = phi_1762_;
+                                                        if (_e1364 < _e1366.z) {
+                                                            phi_1769_ = _e1364;
+                                                        } else {
+                                                            phi_1769_ = _e1366.z;
+                                                        }
+                                                        let _e1381 = phi_1769_;
+                                                        let _e1383 = triangles.member[(0u + _e1053)].v0_;
+                                                        let _e1385 = triangles.member[(0u + _e1053)].v1_;
+                                                        if (_e1383.x > _e1385.x) {
+                                                            phi_1782_ = _e1383.x;
+                                                        } else {
+                                                            phi_1782_ = _e1385.x;
+                                                        }
+                                                        let _e1392 = phi_1782_;
+                                                        if (_e1383.y > _e1385.y) {
+                                                            phi_1791_ = _e1383.y;
+                                                        } else {
+                                                            phi_1791_ = _e1385.y;
+                                                        }
+                                                        let _e1399 = phi_1791_;
+                                                        if (_e1383.z > _e1385.z) {
+                                                            phi_1800_ = _e1383.z;
+                                                        } else {
+                                                            phi_1800_ = _e1385.z;
+                                                        }
+                                                        let _e1406 = phi_1800_;
+                                                        let _e1408 = triangles.member[(0u + _e1053)].v2_;
+                                                        if (_e1392 > _e1408.x) {
+                                                            phi_1809_ = _e1392;
+                                                        } else {
+                                                            phi_1809_ = _e1408.x;
+                                                        }
+                                                        let _e1413 = phi_1809_;
+                                                        if (_e1399 > _e1408.y) {
+                                                            phi_1816_ = _e1399;
+                                                        } else {
+                                                            phi_1816_ = _e1408.y;
+                                                        }
+                                                        let _e1418 = phi_1816_;
+                                                        if (_e1406 > _e1408.z) {
+                                                            phi_1823_ = _e1406;
+                                                        } else {
+                                                            phi_1823_ = _e1408.z;
+                                                        }
+                                                        let _e1423 = phi_1823_;
+                                                        let _e1427 = ((_e1371 - _e252) * _e570);
+                                                        let _e1428 = ((_e1376 - _e254) * _e580);
+                                                        let _e1429 = ((_e1381 - _e256) * _e590);
+                                                        let _e1433 = ((_e1413 - _e252) * _e570);
+                                                        let _e1434 = ((_e1418 - _e254) * _e580);
+                                                        let _e1435 = ((_e1423 - _e256) * _e590);
+                                                        if (_e1427 < _e1433) {
+                                                            phi_1840_ = _e1427;
+                                                        } else {
+                                                            phi_1840_ = _e1433;
+                                                        }
+                                                        let _e1438 = phi_1840_;
+                                                        if (_e1428 < _e1434) {
+                                                            phi_1845_ = _e1428;
+                                                        } else {
+                                                            phi_1845_ = _e1434;
+                                                        }
+                                                        let _e1441 = phi_1845_;
+                                                        if (_e1429 < _e1435) {
+                                                            phi_1850_ = _e1429;
+                                                        } else {
+                                                            phi_1850_ = _e1435;
+                                                        }
+                                                        let _e1444 = phi_1850_;
+                                                        if (_e1427 > _e1433) {
+                                                            phi_1858_ = _e1427;
+                                                        } else {
+                                                            phi_1858_ = _e1433;
+                                                        }
+                                                        let _e1450 = phi_1858_;
+                                                        if (_e1428 > _e1434) {
+                                                            phi_1863_ = _e1428;
+                                                        } else {
+                                                            phi_1863_ = _e1434;
+                                                        }
+                                                        let _e1453 = phi_1863_;
+                                                        if (_e1429 > _e1435) {
+                                                            phi_1868_ = _e1429;
+                                                        } else {
+                                                            phi_1868_ = _e1435;
+                                                        }
+                                                        let _e1456 = phi_1868_;
+                                                        let _e1460 = core_intrinsics_maximum_number_nsz_f32_((_e1438 - _e625), (_e1441 - _e626));
+                                                        let _e1461 = core_intrinsics_maximum_number_nsz_f32_(_e1460, (_e1444 - _e627));
+                                                        let _e1462 = core_intrinsics_minimum_number_nsz_f32_((_e1450 + _e625), (_e1453 + _e626));
+                                                        let _e1463 = core_intrinsics_minimum_number_nsz_f32_(_e1462, (_e1456 + _e627));
+                                                        if (_e1461 > -300000000000000000000000000000000000000f) {
+                                                            phi_1880_ = _e1461;
+                                                        } else {
+                                                            phi_1880_ = -300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e1466 = phi_1880_;
+                                                        if (_e1463 < 300000000000000000000000000000000000000f) {
+                                                            phi_1885_ = _e1463;
+                                                        } else {
+                                                            phi_1885_ = 300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e1469 = phi_1885_;
+                                                        if (_e1337 < _e1466) {
+                                                            phi_1890_ = _e1466;
+                                                        } else {
+                                                            phi_1890_ = _e1337;
+                                                        }
+                                                        let _e1472 = phi_1890_;
+                                                        if (_e1472 > _e1469) {
+                                                            phi_1895_ = _e1469;
+                                                        } else {
+                                                            phi_1895_ = _e1472;
+                                                        }
+                                                        let _e1475 = phi_1895_;
+                                                        phi_1900_ = lt_bvh_triangle_Intersection(_e1475, (_e1178 / _e1237), (_e1199 / _e1237), (_e1466 <= _e1469));
+                                                        phi_1901_ = false;
+                                                    } else {
+                                                        phi_1900_ = lt_bvh_triangle_Intersection();
+                                                        phi_1901_ = true;
+                                                    }
+                                                    let _e1481 = phi_1900_;
+                                                    let _e1483 = phi_1901_;
+                                                    phi_1902_ = _e1481;
+                                                    phi_1903_ = _e1483;
+                                                } else {
+                                                    phi_1902_ = lt_bvh_triangle_Intersection();
+                                                    phi_1903_ = true;
+                                                }
+                                                let _e1485 = phi_1902_;
+                                                let _e1487 = phi_1903_;
+                                                if _e1487 {
+                                                }
+                                                phi_1907_ = _e1485;
+                                                phi_1908_ = _e1487;
+                                            }
+                                            let _e1489 = phi_1907_;
+                                            let _e1491 = phi_1908_;
+                                            phi_1909_ = _e1489;
+                                            phi_1910_ = _e1240;
+                                            phi_1911_ = _e1491;
+                                        } else {
+                                            phi_1909_ = lt_bvh_triangle_Intersection();
+                                            phi_1910_ = true;
+                                            phi_1911_ = false;
+                                        }
+                                        let _e1493 = phi_1909_;
+                                        let _e1495 = phi_1910_;
+                                        let _e1497 = phi_1911_;
+                                        if _e1495 {
+                                            phi_1915_ = true;
+                                        } else {
+                                            phi_1915_ = _e1497;
+                                        }
+                                        let _e1499 = phi_1915_;
+                                        if _e1499 {
+                                            phi_1919_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        } else {
+                                            phi_1919_ = _e1493;
+                                        }
+                                        let _e1501 = phi_1919_;
+                                        if _e1501.is_hit {
+                                            if (_e1501.t > 0f) {
+                                                if (_e1501.t < _e264) {
+                                                    let _e1508 = triangles.member[(0u + _e1053)].i0_;
+                                                    let _e1510 = ((_e1508 & 2147483648u) == 0u);
+                                                    if _e1510 {
+                                                        phi_1945_ = false;
+                                                        phi_1946_ = false;
+                                                    } else {
+                                                        if true {
+                                                            phi_1944_ = false;
+                                                        } else {
+                                                            phi_1944_ = true;
+                                                        }
+                                                        let _e1512 = phi_1944_;
+                                                        phi_1945_ = _e1512;
+                                                        phi_1946_ = true;
+                                                    }
+                                                    let _e1514 = phi_1945_;
+                                                    let _e1516 = phi_1946_;
+                                                    phi_1947_ = _e1514;
+                                                    phi_1948_ = _e1510;
+                                                    phi_1949_ = _e1516;
+                                                } else {
+                                                    phi_1947_ = true;
+                                                    phi_1948_ = false;
+                                                    phi_1949_ = false;
+                                                }
+                                                let _e1518 = phi_1947_;
+                                                let _e1520 = phi_1948_;
+                                                let _e1522 = phi_1949_;
+                                                phi_1950_ = false;
+                                                phi_1951_ = _e1518;
+                                                phi_1952_ = _e1520;
+                                                phi_1953_ = _e1522;
+                                            } else {
+                                                phi_1950_ = true;
+                                                phi_1951_ = false;
+                                                phi_1952_ = false;
+                                                phi_1953_ = false;
+                                            }
+                                            let _e1524 = phi_1950_;
+                                            let _e1526 = phi_1951_;
+                                            let _e1528 = phi_1952_;
+                                            let _e1530 = phi_1953_;
+                                            phi_1954_ = _e1524;
+                                            phi_1955_ = _e1526;
+                                            phi_1956_ = _e1528;
+                                            phi_1957_ = _e1530;
+                                        } else {
+                                            phi_1954_ = true;
+                                            phi_1955_ = false;
+                                            phi_1956_ = false;
+                                            phi_1957_ = false;
+                                        }
+                                        let _e1532 = phi_1954_;
+                                        let _e1534 = phi_1955_;
+                                        let _e1536 = phi_1956_;
+                                        let _e1538 = phi_1957_;
+                                        if _e1532 {
+                                            phi_1961_ = true;
+                                            phi_1962_ = false;
+                                            phi_1963_ = false;
+                                        } else {
+                                            phi_1961_ = _e1534;
+                                            phi_1962_ = _e1536;
+                                            phi_1963_ = _e1538;
+                                        }
+                                        let _e1540 = phi_1961_;
+                                        let _e1542 = phi_1962_;
+                                        let _e1544 = phi_1963_;
+                                        if _e1540 {
+                                            phi_1967_ = false;
+                                            phi_1968_ = false;
+                                        } else {
+                                            phi_1967_ = _e1542;
+                                            phi_1968_ = _e1544;
+                                        }
+                                        let _e1546 = phi_1967_;
+                                        let _e1548 = phi_1968_;
+                                        phi_1321_ = (_e1017 & (_e1017 - 1u));
+                                        phi_1969_ = _e1540;
+                                        phi_1970_ = _e1546;
+                                        phi_1971_ = _e1548;
+                                    }
+                                    let _e1550 = phi_1321_;
+                                    let _e1552 = phi_1969_;
+                                    let _e1554 = phi_1970_;
+                                    let _e1556 = phi_1971_;
+                                    local_13 = _e1554;
+                                    local_14 = _e1556;
+                                    continue;
+                                    continuing {
+                                        phi_1320_ = _e1550;
+                                        break if !(_e1552);
+                                    }
+                                }
+                                let _e1559 = local_5;
+                                if _e1559 {
+                                    phi_1975_ = false;
+                                    phi_1976_ = false;
+                                } else {
+                                    let _e3219 = local_13;
+                                    phi_1975_ = _e3219;
+                                    let _e3222 = local_14;
+                                    phi_1976_ = _e3222;
+                                }
+                                let _e1561 = phi_1975_;
+                                let _e1563 = phi_1976_;
+                                let _e3225 = local_15;
+                                phi_950_ = _e3225;
+                                let _e3228 = local_16;
+                                phi_953_ = _e3228;
+                                let _e3231 = local_17;
+                                phi_1977_ = _e3231;
+                                phi_1978_ = _e1561;
+                                phi_1979_ = _e1563;
                             }
-                            let _e1542 = phi_950_;
-                            let _e1544 = phi_953_;
-                            let _e1546 = phi_1957_;
-                            let _e1548 = phi_1958_;
-                            let _e1550 = phi_1959_;
-                            local_13 = _e1548;
-                            local_14 = _e1550;
+                            let _e1565 = phi_950_;
+                            let _e1567 = phi_953_;
+                            let _e1569 = phi_1977_;
+                            let _e1571 = phi_1978_;
+                            let _e1573 = phi_1979_;
+                            local_18 = _e1571;
+                            local_19 = _e1573;
                             continue;
                             continuing {
-                                phi_949_ = _e1542;
-                                phi_952_ = _e1544;
-                                break if !(_e1546);
+                                phi_949_ = _e1565;
+                                phi_952_ = _e1567;
+                                break if !(_e1569);
                             }
                         }
-                        let _e1553 = local_4;
-                        if _e1553 {
-                            phi_1963_ = false;
-                            phi_1964_ = false;
+                        let _e1576 = local_6;
+                        if _e1576 {
+                            phi_1983_ = false;
+                            phi_1984_ = false;
                         } else {
-                            let _e3198 = local_13;
-                            phi_1963_ = _e3198;
-                            let _e3201 = local_14;
-                            phi_1964_ = _e3201;
+                            let _e3237 = local_18;
+                            phi_1983_ = _e3237;
+                            let _e3240 = local_19;
+                            phi_1984_ = _e3240;
                         }
-                        let _e1555 = phi_1963_;
-                        let _e1557 = phi_1964_;
-                        if _e1555 {
-                            phi_1968_ = false;
+                        let _e1578 = phi_1983_;
+                        let _e1580 = phi_1984_;
+                        if _e1578 {
+                            phi_1988_ = false;
                         } else {
-                            phi_1968_ = _e1557;
+                            phi_1988_ = _e1580;
                         }
-                        let _e1559 = phi_1968_;
-                        if _e1559 {
-                            phi_1972_ = true;
+                        let _e1582 = phi_1988_;
+                        if _e1582 {
+                            phi_1992_ = true;
                         } else {
-                            phi_1972_ = _e1555;
+                            phi_1992_ = _e1578;
                         }
-                        let _e1561 = phi_1972_;
-                        if _e1561 {
+                        let _e1584 = phi_1992_;
+                        if _e1584 {
                         }
-                        phi_1976_ = true;
-                        phi_1977_ = _e1561;
+                        phi_1996_ = true;
+                        phi_1997_ = _e1584;
                     }
-                    let _e1563 = phi_1976_;
-                    let _e1565 = phi_1977_;
-                    if _e1565 {
-                        phi_1981_ = _e1563;
+                    let _e1586 = phi_1996_;
+                    let _e1588 = phi_1997_;
+                    if _e1588 {
+                        phi_2001_ = _e1586;
                     } else {
-                        phi_1981_ = false;
+                        phi_2001_ = false;
                     }
-                    let _e1567 = phi_1981_;
-                    phi_3438_ = _e1567;
+                    let _e1590 = phi_2001_;
+                    phi_3458_ = _e1590;
                 } else {
-                    let _e1568 = abs(_e272);
-                    let _e1569 = abs(_e273);
-                    let _e1570 = abs(_e274);
+                    let _e1591 = abs(_e272);
+                    let _e1592 = abs(_e273);
+                    let _e1593 = abs(_e274);
                     if (abs(_e252) < 1000000000000000f) {
                         if (abs(_e254) < 1000000000000000f) {
-                            phi_1997_ = (abs(_e256) < 1000000000000000f);
-                            phi_1998_ = false;
+                            phi_2017_ = (abs(_e256) < 1000000000000000f);
+                            phi_2018_ = false;
                         } else {
-                            phi_1997_ = bool();
-                            phi_1998_ = true;
+                            phi_2017_ = bool();
+                            phi_2018_ = true;
                         }
-                        let _e1578 = phi_1997_;
-                        let _e1580 = phi_1998_;
-                        phi_1999_ = _e1578;
-                        phi_2000_ = _e1580;
+                        let _e1601 = phi_2017_;
+                        let _e1603 = phi_2018_;
+                        phi_2019_ = _e1601;
+                        phi_2020_ = _e1603;
                     } else {
-                        phi_1999_ = bool();
-                        phi_2000_ = true;
+                        phi_2019_ = bool();
+                        phi_2020_ = true;
                     }
-                    let _e1582 = phi_1999_;
-                    let _e1584 = phi_2000_;
-                    if _e1584 {
-                        phi_2004_ = false;
+                    let _e1605 = phi_2019_;
+                    let _e1607 = phi_2020_;
+                    if _e1607 {
+                        phi_2024_ = false;
                     } else {
-                        phi_2004_ = _e1582;
+                        phi_2024_ = _e1605;
                     }
-                    let _e1586 = phi_2004_;
-                    if _e1586 {
-                        if (_e1568 < 1000000000000000f) {
-                            if (_e1569 < 1000000000000000f) {
-                                phi_2017_ = (_e1570 < 1000000000000000f);
-                                phi_2018_ = false;
+                    let _e1609 = phi_2024_;
+                    if _e1609 {
+                        if (_e1591 < 1000000000000000f) {
+                            if (_e1592 < 1000000000000000f) {
+                                phi_2037_ = (_e1593 < 1000000000000000f);
+                                phi_2038_ = false;
                             } else {
-                                phi_2017_ = bool();
-                                phi_2018_ = true;
+                                phi_2037_ = bool();
+                                phi_2038_ = true;
                             }
-                            let _e1591 = phi_2017_;
-                            let _e1593 = phi_2018_;
-                            phi_2019_ = _e1591;
-                            phi_2020_ = _e1593;
+                            let _e1614 = phi_2037_;
+                            let _e1616 = phi_2038_;
+                            phi_2039_ = _e1614;
+                            phi_2040_ = _e1616;
                         } else {
-                            phi_2019_ = bool();
-                            phi_2020_ = true;
+                            phi_2039_ = bool();
+                            phi_2040_ = true;
                         }
-                        let _e1595 = phi_2019_;
-                        let _e1597 = phi_2020_;
-                        if _e1597 {
-                            phi_2024_ = false;
+                        let _e1618 = phi_2039_;
+                        let _e1620 = phi_2040_;
+                        if _e1620 {
+                            phi_2044_ = false;
                         } else {
-                            phi_2024_ = _e1595;
+                            phi_2044_ = _e1618;
                         }
-                        let _e1599 = phi_2024_;
-                        if _e1599 {
-                            if (_e1568 > 0f) {
-                                phi_2038_ = bool();
-                                phi_2039_ = true;
+                        let _e1622 = phi_2044_;
+                        if _e1622 {
+                            if (_e1591 > 0f) {
+                                phi_2058_ = bool();
+                                phi_2059_ = true;
                             } else {
-                                let _e1601 = (_e1569 > 0f);
-                                if _e1601 {
-                                    phi_2037_ = bool();
+                                let _e1624 = (_e1592 > 0f);
+                                if _e1624 {
+                                    phi_2057_ = bool();
                                 } else {
-                                    phi_2037_ = (_e1570 > 0f);
+                                    phi_2057_ = (_e1593 > 0f);
                                 }
-                                let _e1604 = phi_2037_;
-                                phi_2038_ = _e1604;
-                                phi_2039_ = _e1601;
+                                let _e1627 = phi_2057_;
+                                phi_2058_ = _e1627;
+                                phi_2059_ = _e1624;
                             }
-                            let _e1606 = phi_2038_;
-                            let _e1608 = phi_2039_;
-                            if _e1608 {
-                                phi_2043_ = true;
+                            let _e1629 = phi_2058_;
+                            let _e1631 = phi_2059_;
+                            if _e1631 {
+                                phi_2063_ = true;
                             } else {
-                                phi_2043_ = _e1606;
+                                phi_2063_ = _e1629;
                             }
-                            let _e1610 = phi_2043_;
-                            phi_2044_ = _e1610;
-                            phi_2045_ = false;
+                            let _e1633 = phi_2063_;
+                            phi_2064_ = _e1633;
+                            phi_2065_ = false;
                         } else {
-                            phi_2044_ = bool();
-                            phi_2045_ = true;
+                            phi_2064_ = bool();
+                            phi_2065_ = true;
                         }
-                        let _e1612 = phi_2044_;
-                        let _e1614 = phi_2045_;
-                        phi_2046_ = _e1612;
-                        phi_2047_ = _e1614;
+                        let _e1635 = phi_2064_;
+                        let _e1637 = phi_2065_;
+                        phi_2066_ = _e1635;
+                        phi_2067_ = _e1637;
                     } else {
-                        phi_2046_ = bool();
-                        phi_2047_ = true;
+                        phi_2066_ = bool();
+                        phi_2067_ = true;
                     }
-                    let _e1616 = phi_2046_;
-                    let _e1618 = phi_2047_;
-                    if _e1618 {
-                        phi_2051_ = false;
+                    let _e1639 = phi_2066_;
+                    let _e1641 = phi_2067_;
+                    if _e1641 {
+                        phi_2071_ = false;
                     } else {
-                        phi_2051_ = _e1616;
+                        phi_2071_ = _e1639;
                     }
-                    let _e1620 = phi_2051_;
-                    if _e1620 {
-                        let _e1621 = (0u >= _e75);
-                        if _e1621 {
-                            phi_3431_ = bool();
+                    let _e1643 = phi_2071_;
+                    if _e1643 {
+                        let _e1644 = (0u >= _e75);
+                        if _e1644 {
+                            phi_3451_ = bool();
                         } else {
                             if (0u < _e75) {
                             } else {
                                 return;
                             }
-                            let _e1627 = nodes.member[(0u + 0u)].frame[0u];
-                            let _e1631 = nodes.member[(0u + 0u)].frame[1u];
-                            let _e1635 = nodes.member[(0u + 0u)].frame[2u];
-                            let _e1639 = nodes.member[(0u + 0u)].frame[0u];
-                            let _e1643 = nodes.member[(0u + 0u)].frame[1u];
-                            let _e1647 = nodes.member[(0u + 0u)].frame[2u];
-                            let _e1651 = nodes.member[(0u + 0u)].frame[3u];
-                            let _e1685 = core_intrinsics_maximum_number_nsz_f32_(abs(_e272), abs(_e273));
-                            let _e1686 = core_intrinsics_maximum_number_nsz_f32_(_e1685, abs(_e274));
-                            let _e1687 = (_e1686 * 0.0000000000009094947f);
-                            if (abs(_e272) < _e1687) {
-                                phi_2121_ = _e1687;
+                            let _e1650 = nodes.member[(0u + 0u)].frame[0u];
+                            let _e1654 = nodes.member[(0u + 0u)].frame[1u];
+                            let _e1658 = nodes.member[(0u + 0u)].frame[2u];
+                            let _e1662 = nodes.member[(0u + 0u)].frame[0u];
+                            let _e1666 = nodes.member[(0u + 0u)].frame[1u];
+                            let _e1670 = nodes.member[(0u + 0u)].frame[2u];
+                            let _e1674 = nodes.member[(0u + 0u)].frame[3u];
+                            let _e1708 = core_intrinsics_maximum_number_nsz_f32_(abs(_e272), abs(_e273));
+                            let _e1709 = core_intrinsics_maximum_number_nsz_f32_(_e1708, abs(_e274));
+                            let _e1710 = (_e1709 * 0.0000000000009094947f);
+                            if (abs(_e272) < _e1710) {
+                                phi_2141_ = _e1710;
                             } else {
-                                phi_2121_ = abs(_e272);
+                                phi_2141_ = abs(_e272);
                             }
-                            let _e1692 = phi_2121_;
+                            let _e1715 = phi_2141_;
                             if (_e272 < 0f) {
-                                phi_2128_ = (-1f / _e1692);
+                                phi_2148_ = (-1f / _e1715);
                             } else {
-                                phi_2128_ = (1f / _e1692);
+                                phi_2148_ = (1f / _e1715);
                             }
-                            let _e1697 = phi_2128_;
-                            if (abs(_e273) < _e1687) {
-                                phi_2135_ = _e1687;
+                            let _e1720 = phi_2148_;
+                            if (abs(_e273) < _e1710) {
+                                phi_2155_ = _e1710;
                             } else {
-                                phi_2135_ = abs(_e273);
+                                phi_2155_ = abs(_e273);
                             }
-                            let _e1702 = phi_2135_;
+                            let _e1725 = phi_2155_;
                             if (_e273 < 0f) {
-                                phi_2142_ = (-1f / _e1702);
+                                phi_2162_ = (-1f / _e1725);
                             } else {
-                                phi_2142_ = (1f / _e1702);
+                                phi_2162_ = (1f / _e1725);
                             }
-                            let _e1707 = phi_2142_;
-                            if (abs(_e274) < _e1687) {
-                                phi_2149_ = _e1687;
+                            let _e1730 = phi_2162_;
+                            if (abs(_e274) < _e1710) {
+                                phi_2169_ = _e1710;
                             } else {
-                                phi_2149_ = abs(_e274);
+                                phi_2169_ = abs(_e274);
                             }
-                            let _e1712 = phi_2149_;
+                            let _e1735 = phi_2169_;
                             if (_e274 < 0f) {
-                                phi_2156_ = (-1f / _e1712);
+                                phi_2176_ = (-1f / _e1735);
                             } else {
-                                phi_2156_ = (1f / _e1712);
+                                phi_2176_ = (1f / _e1735);
                             }
-                            let _e1717 = phi_2156_;
-                            let _e1721 = abs((bitcast<f32>(_e1627) - _e252));
-                            let _e1722 = abs((bitcast<f32>(_e1631) - _e254));
-                            let _e1723 = abs((bitcast<f32>(_e1635) - _e256));
-                            let _e1727 = abs(((bitcast<f32>(_e1639) + (bitcast<f32>((((_e1651 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e252));
-                            let _e1728 = abs(((bitcast<f32>(_e1643) + (bitcast<f32>((((_e1651 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e254));
-                            let _e1729 = abs(((bitcast<f32>(_e1647) + (bitcast<f32>((((_e1651 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e256));
-                            if (_e1721 > _e1727) {
-                                phi_2173_ = _e1721;
+                            let _e1740 = phi_2176_;
+                            let _e1744 = abs((bitcast<f32>(_e1650) - _e252));
+                            let _e1745 = abs((bitcast<f32>(_e1654) - _e254));
+                            let _e1746 = abs((bitcast<f32>(_e1658) - _e256));
+                            let _e1750 = abs(((bitcast<f32>(_e1662) + (bitcast<f32>((((_e1674 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e252));
+                            let _e1751 = abs(((bitcast<f32>(_e1666) + (bitcast<f32>((((_e1674 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e254));
+                            let _e1752 = abs(((bitcast<f32>(_e1670) + (bitcast<f32>((((_e1674 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e256));
+                            if (_e1744 > _e1750) {
+                                phi_2193_ = _e1744;
                             } else {
-                                phi_2173_ = _e1727;
+                                phi_2193_ = _e1750;
                             }
-                            let _e1732 = phi_2173_;
-                            if (_e1722 > _e1728) {
-                                phi_2178_ = _e1722;
+                            let _e1755 = phi_2193_;
+                            if (_e1745 > _e1751) {
+                                phi_2198_ = _e1745;
                             } else {
-                                phi_2178_ = _e1728;
+                                phi_2198_ = _e1751;
                             }
-                            let _e1735 = phi_2178_;
-                            if (_e1723 > _e1729) {
-                                phi_2183_ = _e1723;
+                            let _e1758 = phi_2198_;
+                            if (_e1746 > _e1752) {
+                                phi_2203_ = _e1746;
                             } else {
-                                phi_2183_ = _e1729;
+                                phi_2203_ = _e1752;
                             }
-                            let _e1738 = phi_2183_;
-                            if (_e1732 > _e1735) {
-                                phi_2188_ = _e1732;
+                            let _e1761 = phi_2203_;
+                            if (_e1755 > _e1758) {
+                                phi_2208_ = _e1755;
                             } else {
-                                phi_2188_ = _e1735;
+                                phi_2208_ = _e1758;
                             }
-                            let _e1741 = phi_2188_;
-                            if (_e1741 > _e1738) {
-                                phi_2193_ = _e1741;
+                            let _e1764 = phi_2208_;
+                            if (_e1764 > _e1761) {
+                                phi_2213_ = _e1764;
                             } else {
-                                phi_2193_ = _e1738;
+                                phi_2213_ = _e1761;
                             }
-                            let _e1744 = phi_2193_;
-                            let _e1748 = (_e1744 * 0.0000019073486f);
-                            let _e1749 = (abs(_e1697) * _e1748);
-                            let _e1750 = (abs(_e1707) * _e1748);
-                            let _e1751 = (abs(_e1717) * _e1748);
-                            let _e1755 = (_e1744 * 0.0000009536743f);
-                            let _e1756 = (abs(_e1697) * _e1755);
-                            let _e1757 = (abs(_e1707) * _e1755);
-                            let _e1758 = (abs(_e1717) * _e1755);
-                            let _e1759 = abs(_e272);
-                            let _e1760 = abs(_e273);
-                            let _e1761 = abs(_e274);
-                            if (_e1759 >= _e1760) {
-                                if (_e1759 >= _e1761) {
-                                    phi_2219_ = false;
+                            let _e1767 = phi_2213_;
+                            let _e1771 = (_e1767 * 0.0000019073486f);
+                            let _e1772 = (abs(_e1720) * _e1771);
+                            let _e1773 = (abs(_e1730) * _e1771);
+                            let _e1774 = (abs(_e1740) * _e1771);
+                            let _e1778 = (_e1767 * 0.0000009536743f);
+                            let _e1779 = (abs(_e1720) * _e1778);
+                            let _e1780 = (abs(_e1730) * _e1778);
+                            let _e1781 = (abs(_e1740) * _e1778);
+                            let _e1782 = abs(_e272);
+                            let _e1783 = abs(_e273);
+                            let _e1784 = abs(_e274);
+                            if (_e1782 >= _e1783) {
+                                if (_e1782 >= _e1784) {
+                                    phi_2239_ = false;
                                 } else {
-                                    phi_2219_ = true;
+                                    phi_2239_ = true;
                                 }
-                                let _e1765 = phi_2219_;
-                                phi_2220_ = _e1765;
+                                let _e1788 = phi_2239_;
+                                phi_2240_ = _e1788;
                             } else {
-                                phi_2220_ = true;
+                                phi_2240_ = true;
                             }
-                            let _e1767 = phi_2220_;
-                            if _e1767 {
-                                if (_e1760 >= _e1761) {
-                                    phi_2228_ = 1u;
+                            let _e1790 = phi_2240_;
+                            if _e1790 {
+                                if (_e1783 >= _e1784) {
+                                    phi_2248_ = 1u;
                                 } else {
-                                    phi_2228_ = 2u;
+                                    phi_2248_ = 2u;
                                 }
-                                let _e1770 = phi_2228_;
-                                phi_2229_ = _e1770;
+                                let _e1793 = phi_2248_;
+                                phi_2249_ = _e1793;
                             } else {
-                                phi_2229_ = 0u;
+                                phi_2249_ = 0u;
                             }
-                            let _e1772 = phi_2229_;
-                            if (_e1772 == 0u) {
-                                phi_2241_ = vec3<f32>(_e273, _e274, _e272);
+                            let _e1795 = phi_2249_;
+                            if (_e1795 == 0u) {
+                                phi_2261_ = vec3<f32>(_e273, _e274, _e272);
                             } else {
-                                if (_e1772 == 1u) {
-                                    phi_2240_ = vec3<f32>(_e274, _e272, _e273);
+                                if (_e1795 == 1u) {
+                                    phi_2260_ = vec3<f32>(_e274, _e272, _e273);
                                 } else {
-                                    phi_2240_ = _e275;
+                                    phi_2260_ = _e275;
                                 }
-                                let _e1778 = phi_2240_;
-                                phi_2241_ = _e1778;
+                                let _e1801 = phi_2260_;
+                                phi_2261_ = _e1801;
                             }
-                            let _e1780 = phi_2241_;
-                            let _e1783 = (_e1780.x / _e1780.z);
-                            let _e1786 = (_e1780.y / _e1780.z);
-                            if (_e1697 < 0f) {
-                                phi_2254_ = 0u;
+                            let _e1803 = phi_2261_;
+                            let _e1806 = (_e1803.x / _e1803.z);
+                            let _e1809 = (_e1803.y / _e1803.z);
+                            if (_e1720 < 0f) {
+                                phi_2274_ = 0u;
                             } else {
-                                phi_2254_ = 1u;
+                                phi_2274_ = 1u;
                             }
-                            let _e1791 = phi_2254_;
-                            if (_e1707 < 0f) {
-                                phi_2259_ = 0u;
+                            let _e1814 = phi_2274_;
+                            if (_e1730 < 0f) {
+                                phi_2279_ = 0u;
                             } else {
-                                phi_2259_ = 2u;
+                                phi_2279_ = 2u;
                             }
-                            let _e1794 = phi_2259_;
-                            if (_e1717 < 0f) {
-                                phi_2264_ = 0u;
+                            let _e1817 = phi_2279_;
+                            if (_e1740 < 0f) {
+                                phi_2284_ = 0u;
                             } else {
-                                phi_2264_ = 4u;
+                                phi_2284_ = 4u;
                             }
-                            let _e1797 = phi_2264_;
-                            let _e1799 = ((_e1791 | _e1794) | _e1797);
-                            let _e1800 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                            local = lt_bvh_traverse_Stack(array<u32, 32>(_e1800.first[0], _e1800.first[1], _e1800.first[2], _e1800.first[3], _e1800.first[4], _e1800.first[5], _e1800.first[6], _e1800.first[7], _e1800.first[8], _e1800.first[9], _e1800.first[10], _e1800.first[11], _e1800.first[12], _e1800.first[13], _e1800.first[14], _e1800.first[15], _e1800.first[16], _e1800.first[17], _e1800.first[18], _e1800.first[19], _e1800.first[20], _e1800.first[21], _e1800.first[22], _e1800.first[23], _e1800.first[24], _e1800.first[25], _e1800.first[26], _e1800.first[27], _e1800.first[28], _e1800.first[29], _e1800.first[30], _e1800.first[31]), array<u32, 32>(_e1800.mask[0], _e1800.mask[1], _e1800.mask[2], _e1800.mask[3], _e1800.mask[4], _e1800.mask[5], _e1800.mask[6], _e1800.mask[7], _e1800.mask[8], _e1800.mask[9], _e1800.mask[10], _e1800.mask[11], _e1800.mask[12], _e1800.mask[13], _e1800.mask[14], _e1800.mask[15], _e1800.mask[16], _e1800.mask[17], _e1800.mask[18], _e1800.mask[19], _e1800.mask[20], _e1800.mask[21], _e1800.mask[22], _e1800.mask[23], _e1800.mask[24], _e1800.mask[25], _e1800.mask[26], _e1800.mask[27], _e1800.mask[28], _e1800.mask[29], _e1800.mask[30], _e1800.mask[31]), _e1800.len, _e1800.group, _e1800.group_mask);
-                            let _e1874 = local.group_mask;
-                            if ((_e1874 & 4278190080u) == 0u) {
-                                let _e1878 = local.len;
-                                if (_e1878 == 0u) {
-                                    phi_2378_ = false;
+                            let _e1820 = phi_2284_;
+                            let _e1822 = ((_e1814 | _e1817) | _e1820);
+                            let _e1823 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                            local = lt_bvh_traverse_Stack(array<u32, 32>(_e1823.first[0], _e1823.first[1], _e1823.first[2], _e1823.first[3], _e1823.first[4], _e1823.first[5], _e1823.first[6], _e1823.first[7], _e1823.first[8], _e1823.first[9], _e1823.first[10], _e1823.first[11], _e1823.first[12], _e1823.first[13], _e1823.first[14], _e1823.first[15], _e1823.first[16], _e1823.first[17], _e1823.first[18], _e1823.first[19], _e1823.first[20], _e1823.first[21], _e1823.first[22], _e1823.first[23], _e1823.first[24], _e1823.first[25], _e1823.first[26], _e1823.first[27], _e1823.first[28], _e1823.first[29], _e1823.first[30], _e1823.first[31]), array<u32, 32>(_e1823.mask[0], _e1823.mask[1], _e1823.mask[2], _e1823.mask[3], _e1823.mask[4], _e1823.mask[5], _e1823.mask[6], _e1823.mask[7], _e1823.mask[8], _e1823.mask[9], _e1823.mask[10], _e1823.mask[11], _e1823.mask[12], _e1823.mask[13], _e1823.mask[14], _e1823.mask[15], _e1823.mask[16], _e1823.mask[17], _e1823.mask[18], _e1823.mask[19], _e1823.mask[20], _e1823.mask[21], _e1823.mask[22], _e1823.mask[23], _e1823.mask[24], _e1823.mask[25], _e1823.mask[26], _e1823.mask[27], _e1823.mask[28], _e1823.mask[29], _e1823.mask[30], _e1823.mask[31]), _e1823.len, _e1823.group, _e1823.group_mask);
+                            let _e1897 = local.group_mask;
+                            if ((_e1897 & 4278190080u) == 0u) {
+                                let _e1901 = local.len;
+                                if (_e1901 == 0u) {
+                                    phi_2398_ = false;
                                 } else {
-                                    let _e1882 = local.len;
-                                    local.len = (_e1882 - 1u);
-                                    let _e1885 = local.len;
-                                    if (_e1885 < 32u) {
+                                    let _e1905 = local.len;
+                                    local.len = (_e1905 - 1u);
+                                    let _e1908 = local.len;
+                                    if (_e1908 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1890 = local.first[(0u + _e1885)];
-                                    local.group = _e1890;
-                                    let _e1893 = local.len;
-                                    if (_e1893 < 32u) {
+                                    let _e1913 = local.first[(0u + _e1908)];
+                                    local.group = _e1913;
+                                    let _e1916 = local.len;
+                                    if (_e1916 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1898 = local.mask[(0u + _e1893)];
-                                    local.group_mask = _e1898;
-                                    phi_2378_ = true;
+                                    let _e1921 = local.mask[(0u + _e1916)];
+                                    local.group_mask = _e1921;
+                                    phi_2398_ = true;
                                 }
-                                let _e1901 = phi_2378_;
-                                phi_2379_ = _e1901;
+                                let _e1924 = phi_2398_;
+                                phi_2399_ = _e1924;
                             } else {
-                                phi_2379_ = true;
+                                phi_2399_ = true;
                             }
-                            let _e1903 = phi_2379_;
-                            if _e1903 {
-                                let _e1905 = local.group_mask;
-                                let _e1911 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1905)), 32u, (_e1905 == 0u)));
-                                let _e1915 = local.group_mask;
-                                let _e1929 = local.group_mask;
-                                local.group_mask = (_e1929 & ~((1u << bitcast<u32>((_e1911 & 31u)))));
-                                let _e1932 = local.group;
-                                phi_2410_ = (_e1932 + countOneBits(((_e1915 & ~((4294967295u << bitcast<u32>((((_e1911 - 24u) ^ 7u) & 31u))))) & 255u)));
+                            let _e1926 = phi_2399_;
+                            if _e1926 {
+                                let _e1928 = local.group_mask;
+                                let _e1934 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1928)), 32u, (_e1928 == 0u)));
+                                let _e1938 = local.group_mask;
+                                let _e1952 = local.group_mask;
+                                local.group_mask = (_e1952 & ~((1u << bitcast<u32>((_e1934 & 31u)))));
+                                let _e1955 = local.group;
+                                phi_2430_ = (_e1955 + countOneBits(((_e1938 & ~((4294967295u << bitcast<u32>((((_e1934 - 24u) ^ 7u) & 31u))))) & 255u)));
                             } else {
-                                phi_2410_ = 4294967295u;
+                                phi_2430_ = 4294967295u;
                             }
-                            let _e1935 = phi_2410_;
-                            phi_2412_ = _e1935;
-                            phi_2415_ = false;
+                            let _e1958 = phi_2430_;
+                            phi_2432_ = _e1958;
+                            phi_2435_ = false;
                             loop {
-                                let _e1937 = phi_2412_;
-                                let _e1939 = phi_2415_;
-                                local_17 = _e1939;
-                                if (_e1937 != 4294967295u) {
-                                    if (_e1937 < _e75) {
+                                let _e1960 = phi_2432_;
+                                let _e1962 = phi_2435_;
+                                local_22 = _e1962;
+                                if (_e1960 != 4294967295u) {
+                                    if (_e1960 < _e75) {
                                     } else {
                                         return;
                                     }
-                                    let _e1946 = nodes.member[(0u + _e1937)].frame[3u];
-                                    let _e1971 = (bitcast<f32>((((_e1946 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1697);
-                                    let _e1972 = (bitcast<f32>((((_e1946 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1707);
-                                    let _e1973 = (bitcast<f32>((((_e1946 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1717);
-                                    let _e1976 = nodes.member[(0u + _e1937)].frame[0u];
-                                    let _e1980 = nodes.member[(0u + _e1937)].frame[1u];
-                                    let _e1984 = nodes.member[(0u + _e1937)].frame[2u];
-                                    let _e1989 = ((bitcast<f32>(_e1976) - _e252) * _e1697);
-                                    let _e1990 = ((bitcast<f32>(_e1980) - _e254) * _e1707);
-                                    let _e1991 = ((bitcast<f32>(_e1984) - _e256) * _e1717);
-                                    let _e1999 = nodes.member[(0u + _e1937)].x;
-                                    if (_e1697 < 0f) {
-                                        let _e2010 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1999.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2016 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2010.unnamed.word, _e1999.w), _e2010.unnamed_1);
-                                        let _e2022 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2016.unnamed, lt_mask_LightPlace(_e1999.x, _e2016.unnamed_1.shift));
-                                        phi_2495_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2022.unnamed, lt_mask_LightPlace(_e2022.unnamed_1.word, _e1999.y));
+                                    let _e1969 = nodes.member[(0u + _e1960)].frame[3u];
+                                    let _e1994 = (bitcast<f32>((((_e1969 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1720);
+                                    let _e1995 = (bitcast<f32>((((_e1969 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1730);
+                                    let _e1996 = (bitcast<f32>((((_e1969 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1740);
+                                    let _e1999 = nodes.member[(0u + _e1960)].frame[0u];
+                                    let _e2003 = nodes.member[(0u + _e1960)].frame[1u];
+                                    let _e2007 = nodes.member[(0u + _e1960)].frame[2u];
+                                    let _e2012 = ((bitcast<f32>(_e1999) - _e252) * _e1720);
+                                    let _e2013 = ((bitcast<f32>(_e2003) - _e254) * _e1730);
+                                    let _e2014 = ((bitcast<f32>(_e2007) - _e256) * _e1740);
+                                    let _e2022 = nodes.member[(0u + _e1960)].x;
+                                    if (_e1720 < 0f) {
+                                        let _e2033 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2022.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2039 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2033.unnamed.word, _e2022.w), _e2033.unnamed_1);
+                                        let _e2045 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2039.unnamed, lt_mask_LightPlace(_e2022.x, _e2039.unnamed_1.shift));
+                                        phi_2515_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2045.unnamed, lt_mask_LightPlace(_e2045.unnamed_1.word, _e2022.y));
                                     } else {
-                                        let _e2038 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1999.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2044 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2038.unnamed.word, _e1999.y), _e2038.unnamed_1);
-                                        let _e2050 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2044.unnamed, lt_mask_LightPlace(_e1999.z, _e2044.unnamed_1.shift));
-                                        phi_2495_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2050.unnamed, lt_mask_LightPlace(_e2050.unnamed_1.word, _e1999.w));
+                                        let _e2061 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2022.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2067 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2061.unnamed.word, _e2022.y), _e2061.unnamed_1);
+                                        let _e2073 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2067.unnamed, lt_mask_LightPlace(_e2022.z, _e2067.unnamed_1.shift));
+                                        phi_2515_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2073.unnamed, lt_mask_LightPlace(_e2073.unnamed_1.word, _e2022.w));
                                     }
-                                    let _e2058 = phi_2495_;
-                                    let _e2068 = nodes.member[(0u + _e1937)].y;
-                                    if (_e1707 < 0f) {
-                                        let _e2079 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2068.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2085 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2079.unnamed.word, _e2068.w), _e2079.unnamed_1);
-                                        let _e2091 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2085.unnamed, lt_mask_LightPlace(_e2068.x, _e2085.unnamed_1.shift));
-                                        phi_2522_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2091.unnamed, lt_mask_LightPlace(_e2091.unnamed_1.word, _e2068.y));
+                                    let _e2081 = phi_2515_;
+                                    let _e2091 = nodes.member[(0u + _e1960)].y;
+                                    if (_e1730 < 0f) {
+                                        let _e2102 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2091.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2108 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2102.unnamed.word, _e2091.w), _e2102.unnamed_1);
+                                        let _e2114 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2108.unnamed, lt_mask_LightPlace(_e2091.x, _e2108.unnamed_1.shift));
+                                        phi_2542_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2114.unnamed, lt_mask_LightPlace(_e2114.unnamed_1.word, _e2091.y));
                                     } else {
-                                        let _e2107 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2068.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2113 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2107.unnamed.word, _e2068.y), _e2107.unnamed_1);
-                                        let _e2119 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2113.unnamed, lt_mask_LightPlace(_e2068.z, _e2113.unnamed_1.shift));
-                                        phi_2522_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2119.unnamed, lt_mask_LightPlace(_e2119.unnamed_1.word, _e2068.w));
+                                        let _e2130 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2091.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2136 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2130.unnamed.word, _e2091.y), _e2130.unnamed_1);
+                                        let _e2142 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2136.unnamed, lt_mask_LightPlace(_e2091.z, _e2136.unnamed_1.shift));
+                                        phi_2542_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2142.unnamed, lt_mask_LightPlace(_e2142.unnamed_1.word, _e2091.w));
                                     }
-                                    let _e2127 = phi_2522_;
-                                    let _e2137 = nodes.member[(0u + _e1937)].z;
-                                    if (_e1717 < 0f) {
-                                        let _e2148 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2137.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2154 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2148.unnamed.word, _e2137.w), _e2148.unnamed_1);
-                                        let _e2160 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2154.unnamed, lt_mask_LightPlace(_e2137.x, _e2154.unnamed_1.shift));
-                                        phi_2549_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2160.unnamed, lt_mask_LightPlace(_e2160.unnamed_1.word, _e2137.y));
+                                    let _e2150 = phi_2542_;
+                                    let _e2160 = nodes.member[(0u + _e1960)].z;
+                                    if (_e1740 < 0f) {
+                                        let _e2171 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2160.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2177 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2171.unnamed.word, _e2160.w), _e2171.unnamed_1);
+                                        let _e2183 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2177.unnamed, lt_mask_LightPlace(_e2160.x, _e2177.unnamed_1.shift));
+                                        phi_2569_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2183.unnamed, lt_mask_LightPlace(_e2183.unnamed_1.word, _e2160.y));
                                     } else {
-                                        let _e2176 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2137.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2182 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2176.unnamed.word, _e2137.y), _e2176.unnamed_1);
-                                        let _e2188 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2182.unnamed, lt_mask_LightPlace(_e2137.z, _e2182.unnamed_1.shift));
-                                        phi_2549_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2188.unnamed, lt_mask_LightPlace(_e2188.unnamed_1.word, _e2137.w));
+                                        let _e2199 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2160.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2205 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2199.unnamed.word, _e2160.y), _e2199.unnamed_1);
+                                        let _e2211 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2205.unnamed, lt_mask_LightPlace(_e2160.z, _e2205.unnamed_1.shift));
+                                        phi_2569_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2211.unnamed, lt_mask_LightPlace(_e2211.unnamed_1.word, _e2160.w));
                                     }
-                                    let _e2196 = phi_2549_;
-                                    phi_2555_ = 0u;
-                                    phi_2558_ = 0u;
+                                    let _e2219 = phi_2569_;
+                                    phi_2575_ = 0u;
+                                    phi_2578_ = 0u;
                                     loop {
-                                        let _e2206 = phi_2555_;
-                                        let _e2208 = phi_2558_;
-                                        local_5 = _e2208;
-                                        local_6 = _e2208;
-                                        local_7 = _e2208;
-                                        let _e2209 = (_e2206 < 8u);
-                                        if _e2209 {
-                                            let _e2211 = (_e2206 >> bitcast<u32>(2i));
-                                            let _e2212 = (_e2206 & 3u);
-                                            if (_e2211 == 0u) {
-                                                phi_2572_ = _e2058.unnamed.word;
+                                        let _e2229 = phi_2575_;
+                                        let _e2231 = phi_2578_;
+                                        local_7 = _e2231;
+                                        local_8 = _e2231;
+                                        local_9 = _e2231;
+                                        let _e2232 = (_e2229 < 8u);
+                                        if _e2232 {
+                                            let _e2234 = (_e2229 >> bitcast<u32>(2i));
+                                            let _e2235 = (_e2229 & 3u);
+                                            if (_e2234 == 0u) {
+                                                phi_2592_ = _e2081.unnamed.word;
                                             } else {
-                                                phi_2572_ = _e2058.unnamed.shift;
+                                                phi_2592_ = _e2081.unnamed.shift;
                                             }
-                                            let _e2215 = phi_2572_;
-                                            if (_e2211 == 0u) {
-                                                phi_2582_ = _e2127.unnamed.word;
+                                            let _e2238 = phi_2592_;
+                                            if (_e2234 == 0u) {
+                                                phi_2602_ = _e2150.unnamed.word;
                                             } else {
-                                                phi_2582_ = _e2127.unnamed.shift;
+                                                phi_2602_ = _e2150.unnamed.shift;
                                             }
-                                            let _e2224 = phi_2582_;
-                                            if (_e2211 == 0u) {
-                                                phi_2592_ = _e2196.unnamed.word;
+                                            let _e2247 = phi_2602_;
+                                            if (_e2234 == 0u) {
+                                                phi_2612_ = _e2219.unnamed.word;
                                             } else {
-                                                phi_2592_ = _e2196.unnamed.shift;
+                                                phi_2612_ = _e2219.unnamed.shift;
                                             }
-                                            let _e2233 = phi_2592_;
-                                            let _e2246 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2215 >> bitcast<u32>(((_e2212 * 8u) & 31u))) & 255u)) * _e1971) + (_e1989 - _e1749)), ((f32(((_e2224 >> bitcast<u32>(((_e2212 * 8u) & 31u))) & 255u)) * _e1972) + (_e1990 - _e1750)));
-                                            let _e2247 = core_intrinsics_maximum_number_nsz_f32_(_e2246, ((f32(((_e2233 >> bitcast<u32>(((_e2212 * 8u) & 31u))) & 255u)) * _e1973) + (_e1991 - _e1751)));
-                                            if (_e2211 == 0u) {
-                                                phi_2610_ = _e2058.unnamed_1.word;
+                                            let _e2256 = phi_2612_;
+                                            let _e2269 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2238 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1994) + (_e2012 - _e1772)), ((f32(((_e2247 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1995) + (_e2013 - _e1773)));
+                                            let _e2270 = core_intrinsics_maximum_number_nsz_f32_(_e2269, ((f32(((_e2256 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1996) + (_e2014 - _e1774)));
+                                            if (_e2234 == 0u) {
+                                                phi_2630_ = _e2081.unnamed_1.word;
                                             } else {
-                                                phi_2610_ = _e2058.unnamed_1.shift;
+                                                phi_2630_ = _e2081.unnamed_1.shift;
                                             }
-                                            let _e2250 = phi_2610_;
-                                            if (_e2211 == 0u) {
-                                                phi_2620_ = _e2127.unnamed_1.word;
+                                            let _e2273 = phi_2630_;
+                                            if (_e2234 == 0u) {
+                                                phi_2640_ = _e2150.unnamed_1.word;
                                             } else {
-                                                phi_2620_ = _e2127.unnamed_1.shift;
+                                                phi_2640_ = _e2150.unnamed_1.shift;
                                             }
-                                            let _e2259 = phi_2620_;
-                                            if (_e2211 == 0u) {
-                                                phi_2630_ = _e2196.unnamed_1.word;
+                                            let _e2282 = phi_2640_;
+                                            if (_e2234 == 0u) {
+                                                phi_2650_ = _e2219.unnamed_1.word;
                                             } else {
-                                                phi_2630_ = _e2196.unnamed_1.shift;
+                                                phi_2650_ = _e2219.unnamed_1.shift;
                                             }
-                                            let _e2268 = phi_2630_;
-                                            let _e2281 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2250 >> bitcast<u32>(((_e2212 * 8u) & 31u))) & 255u)) * _e1971) + (_e1989 + _e1749)), ((f32(((_e2259 >> bitcast<u32>(((_e2212 * 8u) & 31u))) & 255u)) * _e1972) + (_e1990 + _e1750)));
-                                            let _e2282 = core_intrinsics_minimum_number_nsz_f32_(_e2281, ((f32(((_e2268 >> bitcast<u32>(((_e2212 * 8u) & 31u))) & 255u)) * _e1973) + (_e1991 + _e1751)));
-                                            if (_e2247 <= _e2282) {
-                                                if (_e2247 <= _e264) {
-                                                    if (_e2282 >= 0f) {
-                                                        if (_e2211 == 0u) {
-                                                            let _e2289 = nodes.member[(0u + _e1937)].links[2u];
-                                                            phi_2666_ = _e2289;
+                                            let _e2291 = phi_2650_;
+                                            let _e2304 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2273 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1994) + (_e2012 + _e1772)), ((f32(((_e2282 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1995) + (_e2013 + _e1773)));
+                                            let _e2305 = core_intrinsics_minimum_number_nsz_f32_(_e2304, ((f32(((_e2291 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1996) + (_e2014 + _e1774)));
+                                            if (_e2270 <= _e2305) {
+                                                if (_e2270 <= _e264) {
+                                                    if (_e2305 >= 0f) {
+                                                        if (_e2234 == 0u) {
+                                                            let _e2312 = nodes.member[(0u + _e1960)].links[2u];
+                                                            phi_2686_ = _e2312;
                                                         } else {
-                                                            let _e2292 = nodes.member[(0u + _e1937)].links[3u];
-                                                            phi_2666_ = _e2292;
+                                                            let _e2315 = nodes.member[(0u + _e1960)].links[3u];
+                                                            phi_2686_ = _e2315;
                                                         }
-                                                        let _e2294 = phi_2666_;
-                                                        let _e2299 = ((_e2294 >> bitcast<u32>(((_e2212 * 8u) & 31u))) & 255u);
-                                                        let _e2300 = (_e2299 & 31u);
-                                                        if (_e2300 >= 24u) {
-                                                            phi_2679_ = (24u + ((_e2300 - 24u) ^ _e1799));
+                                                        let _e2317 = phi_2686_;
+                                                        let _e2322 = ((_e2317 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u);
+                                                        let _e2323 = (_e2322 & 31u);
+                                                        if (_e2323 >= 24u) {
+                                                            phi_2699_ = (24u + ((_e2323 - 24u) ^ _e1822));
                                                         } else {
-                                                            phi_2679_ = _e2300;
+                                                            phi_2699_ = _e2323;
                                                         }
-                                                        let _e2306 = phi_2679_;
-                                                        phi_2684_ = (_e2208 | ((_e2299 >> bitcast<u32>(5i)) << bitcast<u32>((_e2306 & 31u))));
+                                                        let _e2329 = phi_2699_;
+                                                        phi_2704_ = (_e2231 | ((_e2322 >> bitcast<u32>(5i)) << bitcast<u32>((_e2329 & 31u))));
                                                     } else {
-                                                        phi_2684_ = _e2208;
+                                                        phi_2704_ = _e2231;
                                                     }
-                                                    let _e2314 = phi_2684_;
-                                                    phi_2685_ = _e2314;
+                                                    let _e2337 = phi_2704_;
+                                                    phi_2705_ = _e2337;
                                                 } else {
-                                                    phi_2685_ = _e2208;
+                                                    phi_2705_ = _e2231;
                                                 }
-                                                let _e2316 = phi_2685_;
-                                                phi_2686_ = _e2316;
+                                                let _e2339 = phi_2705_;
+                                                phi_2706_ = _e2339;
                                             } else {
-                                                phi_2686_ = _e2208;
+                                                phi_2706_ = _e2231;
                                             }
-                                            let _e2318 = phi_2686_;
-                                            phi_2556_ = (_e2206 + 1u);
-                                            phi_2559_ = _e2318;
+                                            let _e2341 = phi_2706_;
+                                            phi_2576_ = (_e2229 + 1u);
+                                            phi_2579_ = _e2341;
                                         } else {
-                                            phi_2556_ = u32();
-                                            phi_2559_ = u32();
+                                            phi_2576_ = u32();
+                                            phi_2579_ = u32();
                                         }
-                                        let _e2321 = phi_2556_;
-                                        let _e2323 = phi_2559_;
+                                        let _e2344 = phi_2576_;
+                                        let _e2346 = phi_2579_;
                                         continue;
                                         continuing {
-                                            phi_2555_ = _e2321;
-                                            phi_2558_ = _e2323;
-                                            break if !(_e2209);
+                                            phi_2575_ = _e2344;
+                                            phi_2578_ = _e2346;
+                                            break if !(_e2232);
                                         }
                                     }
-                                    let _e2327 = nodes.member[(0u + _e1937)].links[0u];
-                                    let _e2331 = nodes.member[(0u + _e1937)].frame[3u];
-                                    let _e2335 = local_5;
-                                    if ((_e2335 & 4278190080u) == 0u) {
+                                    let _e2350 = nodes.member[(0u + _e1960)].links[0u];
+                                    let _e2354 = nodes.member[(0u + _e1960)].frame[3u];
+                                    let _e2358 = local_7;
+                                    if ((_e2358 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2339 = local.group_mask;
-                                        if ((_e2339 & 4278190080u) == 0u) {
+                                        let _e2362 = local.group_mask;
+                                        if ((_e2362 & 4278190080u) == 0u) {
                                         } else {
-                                            let _e2343 = local.len;
-                                            if (_e2343 < 32u) {
-                                                let _e2346 = local.group;
-                                                let _e2348 = local.len;
-                                                if (_e2348 < 32u) {
+                                            let _e2366 = local.len;
+                                            if (_e2366 < 32u) {
+                                                let _e2369 = local.group;
+                                                let _e2371 = local.len;
+                                                if (_e2371 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                local.first[(0u + _e2348)] = _e2346;
-                                                let _e2354 = local.group_mask;
-                                                let _e2356 = local.len;
-                                                if (_e2356 < 32u) {
+                                                local.first[(0u + _e2371)] = _e2369;
+                                                let _e2377 = local.group_mask;
+                                                let _e2379 = local.len;
+                                                if (_e2379 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                local.mask[(0u + _e2356)] = _e2354;
-                                                let _e2363 = local.len;
-                                                local.len = (_e2363 + 1u);
+                                                local.mask[(0u + _e2379)] = _e2377;
+                                                let _e2386 = local.len;
+                                                local.len = (_e2386 + 1u);
                                             }
                                         }
-                                        local.group = (0u + _e2327);
-                                        let _e2367 = local_6;
-                                        local.group_mask = ((_e2367 & 4278190080u) | (_e2331 >> bitcast<u32>(24i)));
+                                        local.group = (0u + _e2350);
+                                        let _e2390 = local_8;
+                                        local.group_mask = ((_e2390 & 4278190080u) | (_e2354 >> bitcast<u32>(24i)));
                                     }
-                                    let _e2372 = local_7;
-                                    phi_2744_ = (_e2372 & 16777215u);
-                                    phi_2747_ = _e1939;
+                                    let _e2395 = local_9;
+                                    phi_2764_ = (_e2395 & 16777215u);
+                                    phi_2767_ = _e1962;
                                     loop {
-                                        let _e2375 = phi_2744_;
-                                        let _e2377 = phi_2747_;
-                                        local_15 = _e2377;
-                                        let _e2378 = (_e2375 == 0u);
-                                        local_8 = _e2378;
-                                        local_16 = _e2378;
-                                        if _e2378 {
-                                            phi_2745_ = u32();
-                                            phi_2748_ = bool();
-                                            phi_3345_ = false;
+                                        let _e2398 = phi_2764_;
+                                        let _e2400 = phi_2767_;
+                                        local_20 = _e2400;
+                                        let _e2401 = (_e2398 == 0u);
+                                        local_10 = _e2401;
+                                        local_21 = _e2401;
+                                        if _e2401 {
+                                            phi_2765_ = u32();
+                                            phi_2768_ = bool();
+                                            phi_3365_ = false;
                                         } else {
-                                            let _e2381 = nodes.member[(0u + _e1937)].links[1u];
-                                            let _e2386 = ((0u + _e2381) + select(firstTrailingBit(_e2375), 32u, (_e2375 == 0u)));
-                                            if (_e2386 < _e78) {
+                                            let _e2404 = nodes.member[(0u + _e1960)].links[1u];
+                                            let _e2409 = ((0u + _e2404) + select(firstTrailingBit(_e2398), 32u, (_e2398 == 0u)));
+                                            if (_e2409 < _e78) {
                                             } else {
                                                 return;
                                             }
-                                            let _e2393 = triangles.member[(0u + _e2386)].v0_;
-                                            let _e2395 = (_e2393.x - _e252);
-                                            let _e2397 = (_e2393.y - _e254);
-                                            let _e2399 = (_e2393.z - _e256);
-                                            if (_e1772 == 0u) {
-                                                phi_2792_ = vec3<f32>(_e2397, _e2399, _e2395);
+                                            let _e2416 = triangles.member[(0u + _e2409)].v0_;
+                                            let _e2418 = (_e2416.x - _e252);
+                                            let _e2420 = (_e2416.y - _e254);
+                                            let _e2422 = (_e2416.z - _e256);
+                                            if (_e1795 == 0u) {
+                                                phi_2812_ = vec3<f32>(_e2420, _e2422, _e2418);
                                             } else {
-                                                if (_e1772 == 1u) {
-                                                    phi_2791_ = vec3<f32>(_e2399, _e2395, _e2397);
+                                                if (_e1795 == 1u) {
+                                                    phi_2811_ = vec3<f32>(_e2422, _e2418, _e2420);
                                                 } else {
-                                                    phi_2791_ = (_e2393 - vec3<f32>(_e252, _e254, _e256));
+                                                    phi_2811_ = (_e2416 - vec3<f32>(_e252, _e254, _e256));
                                                 }
-                                                let _e2407 = phi_2791_;
-                                                phi_2792_ = _e2407;
+                                                let _e2430 = phi_2811_;
+                                                phi_2812_ = _e2430;
                                             }
-                                            let _e2409 = phi_2792_;
-                                            let _e2413 = (_e2409.x - (_e1783 * _e2409.z));
-                                            let _e2417 = (_e2409.y - (_e1786 * _e2409.z));
-                                            let _e2419 = triangles.member[(0u + _e2386)].v1_;
-                                            let _e2421 = (_e2419.x - _e252);
-                                            let _e2423 = (_e2419.y - _e254);
-                                            let _e2425 = (_e2419.z - _e256);
-                                            if (_e1772 == 0u) {
-                                                phi_2822_ = vec3<f32>(_e2423, _e2425, _e2421);
+                                            let _e2432 = phi_2812_;
+                                            let _e2436 = (_e2432.x - (_e1806 * _e2432.z));
+                                            let _e2440 = (_e2432.y - (_e1809 * _e2432.z));
+                                            let _e2442 = triangles.member[(0u + _e2409)].v1_;
+                                            let _e2444 = (_e2442.x - _e252);
+                                            let _e2446 = (_e2442.y - _e254);
+                                            let _e2448 = (_e2442.z - _e256);
+                                            if (_e1795 == 0u) {
+                                                phi_2842_ = vec3<f32>(_e2446, _e2448, _e2444);
                                             } else {
-                                                if (_e1772 == 1u) {
-                                                    phi_2821_ = vec3<f32>(_e2425, _e2421, _e2423);
+                                                if (_e1795 == 1u) {
+                                                    phi_2841_ = vec3<f32>(_e2448, _e2444, _e2446);
                                                 } else {
-                                                    phi_2821_ = (_e2419 - vec3<f32>(_e252, _e254, _e256));
+                                                    phi_2841_ = (_e2442 - vec3<f32>(_e252, _e254, _e256));
                                                 }
-                                                let _e2433 = phi_2821_;
-                                                phi_2822_ = _e2433;
+                                                let _e2456 = phi_2841_;
+                                                phi_2842_ = _e2456;
                                             }
-                                            let _e2435 = phi_2822_;
-                                            let _e2439 = (_e2435.x - (_e1783 * _e2435.z));
-                                            let _e2443 = (_e2435.y - (_e1786 * _e2435.z));
-                                            let _e2445 = triangles.member[(0u + _e2386)].v2_;
-                                            let _e2447 = (_e2445.x - _e252);
-                                            let _e2449 = (_e2445.y - _e254);
-                                            let _e2451 = (_e2445.z - _e256);
-                                            if (_e1772 == 0u) {
-                                                phi_2852_ = vec3<f32>(_e2449, _e2451, _e2447);
+                                            let _e2458 = phi_2842_;
+                                            let _e2462 = (_e2458.x - (_e1806 * _e2458.z));
+                                            let _e2466 = (_e2458.y - (_e1809 * _e2458.z));
+                                            let _e2468 = triangles.member[(0u + _e2409)].v2_;
+                                            let _e2470 = (_e2468.x - _e252);
+                                            let _e2472 = (_e2468.y - _e254);
+                                            let _e2474 = (_e2468.z - _e256);
+                                            if (_e1795 == 0u) {
+                                                phi_2872_ = vec3<f32>(_e2472, _e2474, _e2470);
                                             } else {
-                                                if (_e1772 == 1u) {
-                                                    phi_2851_ = vec3<f32>(_e2451, _e2447, _e2449);
+                                                if (_e1795 == 1u) {
+                                                    phi_2871_ = vec3<f32>(_e2474, _e2470, _e2472);
                                                 } else {
-                                                    phi_2851_ = (_e2445 - vec3<f32>(_e252, _e254, _e256));
+                                                    phi_2871_ = (_e2468 - vec3<f32>(_e252, _e254, _e256));
                                                 }
-                                                let _e2459 = phi_2851_;
-                                                phi_2852_ = _e2459;
+                                                let _e2482 = phi_2871_;
+                                                phi_2872_ = _e2482;
                                             }
-                                            let _e2461 = phi_2852_;
-                                            let _e2465 = (_e2461.x - (_e1783 * _e2461.z));
-                                            let _e2469 = (_e2461.y - (_e1786 * _e2461.z));
-                                            if (_e2439 < _e2465) {
-                                                phi_2871_ = true;
+                                            let _e2484 = phi_2872_;
+                                            let _e2488 = (_e2484.x - (_e1806 * _e2484.z));
+                                            let _e2492 = (_e2484.y - (_e1809 * _e2484.z));
+                                            if (_e2462 < _e2488) {
+                                                phi_2891_ = true;
                                             } else {
-                                                if (_e2439 == _e2465) {
-                                                    phi_2870_ = (_e2443 < _e2469);
+                                                if (_e2462 == _e2488) {
+                                                    phi_2890_ = (_e2466 < _e2492);
                                                 } else {
-                                                    phi_2870_ = false;
+                                                    phi_2890_ = false;
                                                 }
-                                                let _e2474 = phi_2870_;
-                                                phi_2871_ = _e2474;
+                                                let _e2497 = phi_2890_;
+                                                phi_2891_ = _e2497;
                                             }
-                                            let _e2476 = phi_2871_;
-                                            if _e2476 {
-                                                phi_2875_ = _e2469;
-                                                phi_2876_ = _e2465;
-                                                phi_2877_ = _e2443;
-                                                phi_2878_ = _e2439;
+                                            let _e2499 = phi_2891_;
+                                            if _e2499 {
+                                                phi_2895_ = _e2492;
+                                                phi_2896_ = _e2488;
+                                                phi_2897_ = _e2466;
+                                                phi_2898_ = _e2462;
                                             } else {
-                                                phi_2875_ = _e2443;
-                                                phi_2876_ = _e2439;
-                                                phi_2877_ = _e2469;
-                                                phi_2878_ = _e2465;
+                                                phi_2895_ = _e2466;
+                                                phi_2896_ = _e2462;
+                                                phi_2897_ = _e2492;
+                                                phi_2898_ = _e2488;
                                             }
-                                            let _e2478 = phi_2875_;
-                                            let _e2480 = phi_2876_;
-                                            let _e2482 = phi_2877_;
-                                            let _e2484 = phi_2878_;
-                                            let _e2487 = ((_e2484 * _e2478) - (_e2482 * _e2480));
-                                            if _e2476 {
-                                                phi_2886_ = -(_e2487);
+                                            let _e2501 = phi_2895_;
+                                            let _e2503 = phi_2896_;
+                                            let _e2505 = phi_2897_;
+                                            let _e2507 = phi_2898_;
+                                            let _e2510 = ((_e2507 * _e2501) - (_e2505 * _e2503));
+                                            if _e2499 {
+                                                phi_2906_ = -(_e2510);
                                             } else {
-                                                phi_2886_ = _e2487;
+                                                phi_2906_ = _e2510;
                                             }
-                                            let _e2490 = phi_2886_;
-                                            if (_e2465 < _e2413) {
-                                                phi_2897_ = true;
+                                            let _e2513 = phi_2906_;
+                                            if (_e2488 < _e2436) {
+                                                phi_2917_ = true;
                                             } else {
-                                                if (_e2465 == _e2413) {
-                                                    phi_2896_ = (_e2469 < _e2417);
+                                                if (_e2488 == _e2436) {
+                                                    phi_2916_ = (_e2492 < _e2440);
                                                 } else {
-                                                    phi_2896_ = false;
+                                                    phi_2916_ = false;
                                                 }
-                                                let _e2495 = phi_2896_;
-                                                phi_2897_ = _e2495;
+                                                let _e2518 = phi_2916_;
+                                                phi_2917_ = _e2518;
                                             }
-                                            let _e2497 = phi_2897_;
-                                            if _e2497 {
-                                                phi_2901_ = _e2417;
-                                                phi_2902_ = _e2413;
-                                                phi_2903_ = _e2469;
-                                                phi_2904_ = _e2465;
+                                            let _e2520 = phi_2917_;
+                                            if _e2520 {
+                                                phi_2921_ = _e2440;
+                                                phi_2922_ = _e2436;
+                                                phi_2923_ = _e2492;
+                                                phi_2924_ = _e2488;
                                             } else {
-                                                phi_2901_ = _e2469;
-                                                phi_2902_ = _e2465;
-                                                phi_2903_ = _e2417;
-                                                phi_2904_ = _e2413;
+                                                phi_2921_ = _e2492;
+                                                phi_2922_ = _e2488;
+                                                phi_2923_ = _e2440;
+                                                phi_2924_ = _e2436;
                                             }
-                                            let _e2499 = phi_2901_;
-                                            let _e2501 = phi_2902_;
-                                            let _e2503 = phi_2903_;
-                                            let _e2505 = phi_2904_;
-                                            let _e2508 = ((_e2505 * _e2499) - (_e2503 * _e2501));
-                                            if _e2497 {
-                                                phi_2912_ = -(_e2508);
+                                            let _e2522 = phi_2921_;
+                                            let _e2524 = phi_2922_;
+                                            let _e2526 = phi_2923_;
+                                            let _e2528 = phi_2924_;
+                                            let _e2531 = ((_e2528 * _e2522) - (_e2526 * _e2524));
+                                            if _e2520 {
+                                                phi_2932_ = -(_e2531);
                                             } else {
-                                                phi_2912_ = _e2508;
+                                                phi_2932_ = _e2531;
                                             }
-                                            let _e2511 = phi_2912_;
-                                            if (_e2413 < _e2439) {
-                                                phi_2923_ = true;
+                                            let _e2534 = phi_2932_;
+                                            if (_e2436 < _e2462) {
+                                                phi_2943_ = true;
                                             } else {
-                                                if (_e2413 == _e2439) {
-                                                    phi_2922_ = (_e2417 < _e2443);
+                                                if (_e2436 == _e2462) {
+                                                    phi_2942_ = (_e2440 < _e2466);
                                                 } else {
-                                                    phi_2922_ = false;
+                                                    phi_2942_ = false;
                                                 }
-                                                let _e2516 = phi_2922_;
-                                                phi_2923_ = _e2516;
+                                                let _e2539 = phi_2942_;
+                                                phi_2943_ = _e2539;
                                             }
-                                            let _e2518 = phi_2923_;
-                                            if _e2518 {
-                                                phi_2927_ = _e2443;
-                                                phi_2928_ = _e2439;
-                                                phi_2929_ = _e2417;
-                                                phi_2930_ = _e2413;
+                                            let _e2541 = phi_2943_;
+                                            if _e2541 {
+                                                phi_2947_ = _e2466;
+                                                phi_2948_ = _e2462;
+                                                phi_2949_ = _e2440;
+                                                phi_2950_ = _e2436;
                                             } else {
-                                                phi_2927_ = _e2417;
-                                                phi_2928_ = _e2413;
-                                                phi_2929_ = _e2443;
-                                                phi_2930_ = _e2439;
+                                                phi_2947_ = _e2440;
+                                                phi_2948_ = _e2436;
+                                                phi_2949_ = _e2466;
+                                                phi_2950_ = _e2462;
                                             }
-                                            let _e2520 = phi_2927_;
-                                            let _e2522 = phi_2928_;
-                                            let _e2524 = phi_2929_;
-                                            let _e2526 = phi_2930_;
-                                            let _e2529 = ((_e2526 * _e2520) - (_e2524 * _e2522));
-                                            if _e2518 {
-                                                phi_2938_ = -(_e2529);
+                                            let _e2543 = phi_2947_;
+                                            let _e2545 = phi_2948_;
+                                            let _e2547 = phi_2949_;
+                                            let _e2549 = phi_2950_;
+                                            let _e2552 = ((_e2549 * _e2543) - (_e2547 * _e2545));
+                                            if _e2541 {
+                                                phi_2958_ = -(_e2552);
                                             } else {
-                                                phi_2938_ = _e2529;
+                                                phi_2958_ = _e2552;
                                             }
-                                            let _e2532 = phi_2938_;
-                                            if (_e2490 >= 0f) {
-                                                if (_e2511 >= 0f) {
-                                                    if (_e2532 >= 0f) {
-                                                        phi_2953_ = ((_e2490 + _e2511) + _e2532);
-                                                        phi_2954_ = false;
+                                            let _e2555 = phi_2958_;
+                                            if (_e2513 >= 0f) {
+                                                if (_e2534 >= 0f) {
+                                                    if (_e2555 >= 0f) {
+                                                        phi_2973_ = ((_e2513 + _e2534) + _e2555);
+                                                        phi_2974_ = false;
                                                     } else {
-                                                        phi_2953_ = f32();
-                                                        phi_2954_ = true;
+                                                        phi_2973_ = f32();
+                                                        phi_2974_ = true;
                                                     }
-                                                    let _e2539 = phi_2953_;
-                                                    let _e2541 = phi_2954_;
-                                                    phi_2955_ = _e2539;
-                                                    phi_2956_ = _e2541;
+                                                    let _e2562 = phi_2973_;
+                                                    let _e2564 = phi_2974_;
+                                                    phi_2975_ = _e2562;
+                                                    phi_2976_ = _e2564;
                                                 } else {
-                                                    phi_2955_ = f32();
-                                                    phi_2956_ = true;
+                                                    phi_2975_ = f32();
+                                                    phi_2976_ = true;
                                                 }
-                                                let _e2543 = phi_2955_;
-                                                let _e2545 = phi_2956_;
-                                                phi_2957_ = _e2543;
-                                                phi_2958_ = _e2545;
+                                                let _e2566 = phi_2975_;
+                                                let _e2568 = phi_2976_;
+                                                phi_2977_ = _e2566;
+                                                phi_2978_ = _e2568;
                                             } else {
-                                                phi_2957_ = f32();
-                                                phi_2958_ = true;
+                                                phi_2977_ = f32();
+                                                phi_2978_ = true;
                                             }
-                                            let _e2547 = phi_2957_;
-                                            let _e2549 = phi_2958_;
-                                            if _e2549 {
-                                                if (_e2490 <= 0f) {
-                                                    if (_e2511 <= 0f) {
-                                                        let _e2552 = (_e2532 <= 0f);
-                                                        if _e2552 {
-                                                        }
-                                                        phi_2976_ = ((_e2490 + _e2511) + _e2532);
-                                                        phi_2977_ = false;
-                                                        phi_2978_ = _e2552;
-                                                    } else {
-                                                        phi_2976_ = f32();
-                                                        phi_2977_ = true;
-                                                        phi_2978_ = false;
-                                                    }
-                                                    let _e2556 = phi_2976_;
-                                                    let _e2558 = phi_2977_;
-                                                    let _e2560 = phi_2978_;
-                                                    phi_2979_ = _e2556;
-                                                    phi_2980_ = _e2558;
-                                                    phi_2981_ = _e2560;
-                                                } else {
-                                                    phi_2979_ = f32();
-                                                    phi_2980_ = true;
-                                                    phi_2981_ = false;
-                                                }
-                                                let _e2562 = phi_2979_;
-                                                let _e2564 = phi_2980_;
-                                                let _e2566 = phi_2981_;
-                                                if _e2564 {
-                                                    phi_2985_ = false;
-                                                } else {
-                                                    phi_2985_ = _e2566;
-                                                }
-                                                let _e2568 = phi_2985_;
-                                                phi_2986_ = _e2562;
-                                                phi_2987_ = _e2568;
-                                            } else {
-                                                phi_2986_ = _e2547;
-                                                phi_2987_ = true;
-                                            }
-                                            let _e2570 = phi_2986_;
-                                            let _e2572 = phi_2987_;
+                                            let _e2570 = phi_2977_;
+                                            let _e2572 = phi_2978_;
                                             if _e2572 {
-                                                let _e2573 = (_e2570 == 0f);
-                                                if _e2573 {
-                                                    phi_3303_ = lt_bvh_triangle_Intersection();
-                                                    phi_3304_ = false;
+                                                if (_e2513 <= 0f) {
+                                                    if (_e2534 <= 0f) {
+                                                        let _e2575 = (_e2555 <= 0f);
+                                                        if _e2575 {
+                                                        }
+                                                        phi_2996_ = ((_e2513 + _e2534) + _e2555);
+                                                        phi_2997_ = false;
+                                                        phi_2998_ = _e2575;
+                                                    } else {
+                                                        phi_2996_ = f32();
+                                                        phi_2997_ = true;
+                                                        phi_2998_ = false;
+                                                    }
+                                                    let _e2579 = phi_2996_;
+                                                    let _e2581 = phi_2997_;
+                                                    let _e2583 = phi_2998_;
+                                                    phi_2999_ = _e2579;
+                                                    phi_3000_ = _e2581;
+                                                    phi_3001_ = _e2583;
                                                 } else {
-                                                    let _e2575 = triangles.member[(0u + _e2386)].v0_;
-                                                    let _e2577 = (_e2575.x - _e252);
-                                                    let _e2579 = (_e2575.y - _e254);
-                                                    let _e2581 = (_e2575.z - _e256);
-                                                    if (_e1772 == 0u) {
-                                                        phi_3016_ = vec3<f32>(_e2579, _e2581, _e2577);
-                                                    } else {
-                                                        if (_e1772 == 1u) {
-                                                            phi_3015_ = vec3<f32>(_e2581, _e2577, _e2579);
-                                                        } else {
-                                                            phi_3015_ = (_e2575 - vec3<f32>(_e252, _e254, _e256));
-                                                        }
-                                                        let _e2589 = phi_3015_;
-                                                        phi_3016_ = _e2589;
-                                                    }
-                                                    let _e2591 = phi_3016_;
-                                                    let _e2593 = triangles.member[(0u + _e2386)].v1_;
-                                                    let _e2595 = triangles.member[(0u + _e2386)].v0_;
-                                                    let _e2598 = (_e2593.x - _e2595.x);
-                                                    let _e2601 = (_e2593.y - _e2595.y);
-                                                    let _e2604 = (_e2593.z - _e2595.z);
-                                                    if (_e1772 == 0u) {
-                                                        phi_3042_ = vec3<f32>(_e2601, _e2604, _e2598);
-                                                    } else {
-                                                        if (_e1772 == 1u) {
-                                                            phi_3041_ = vec3<f32>(_e2604, _e2598, _e2601);
-                                                        } else {
-                                                            phi_3041_ = (_e2593 - _e2595);
-                                                        }
-                                                        let _e2611 = phi_3041_;
-                                                        phi_3042_ = _e2611;
-                                                    }
-                                                    let _e2613 = phi_3042_;
-                                                    let _e2615 = triangles.member[(0u + _e2386)].v2_;
-                                                    let _e2617 = triangles.member[(0u + _e2386)].v0_;
-                                                    let _e2620 = (_e2615.x - _e2617.x);
-                                                    let _e2623 = (_e2615.y - _e2617.y);
-                                                    let _e2626 = (_e2615.z - _e2617.z);
-                                                    if (_e1772 == 0u) {
-                                                        phi_3068_ = vec3<f32>(_e2623, _e2626, _e2620);
-                                                    } else {
-                                                        if (_e1772 == 1u) {
-                                                            phi_3067_ = vec3<f32>(_e2626, _e2620, _e2623);
-                                                        } else {
-                                                            phi_3067_ = (_e2615 - _e2617);
-                                                        }
-                                                        let _e2633 = phi_3067_;
-                                                        phi_3068_ = _e2633;
-                                                    }
-                                                    let _e2635 = phi_3068_;
-                                                    let _e2642 = ((_e2613.y * _e2635.z) - (_e2613.z * _e2635.y));
-                                                    let _e2649 = ((_e2613.z * _e2635.x) - (_e2613.x * _e2635.z));
-                                                    let _e2656 = ((_e2613.x * _e2635.y) - (_e2613.y * _e2635.x));
-                                                    let _e2670 = (((1f / _e1780.z) * (((_e2642 * _e2591.x) + (_e2649 * _e2591.y)) + (_e2656 * _e2591.z))) / (((_e2642 * _e1783) + (_e2649 * _e1786)) + _e2656));
-                                                    if (_e2670 > 0f) {
-                                                        if (_e2670 < _e264) {
-                                                            let _e2674 = triangles.member[(0u + _e2386)].v0_;
-                                                            let _e2676 = triangles.member[(0u + _e2386)].v1_;
-                                                            if (_e2674.x < _e2676.x) {
-                                                                phi_3124_ = _e2674.x;
-                                                            } else {
-                                                                phi_3124_ = _e2676.x;
-                                                            }
-                                                            let _e2683 = phi_3124_;
-                                                            if (_e2674.y < _e2676.y) {
-                                                                phi_3133_ = _e2674.y;
-                                                            } else {
-                                                                phi_3133_ = _e2676.y;
-                                                            }
-                                                            let _e2690 = phi_3133_;
-                                                            if (_e2674.z < _e2676.z) {
-                                                                phi_3142_ = _e2674.z;
-                                                            } else {
-                                                                phi_3142_ = _e2676.z;
-                                                            }
-                                                            let _e2697 = phi_3142_;
-                                                            let _e2699 = triangles.member[(0u + _e2386)].v2_;
-                                                            if (_e2683 < _e2699.x) {
-                                                                phi_3151_ = _e2683;
-                                                            } else {
-                                                                phi_3151_ = _e2699.x;
-                                                            }
-                                                            let _e2704 = phi_3151_;
-                                                            if (_e2690 < _e2699.y) {
-                                                                phi_3158_ = _e2690;
-                                                            } else {
-                                                                phi_3158_ = _e2699.y;
-                                                            }
-                                                            let _e2709 = phi_3158_;
-                                                            if (_e2697 < _e2699.z) {
-                                                                phi_3165_ = _e2697;
-                                                            } else {
-                                                                phi_3165_ = _e2699.z;
-                                                            }
-                                                            let _e2714 = phi_3165_;
-                                                            let _e2716 = triangles.member[(0u + _e2386)].v0_;
-                                                            let _e2718 = triangles.member[(0u + _e2386)].v1_;
-                                                            if (_e2716.x > _e2718.x) {
-                                                                phi_3178_ = _e2716.x;
-                                                            } else {
-                                                                phi_3178_ = _e2718.x;
-                                                            }
-                                                            let _e2725 = phi_3178_;
-                                                            if (_e2716.y > _e2718.y) {
-                                                                phi_3187_ = _e2716.y;
-                                                            } else {
-                                                                phi_3187_ = _e2718.y;
-                                                            }
-                                                            let _e2732 = phi_3187_;
-                                                            if (_e2716.z > _e2718.z) {
-                                                                phi_3196_ = _e2716.z;
-                                                            } else {
-                                                                phi_3196_ = _e2718.z;
-                                                            }
-                                                            let _e2739 = phi_3196_;
-                                                            let _e2741 = triangles.member[(0u + _e2386)].v2_;
-                                                            if (_e2725 > _e2741.x) {
-                                                                phi_3205_ = _e2725;
-                                                            } else {
-                                                                phi_3205_ = _e2741.x;
-                                                            }
-                                                            let _e2746 = phi_3205_;
-                                                            if (_e2732 > _e2741.y) {
-                                                                phi_3212_ = _e2732;
-                                                            } else {
-                                                                phi_3212_ = _e2741.y;
-                                                            }
-                                                            let _e2751 = phi_3212_;
-                                                            if (_e2739 > _e2741.z) {
-                                                                phi_3219_ = _e2739;
-                                                            } else {
-                                                                phi_3219_ = _e2741.z;
-                                                            }
-                                                            let _e2756 = phi_3219_;
-                                                            let _e2760 = ((_e2704 - _e252) * _e1697);
-                                                            let _e2761 = ((_e2709 - _e254) * _e1707);
-                                                            let _e2762 = ((_e2714 - _e256) * _e1717);
-                                                            let _e2766 = ((_e2746 - _e252) * _e1697);
-                                                            let _e2767 = ((_e2751 - _e254) * _e1707);
-                                                            let _e2768 = ((_e2756 - _e256) * _e1717);
-                                                            if (_e2760 < _e2766) {
-                                                                phi_3236_ = _e2760;
-                                                            } else {
-                                                                phi_3236_ = _e2766;
-                                                            }
-                                                            let _e2771 = phi_3236_;
-                                                            if (_e2761 < _e2767) {
-                                                                phi_3241_ = _e2761;
-                                                            } else {
-                                                                phi_3241_ = _e2767;
-                                                            }
-                                                            let _e2774 = phi_3241_;
-                                                            if (_e2762 < _e2768) {
-                                                                phi_3246_ = _e2762;
-                                                            } else {
-                                                                phi_3246_ = _e2768;
-                                                            }
-                                                            let _e2777 = phi_3246_;
-                                                            if (_e2760 > _e2766) {
-                                                                phi_3254_ = _e2760;
-                                                            } else {
-                                                                phi_3254_ = _e2766;
-                                                            }
-                                                            let _e2783 = phi_3254_;
-                                                            if (_e2761 > _e2767) {
-                                                                phi_3259_ = _e2761;
-                                                            } else {
-                                                                phi_3259_ = _e2767;
-                                                            }
-                                                            let _e2786 = phi_3259_;
-                                                            if (_e2762 > _e2768) {
-                                                                phi_3264_ = _e2762;
-                                                            } else {
-                                                                phi_3264_ = _e2768;
-                                                            }
-                                                            let _e2789 = phi_3264_;
-                                                            let _e2793 = core_intrinsics_maximum_number_nsz_f32_((_e2771 - _e1756), (_e2774 - _e1757));
-                                                            let _e2794 = core_intrinsics_maximum_number_nsz_f32_(_e2793, (_e2777 - _e1758));
-                                                            let _e2795 = core_intrinsics_minimum_number_nsz_f32_((_e2783 + _e1756), (_e2786 + _e1757));
-                                                            let _e2796 = core_intrinsics_minimum_number_nsz_f32_(_e2795, (_e2789 + _e1758));
-                                                            if (_e2794 > -300000000000000000000000000000000000000f) {
-                                                                phi_3276_ = _e2794;
-                                                            } else {
-                                                                phi_3276_ = -300000000000000000000000000000000000000f;
-                                                            }
-                                                            let _e2799 = phi_3276_;
-                                                            if (_e2796 < 300000000000000000000000000000000000000f) {
-                                                                phi_3281_ = _e2796;
-                                                            } else {
-                                                                phi_3281_ = 300000000000000000000000000000000000000f;
-                                                            }
-                                                            let _e2802 = phi_3281_;
-                                                            if (_e2670 < _e2799) {
-                                                                phi_3286_ = _e2799;
-                                                            } else {
-                                                                phi_3286_ = _e2670;
-                                                            }
-                                                            let _e2805 = phi_3286_;
-                                                            if (_e2805 > _e2802) {
-                                                                phi_3291_ = _e2802;
-                                                            } else {
-                                                                phi_3291_ = _e2805;
-                                                            }
-                                                            let _e2808 = phi_3291_;
-                                                            phi_3296_ = lt_bvh_triangle_Intersection(_e2808, (_e2511 / _e2570), (_e2532 / _e2570), (_e2799 <= _e2802));
-                                                            phi_3297_ = false;
-                                                        } else {
-                                                            phi_3296_ = lt_bvh_triangle_Intersection();
-                                                            phi_3297_ = true;
-                                                        }
-                                                        let _e2814 = phi_3296_;
-                                                        let _e2816 = phi_3297_;
-                                                        phi_3298_ = _e2814;
-                                                        phi_3299_ = _e2816;
-                                                    } else {
-                                                        phi_3298_ = lt_bvh_triangle_Intersection();
-                                                        phi_3299_ = true;
-                                                    }
-                                                    let _e2818 = phi_3298_;
-                                                    let _e2820 = phi_3299_;
-                                                    if _e2820 {
-                                                    }
-                                                    phi_3303_ = _e2818;
-                                                    phi_3304_ = _e2820;
+                                                    phi_2999_ = f32();
+                                                    phi_3000_ = true;
+                                                    phi_3001_ = false;
                                                 }
-                                                let _e2822 = phi_3303_;
-                                                let _e2824 = phi_3304_;
-                                                phi_3305_ = _e2822;
-                                                phi_3306_ = _e2573;
-                                                phi_3307_ = _e2824;
-                                            } else {
-                                                phi_3305_ = lt_bvh_triangle_Intersection();
-                                                phi_3306_ = true;
-                                                phi_3307_ = false;
-                                            }
-                                            let _e2826 = phi_3305_;
-                                            let _e2828 = phi_3306_;
-                                            let _e2830 = phi_3307_;
-                                            if _e2828 {
-                                                phi_3311_ = true;
-                                            } else {
-                                                phi_3311_ = _e2830;
-                                            }
-                                            let _e2832 = phi_3311_;
-                                            if _e2832 {
-                                                phi_3315_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                            } else {
-                                                phi_3315_ = _e2826;
-                                            }
-                                            let _e2834 = phi_3315_;
-                                            if _e2834.is_hit {
-                                                if (_e2834.t > 0f) {
-                                                    if (_e2834.t < _e264) {
-                                                        if true {
-                                                            phi_3335_ = false;
-                                                        } else {
-                                                            phi_3335_ = true;
-                                                        }
-                                                        let _e2843 = phi_3335_;
-                                                        phi_3336_ = true;
-                                                        phi_3337_ = _e2843;
-                                                    } else {
-                                                        phi_3336_ = _e2377;
-                                                        phi_3337_ = true;
-                                                    }
-                                                    let _e2845 = phi_3336_;
-                                                    let _e2847 = phi_3337_;
-                                                    phi_3338_ = _e2845;
-                                                    phi_3339_ = _e2847;
+                                                let _e2585 = phi_2999_;
+                                                let _e2587 = phi_3000_;
+                                                let _e2589 = phi_3001_;
+                                                if _e2587 {
+                                                    phi_3005_ = false;
                                                 } else {
-                                                    phi_3338_ = _e2377;
-                                                    phi_3339_ = true;
+                                                    phi_3005_ = _e2589;
                                                 }
-                                                let _e2849 = phi_3338_;
-                                                let _e2851 = phi_3339_;
-                                                phi_3340_ = _e2849;
-                                                phi_3341_ = _e2851;
+                                                let _e2591 = phi_3005_;
+                                                phi_3006_ = _e2585;
+                                                phi_3007_ = _e2591;
                                             } else {
-                                                phi_3340_ = _e2377;
-                                                phi_3341_ = true;
+                                                phi_3006_ = _e2570;
+                                                phi_3007_ = true;
                                             }
-                                            let _e2853 = phi_3340_;
-                                            let _e2855 = phi_3341_;
+                                            let _e2593 = phi_3006_;
+                                            let _e2595 = phi_3007_;
+                                            if _e2595 {
+                                                let _e2596 = (_e2593 == 0f);
+                                                if _e2596 {
+                                                    phi_3323_ = lt_bvh_triangle_Intersection();
+                                                    phi_3324_ = false;
+                                                } else {
+                                                    let _e2598 = triangles.member[(0u + _e2409)].v0_;
+                                                    let _e2600 = (_e2598.x - _e252);
+                                                    let _e2602 = (_e2598.y - _e254);
+                                                    let _e2604 = (_e2598.z - _e256);
+                                                    if (_e1795 == 0u) {
+                                                        phi_3036_ = vec3<f32>(_e2602, _e2604, _e2600);
+                                                    } else {
+                                                        if (_e1795 == 1u) {
+                                                            phi_3035_ = vec3<f32>(_e2604, _e2600, _e2602);
+                                                        } else {
+                                                            phi_3035_ = (_e2598 - vec3<f32>(_e252, _e254, _e256));
+                                                        }
+                                                        let _e2612 = phi_3035_;
+                                                        phi_3036_ = _e2612;
+                                                    }
+                                                    let _e2614 = phi_3036_;
+                                                    let _e2616 = triangles.member[(0u + _e2409)].v1_;
+                                                    let _e2618 = triangles.member[(0u + _e2409)].v0_;
+                                                    let _e2621 = (_e2616.x - _e2618.x);
+                                                    let _e2624 = (_e2616.y - _e2618.y);
+                                                    let _e2627 = (_e2616.z - _e2618.z);
+                                                    if (_e1795 == 0u) {
+                                                        phi_3062_ = vec3<f32>(_e2624, _e2627, _e2621);
+                                                    } else {
+                                                        if (_e1795 == 1u) {
+                                                            phi_3061_ = vec3<f32>(_e2627, _e2621, _e2624);
+                                                        } else {
+                                                            phi_3061_ = (_e2616 - _e2618);
+                                                        }
+                                                        let _e2634 = phi_3061_;
+                                                        phi_3062_ = _e2634;
+                                                    }
+                                                    let _e2636 = phi_3062_;
+                                                    let _e2638 = triangles.member[(0u + _e2409)].v2_;
+                                                    let _e2640 = triangles.member[(0u + _e2409)].v0_;
+                                                    let _e2643 = (_e2638.x - _e2640.x);
+                                                    let _e2646 = (_e2638.y - _e2640.y);
+                                                    let _e2649 = (_e2638.z - _e2640.z);
+                                                    if (_e1795 == 0u) {
+                                                        phi_3088_ = vec3<f32>(_e2646, _e2649, _e2643);
+                                                    } else {
+                                                        if (_e1795 == 1u) {
+                                                            phi_3087_ = vec3<f32>(_e2649, _e2643, _e2646);
+                                                        } else {
+                                                            phi_3087_ = (_e2638 - _e2640);
+                                                        }
+                                                        let _e2656 = phi_3087_;
+                                                        phi_3088_ = _e2656;
+                                                    }
+                                                    let _e2658 = phi_3088_;
+                                                    let _e2665 = ((_e2636.y * _e2658.z) - (_e2636.z * _e2658.y));
+                                                    let _e2672 = ((_e2636.z * _e2658.x) - (_e2636.x * _e2658.z));
+                                                    let _e2679 = ((_e2636.x * _e2658.y) - (_e2636.y * _e2658.x));
+                                                    let _e2693 = (((1f / _e1803.z) * (((_e2665 * _e2614.x) + (_e2672 * _e2614.y)) + (_e2679 * _e2614.z))) / (((_e2665 * _e1806) + (_e2672 * _e1809)) + _e2679));
+                                                    if (_e2693 > 0f) {
+                                                        if (_e2693 < _e264) {
+                                                            let _e2697 = triangles.member[(0u + _e2409)].v0_;
+                                                            let _e2699 = triangles.member[(0u + _e2409)].v1_;
+                                                            if (_e2697.x < _e2699.x) {
+                                                                phi_3144_ = _e2697.x;
+                                                            } else {
+                                                                phi_3144_ = _e2699.x;
+                                                            }
+                                                            let _e2706 = phi_3144_;
+                                                            if (_e2697.y < _e2699.y) {
+                                                                phi_3153_ = _e2697.y;
+                                                            } else {
+                                                                phi_3153_ = _e2699.y;
+                                                            }
+                                                            let _e2713 = phi_3153_;
+                                                            if (_e2697.z < _e2699.z) {
+                                                                phi_3162_ = _e2697.z;
+                                                            } else {
+                                                                phi_3162_ = _e2699.z;
+                                                            }
+                                                            let _e2720 = phi_3162_;
+                                                            let _e2722 = triangles.member[(0u + _e2409)].v2_;
+                                                            if (_e2706 < _e2722.x) {
+                                                                phi_3171_ = _e2706;
+                                                            } else {
+                                                                phi_3171_ = _e2722.x;
+                                                            }
+                                                            let _e2727 = phi_3171_;
+                                                            if (_e2713 < _e2722.y) {
+                                                                phi_3178_ = _e2713;
+                                                            } else {
+                                                                phi_3178_ = _e2722.y;
+                                                            }
+                                                            let _e2732 = phi_3178_;
+                                                            if (_e2720 < _e2722.z) {
+                                                                phi_3185_ = _e2720;
+                                                            } else {
+                                                                phi_3185_ = _e2722.z;
+                                                            }
+                                                            let _e2737 = phi_3185_;
+                                                            let _e2739 = triangles.member[(0u + _e2409)].v0_;
+                                                            let _e2741 = triangles.member[(0u + _e2409)].v1_;
+                                                            if (_e2739.x > _e2741.x) {
+                                                                phi_3198_ = _e2739.x;
+                                                            } else {
+                                                                phi_3198_ = _e2741.x;
+                                                            }
+                                                            let _e2748 = phi_3198_;
+                                                            if (_e2739.y > _e2741.y) {
+                                                                phi_3207_ = _e2739.y;
+                                                            } else {
+                                                                phi_3207_ = _e2741.y;
+                                                            }
+                                                            let _e2755 = phi_3207_;
+                                                            if (_e2739.z > _e2741.z) {
+                                                                phi_3216_ = _e2739.z;
+                                                            } else {
+                                                                phi_3216_ = _e2741.z;
+                                                            }
+                                                            let _e2762 = phi_3216_;
+                                                            let _e2764 = triangles.member[(0u + _e2409)].v2_;
+                                                            if (_e2748 > _e2764.x) {
+                                                                phi_3225_ = _e2748;
+                                                            } else {
+                                                                phi_3225_ = _e2764.x;
+                                                            }
+                                                            let _e2769 = phi_3225_;
+                                                            if (_e2755 > _e2764.y) {
+                                                                phi_3232_ = _e2755;
+                                                            } else {
+                                                                phi_3232_ = _e2764.y;
+                                                            }
+                                                            let _e2774 = phi_3232_;
+                                                            if (_e2762 > _e2764.z) {
+                                                                phi_3239_ = _e2762;
+                                                            } else {
+                                                                phi_3239_ = _e2764.z;
+                                                            }
+                                                            let _e2779 = phi_3239_;
+                                                            let _e2783 = ((_e2727 - _e252) * _e1720);
+                                                            let _e2784 = ((_e2732 - _e254) * _e1730);
+                                                            let _e2785 = ((_e2737 - _e256) * _e1740);
+                                                            let _e2789 = ((_e2769 - _e252) * _e1720);
+                                                            let _e2790 = ((_e2774 - _e254) * _e1730);
+                                                            let _e2791 = ((_e2779 - _e256) * _e1740);
+                                                            if (_e2783 < _e2789) {
+                                                                phi_3256_ = _e2783;
+                                                            } else {
+                                                                phi_3256_ = _e2789;
+                                                            }
+                                                            let _e2794 = phi_3256_;
+                                                            if (_e2784 < _e2790) {
+                                                                phi_3261_ = _e2784;
+                                                            } else {
+                                                                phi_3261_ = _e2790;
+                                                            }
+                                                            let _e2797 = phi_3261_;
+                                                            if (_e2785 < _e2791) {
+                                                                phi_3266_ = _e2785;
+                                                            } else {
+                                                                phi_3266_ = _e2791;
+                                                            }
+                                                            let _e2800 = phi_3266_;
+                                                            if (_e2783 > _e2789) {
+                                                                phi_3274_ = _e2783;
+                                                            } else {
+                                                                phi_3274_ = _e2789;
+                                                            }
+                                                            let _e2806 = phi_3274_;
+                                                            if (_e2784 > _e2790) {
+                                                                phi_3279_ = _e2784;
+                                                            } else {
+                                                                phi_3279_ = _e2790;
+                                                            }
+                                                            let _e2809 = phi_3279_;
+                                                            if (_e2785 > _e2791) {
+                                                                phi_3284_ = _e2785;
+                                                            } else {
+                                                                phi_3284_ = _e2791;
+                                                            }
+                                                            let _e2812 = phi_3284_;
+                                                            let _e2816 = core_intrinsics_maximum_number_nsz_f32_((_e2794 - _e1779), (_e2797 - _e1780));
+                                                            let _e2817 = core_intrinsics_maximum_number_nsz_f32_(_e2816, (_e2800 - _e1781));
+                                                            let _e2818 = core_intrinsics_minimum_number_nsz_f32_((_e2806 + _e1779), (_e2809 + _e1780));
+                                                            let _e2819 = core_intrinsics_minimum_number_nsz_f32_(_e2818, (_e2812 + _e1781));
+                                                            if (_e2817 > -300000000000000000000000000000000000000f) {
+                                                                phi_3296_ = _e2817;
+                                                            } else {
+                                                                phi_3296_ = -300000000000000000000000000000000000000f;
+                                                            }
+                                                            let _e2822 = phi_3296_;
+                                                            if (_e2819 < 300000000000000000000000000000000000000f) {
+                                                                phi_3301_ = _e2819;
+                                                            } else {
+                                                                phi_3301_ = 300000000000000000000000000000000000000f;
+                                                            }
+                                                            let _e2825 = phi_3301_;
+                                                            if (_e2693 < _e2822) {
+                                                                phi_3306_ = _e2822;
+                                                            } else {
+                                                                phi_3306_ = _e2693;
+                                                            }
+                                                            let _e2828 = phi_3306_;
+                                                            if (_e2828 > _e2825) {
+                                                                phi_3311_ = _e2825;
+                                                            } else {
+                                                                phi_3311_ = _e2828;
+                                                            }
+                                                            let _e2831 = phi_3311_;
+                                                            phi_3316_ = lt_bvh_triangle_Intersection(_e2831, (_e2534 / _e2593), (_e2555 / _e2593), (_e2822 <= _e2825));
+                                                            phi_3317_ = false;
+                                                        } else {
+                                                            phi_3316_ = lt_bvh_triangle_Intersection();
+                                                            phi_3317_ = true;
+                                                        }
+                                                        let _e2837 = phi_3316_;
+                                                        let _e2839 = phi_3317_;
+                                                        phi_3318_ = _e2837;
+                                                        phi_3319_ = _e2839;
+                                                    } else {
+                                                        phi_3318_ = lt_bvh_triangle_Intersection();
+                                                        phi_3319_ = true;
+                                                    }
+                                                    let _e2841 = phi_3318_;
+                                                    let _e2843 = phi_3319_;
+                                                    if _e2843 {
+                                                    }
+                                                    phi_3323_ = _e2841;
+                                                    phi_3324_ = _e2843;
+                                                }
+                                                let _e2845 = phi_3323_;
+                                                let _e2847 = phi_3324_;
+                                                phi_3325_ = _e2845;
+                                                phi_3326_ = _e2596;
+                                                phi_3327_ = _e2847;
+                                            } else {
+                                                phi_3325_ = lt_bvh_triangle_Intersection();
+                                                phi_3326_ = true;
+                                                phi_3327_ = false;
+                                            }
+                                            let _e2849 = phi_3325_;
+                                            let _e2851 = phi_3326_;
+                                            let _e2853 = phi_3327_;
+                                            if _e2851 {
+                                                phi_3331_ = true;
+                                            } else {
+                                                phi_3331_ = _e2853;
+                                            }
+                                            let _e2855 = phi_3331_;
                                             if _e2855 {
+                                                phi_3335_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                            } else {
+                                                phi_3335_ = _e2849;
                                             }
-                                            phi_2745_ = (_e2375 & (_e2375 - 1u));
-                                            phi_2748_ = _e2853;
-                                            phi_3345_ = _e2855;
+                                            let _e2857 = phi_3335_;
+                                            if _e2857.is_hit {
+                                                if (_e2857.t > 0f) {
+                                                    if (_e2857.t < _e264) {
+                                                        if true {
+                                                            phi_3355_ = false;
+                                                        } else {
+                                                            phi_3355_ = true;
+                                                        }
+                                                        let _e2866 = phi_3355_;
+                                                        phi_3356_ = true;
+                                                        phi_3357_ = _e2866;
+                                                    } else {
+                                                        phi_3356_ = _e2400;
+                                                        phi_3357_ = true;
+                                                    }
+                                                    let _e2868 = phi_3356_;
+                                                    let _e2870 = phi_3357_;
+                                                    phi_3358_ = _e2868;
+                                                    phi_3359_ = _e2870;
+                                                } else {
+                                                    phi_3358_ = _e2400;
+                                                    phi_3359_ = true;
+                                                }
+                                                let _e2872 = phi_3358_;
+                                                let _e2874 = phi_3359_;
+                                                phi_3360_ = _e2872;
+                                                phi_3361_ = _e2874;
+                                            } else {
+                                                phi_3360_ = _e2400;
+                                                phi_3361_ = true;
+                                            }
+                                            let _e2876 = phi_3360_;
+                                            let _e2878 = phi_3361_;
+                                            if _e2878 {
+                                            }
+                                            phi_2765_ = (_e2398 & (_e2398 - 1u));
+                                            phi_2768_ = _e2876;
+                                            phi_3365_ = _e2878;
                                         }
-                                        let _e2857 = phi_2745_;
-                                        let _e2859 = phi_2748_;
-                                        let _e2861 = phi_3345_;
+                                        let _e2880 = phi_2765_;
+                                        let _e2882 = phi_2768_;
+                                        let _e2884 = phi_3365_;
                                         continue;
                                         continuing {
-                                            phi_2744_ = _e2857;
-                                            phi_2747_ = _e2859;
-                                            break if !(_e2861);
+                                            phi_2764_ = _e2880;
+                                            phi_2767_ = _e2882;
+                                            break if !(_e2884);
                                         }
                                     }
-                                    let _e2864 = local_8;
-                                    if _e2864 {
-                                        let _e2866 = local.group_mask;
-                                        if ((_e2866 & 4278190080u) == 0u) {
-                                            let _e2870 = local.len;
-                                            if (_e2870 == 0u) {
-                                                phi_3387_ = false;
+                                    let _e2887 = local_10;
+                                    if _e2887 {
+                                        let _e2889 = local.group_mask;
+                                        if ((_e2889 & 4278190080u) == 0u) {
+                                            let _e2893 = local.len;
+                                            if (_e2893 == 0u) {
+                                                phi_3407_ = false;
                                             } else {
-                                                let _e2874 = local.len;
-                                                local.len = (_e2874 - 1u);
-                                                let _e2877 = local.len;
-                                                if (_e2877 < 32u) {
+                                                let _e2897 = local.len;
+                                                local.len = (_e2897 - 1u);
+                                                let _e2900 = local.len;
+                                                if (_e2900 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e2882 = local.first[(0u + _e2877)];
-                                                local.group = _e2882;
-                                                let _e2885 = local.len;
-                                                if (_e2885 < 32u) {
+                                                let _e2905 = local.first[(0u + _e2900)];
+                                                local.group = _e2905;
+                                                let _e2908 = local.len;
+                                                if (_e2908 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e2890 = local.mask[(0u + _e2885)];
-                                                local.group_mask = _e2890;
-                                                phi_3387_ = true;
+                                                let _e2913 = local.mask[(0u + _e2908)];
+                                                local.group_mask = _e2913;
+                                                phi_3407_ = true;
                                             }
-                                            let _e2893 = phi_3387_;
-                                            phi_3388_ = _e2893;
+                                            let _e2916 = phi_3407_;
+                                            phi_3408_ = _e2916;
                                         } else {
-                                            phi_3388_ = true;
+                                            phi_3408_ = true;
                                         }
-                                        let _e2895 = phi_3388_;
-                                        if _e2895 {
-                                            let _e2897 = local.group_mask;
-                                            let _e2903 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2897)), 32u, (_e2897 == 0u)));
-                                            let _e2907 = local.group_mask;
-                                            let _e2921 = local.group_mask;
-                                            local.group_mask = (_e2921 & ~((1u << bitcast<u32>((_e2903 & 31u)))));
-                                            let _e2924 = local.group;
-                                            phi_3419_ = (_e2924 + countOneBits(((_e2907 & ~((4294967295u << bitcast<u32>((((_e2903 - 24u) ^ _e1799) & 31u))))) & 255u)));
+                                        let _e2918 = phi_3408_;
+                                        if _e2918 {
+                                            let _e2920 = local.group_mask;
+                                            let _e2926 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2920)), 32u, (_e2920 == 0u)));
+                                            let _e2930 = local.group_mask;
+                                            let _e2944 = local.group_mask;
+                                            local.group_mask = (_e2944 & ~((1u << bitcast<u32>((_e2926 & 31u)))));
+                                            let _e2947 = local.group;
+                                            phi_3439_ = (_e2947 + countOneBits(((_e2930 & ~((4294967295u << bitcast<u32>((((_e2926 - 24u) ^ _e1822) & 31u))))) & 255u)));
                                         } else {
-                                            phi_3419_ = 4294967295u;
+                                            phi_3439_ = 4294967295u;
                                         }
-                                        let _e2927 = phi_3419_;
-                                        phi_3420_ = _e2927;
+                                        let _e2950 = phi_3439_;
+                                        phi_3440_ = _e2950;
                                     } else {
-                                        phi_3420_ = u32();
+                                        phi_3440_ = u32();
                                     }
-                                    let _e2929 = phi_3420_;
-                                    phi_2413_ = _e2929;
-                                    let _e3373 = local_15;
-                                    phi_2416_ = _e3373;
-                                    let _e3376 = local_16;
-                                    phi_3421_ = _e3376;
-                                    phi_3422_ = false;
+                                    let _e2952 = phi_3440_;
+                                    phi_2433_ = _e2952;
+                                    let _e3412 = local_20;
+                                    phi_2436_ = _e3412;
+                                    let _e3415 = local_21;
+                                    phi_3441_ = _e3415;
+                                    phi_3442_ = false;
                                 } else {
-                                    phi_2413_ = u32();
-                                    phi_2416_ = bool();
-                                    phi_3421_ = false;
-                                    phi_3422_ = true;
+                                    phi_2433_ = u32();
+                                    phi_2436_ = bool();
+                                    phi_3441_ = false;
+                                    phi_3442_ = true;
                                 }
-                                let _e2931 = phi_2413_;
-                                let _e2933 = phi_2416_;
-                                let _e2935 = phi_3421_;
-                                let _e2937 = phi_3422_;
-                                local_9 = _e2937;
+                                let _e2954 = phi_2433_;
+                                let _e2956 = phi_2436_;
+                                let _e2958 = phi_3441_;
+                                let _e2960 = phi_3442_;
+                                local_11 = _e2960;
                                 continue;
                                 continuing {
-                                    phi_2412_ = _e2931;
-                                    phi_2415_ = _e2933;
-                                    break if !(_e2935);
+                                    phi_2432_ = _e2954;
+                                    phi_2435_ = _e2956;
+                                    break if !(_e2958);
                                 }
                             }
-                            let _e2940 = local_9;
-                            if _e2940 {
-                                phi_3426_ = false;
+                            let _e2963 = local_11;
+                            if _e2963 {
+                                phi_3446_ = false;
                             } else {
-                                phi_3426_ = true;
+                                phi_3446_ = true;
                             }
-                            let _e2942 = phi_3426_;
-                            if _e2942 {
-                                phi_3430_ = true;
+                            let _e2965 = phi_3446_;
+                            if _e2965 {
+                                phi_3450_ = true;
                             } else {
-                                let _e3382 = local_17;
-                                phi_3430_ = _e3382;
+                                let _e3421 = local_22;
+                                phi_3450_ = _e3421;
                             }
-                            let _e2944 = phi_3430_;
-                            phi_3431_ = _e2944;
+                            let _e2967 = phi_3450_;
+                            phi_3451_ = _e2967;
                         }
-                        let _e2946 = phi_3431_;
-                        phi_3432_ = _e2946;
-                        phi_3433_ = _e1621;
+                        let _e2969 = phi_3451_;
+                        phi_3452_ = _e2969;
+                        phi_3453_ = _e1644;
                     } else {
-                        phi_3432_ = bool();
-                        phi_3433_ = true;
+                        phi_3452_ = bool();
+                        phi_3453_ = true;
                     }
-                    let _e2948 = phi_3432_;
-                    let _e2950 = phi_3433_;
-                    if _e2950 {
-                        phi_3437_ = false;
+                    let _e2971 = phi_3452_;
+                    let _e2973 = phi_3453_;
+                    if _e2973 {
+                        phi_3457_ = false;
                     } else {
-                        phi_3437_ = _e2948;
+                        phi_3457_ = _e2971;
                     }
-                    let _e2952 = phi_3437_;
-                    phi_3438_ = _e2952;
+                    let _e2975 = phi_3457_;
+                    phi_3458_ = _e2975;
                 }
-                let _e2954 = phi_3438_;
-                phi_3439_ = _e2954;
+                let _e2977 = phi_3458_;
+                phi_3459_ = _e2977;
             } else {
-                phi_3439_ = false;
+                phi_3459_ = false;
             }
-            let _e2956 = phi_3439_;
-            if _e2956 {
-                phi_3443_ = 0f;
+            let _e2979 = phi_3459_;
+            if _e2979 {
+                phi_3463_ = 0f;
             } else {
-                phi_3443_ = 1f;
+                phi_3463_ = 1f;
             }
-            let _e2958 = phi_3443_;
-            phi_3444_ = _e2958;
+            let _e2981 = phi_3463_;
+            phi_3464_ = _e2981;
         }
-        let _e2960 = phi_3444_;
+        let _e2983 = phi_3464_;
         if (_e91.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e91.shift)] = _e2960;
+        visibility.member[(0u + _e91.shift)] = _e2983;
     }
     return;
 }

@@ -686,164 +686,169 @@ fn function_() {
     var phi_1199_: vec3<f32>;
     var phi_1211_: u32;
     var phi_1214_: u32;
-    var phi_1283_: f32;
-    var phi_1284_: f32;
-    var phi_1298_: u32;
-    var phi_1321_: f32;
-    var phi_1322_: f32;
-    var phi_1336_: u32;
-    var phi_1359_: f32;
-    var phi_1360_: f32;
-    var phi_1374_: u32;
-    var phi_1501_: u32;
+    var phi_1223_: u32;
+    var phi_1226_: u32;
+    var phi_1228_: u32;
+    var phi_1230_: u32;
+    var phi_1303_: f32;
+    var phi_1304_: f32;
+    var phi_1318_: u32;
+    var phi_1341_: f32;
+    var phi_1342_: f32;
+    var phi_1356_: u32;
+    var phi_1379_: f32;
+    var phi_1380_: f32;
+    var phi_1394_: u32;
     var phi_1541_: u32;
     var phi_1542_: u32;
+    var phi_1546_: u32;
+    var phi_1547_: u32;
     var phi_1548_: u32;
-    var phi_1577_: vec3<f32>;
-    var phi_1578_: vec3<f32>;
-    var phi_1607_: vec3<f32>;
-    var phi_1608_: vec3<f32>;
-    var phi_1637_: vec3<f32>;
-    var phi_1638_: vec3<f32>;
-    var phi_1656_: bool;
-    var phi_1657_: bool;
-    var phi_1661_: f32;
-    var phi_1662_: f32;
-    var phi_1663_: f32;
-    var phi_1664_: f32;
-    var phi_1672_: f32;
-    var phi_1682_: bool;
-    var phi_1683_: bool;
-    var phi_1687_: f32;
-    var phi_1688_: f32;
-    var phi_1689_: f32;
-    var phi_1690_: f32;
-    var phi_1698_: f32;
-    var phi_1708_: bool;
-    var phi_1709_: bool;
-    var phi_1713_: f32;
-    var phi_1714_: f32;
-    var phi_1715_: f32;
-    var phi_1716_: f32;
-    var phi_1724_: f32;
-    var phi_1739_: f32;
-    var phi_1740_: bool;
-    var phi_1741_: f32;
-    var phi_1742_: bool;
-    var phi_1743_: f32;
-    var phi_1744_: bool;
-    var phi_1762_: f32;
-    var phi_1763_: bool;
-    var phi_1764_: bool;
-    var phi_1765_: f32;
-    var phi_1766_: bool;
-    var phi_1767_: bool;
-    var phi_1771_: bool;
-    var phi_1772_: f32;
-    var phi_1773_: bool;
-    var phi_1801_: vec3<f32>;
-    var phi_1802_: vec3<f32>;
-    var phi_1827_: vec3<f32>;
-    var phi_1828_: vec3<f32>;
-    var phi_1853_: vec3<f32>;
-    var phi_1854_: vec3<f32>;
-    var phi_1910_: f32;
-    var phi_1919_: f32;
-    var phi_1928_: f32;
-    var phi_1937_: f32;
-    var phi_1944_: f32;
-    var phi_1951_: f32;
-    var phi_1964_: f32;
-    var phi_1973_: f32;
-    var phi_1982_: f32;
-    var phi_1991_: f32;
-    var phi_1998_: f32;
-    var phi_2005_: f32;
-    var phi_2022_: f32;
-    var phi_2027_: f32;
-    var phi_2032_: f32;
-    var phi_2040_: f32;
-    var phi_2045_: f32;
-    var phi_2050_: f32;
-    var phi_2062_: f32;
-    var phi_2067_: f32;
-    var phi_2072_: f32;
-    var phi_2077_: f32;
-    var phi_2082_: lt_bvh_triangle_Intersection;
-    var phi_2083_: bool;
-    var phi_2084_: lt_bvh_triangle_Intersection;
-    var phi_2085_: bool;
-    var phi_2089_: lt_bvh_triangle_Intersection;
-    var phi_2090_: bool;
-    var phi_2091_: lt_bvh_triangle_Intersection;
-    var phi_2092_: bool;
-    var phi_2093_: bool;
-    var phi_2097_: bool;
-    var phi_2101_: lt_bvh_triangle_Intersection;
-    var phi_2315_: f32;
-    var phi_2318_: bool;
-    var phi_2319_: bool;
-    var phi_2323_: bool;
-    var phi_2324_: bool;
-    var phi_2325_: bool;
-    var phi_2326_: bool;
-    var phi_2327_: bool;
-    var phi_2328_: bool;
-    var phi_2329_: bool;
-    var phi_2330_: bool;
-    var phi_2331_: bool;
-    var phi_2332_: bool;
-    var phi_2333_: bool;
-    var phi_2334_: bool;
-    var phi_2335_: bool;
-    var phi_2336_: bool;
-    var phi_2340_: bool;
-    var phi_2341_: bool;
-    var phi_2342_: bool;
-    var phi_2346_: bool;
-    var phi_2347_: bool;
-    var phi_1502_: u32;
-    var phi_2348_: bool;
-    var phi_2349_: bool;
-    var phi_2350_: bool;
+    var phi_1549_: u32;
+    var phi_1550_: u32;
+    var phi_1551_: u32;
+    var phi_1569_: u32;
+    var phi_1570_: u32;
+    var phi_1571_: u32;
+    var phi_1572_: u32;
+    var phi_1573_: u32;
+    var phi_1574_: u32;
+    var phi_1575_: u32;
+    var phi_1576_: u32;
+    var phi_1224_: u32;
+    var phi_1227_: u32;
+    var phi_1229_: u32;
+    var phi_1231_: u32;
+    var phi_1577_: bool;
     var local_4: bool;
-    var phi_2354_: bool;
-    var phi_2355_: bool;
-    var phi_2376_: u32;
-    var phi_2377_: u32;
-    var phi_2381_: u32;
-    var phi_2382_: u32;
-    var phi_2383_: u32;
-    var phi_2384_: u32;
-    var phi_2385_: bool;
-    var phi_2386_: bool;
-    var phi_2387_: bool;
-    var phi_2408_: u32;
-    var phi_2409_: u32;
-    var phi_2410_: u32;
-    var phi_2411_: u32;
-    var phi_2412_: u32;
-    var phi_2413_: u32;
+    var phi_1582_: u32;
+    var local_5: u32;
+    var phi_1621_: u32;
+    var phi_1622_: u32;
+    var phi_1628_: u32;
+    var phi_1657_: vec3<f32>;
+    var phi_1658_: vec3<f32>;
+    var phi_1687_: vec3<f32>;
+    var phi_1688_: vec3<f32>;
+    var phi_1717_: vec3<f32>;
+    var phi_1718_: vec3<f32>;
+    var phi_1736_: bool;
+    var phi_1737_: bool;
+    var phi_1741_: f32;
+    var phi_1742_: f32;
+    var phi_1743_: f32;
+    var phi_1744_: f32;
+    var phi_1752_: f32;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1767_: f32;
+    var phi_1768_: f32;
+    var phi_1769_: f32;
+    var phi_1770_: f32;
+    var phi_1778_: f32;
+    var phi_1788_: bool;
+    var phi_1789_: bool;
+    var phi_1793_: f32;
+    var phi_1794_: f32;
+    var phi_1795_: f32;
+    var phi_1796_: f32;
+    var phi_1804_: f32;
+    var phi_1819_: f32;
+    var phi_1820_: bool;
+    var phi_1821_: f32;
+    var phi_1822_: bool;
+    var phi_1823_: f32;
+    var phi_1824_: bool;
+    var phi_1842_: f32;
+    var phi_1843_: bool;
+    var phi_1844_: bool;
+    var phi_1845_: f32;
+    var phi_1846_: bool;
+    var phi_1847_: bool;
+    var phi_1851_: bool;
+    var phi_1852_: f32;
+    var phi_1853_: bool;
+    var phi_1881_: vec3<f32>;
+    var phi_1882_: vec3<f32>;
+    var phi_1907_: vec3<f32>;
+    var phi_1908_: vec3<f32>;
+    var phi_1933_: vec3<f32>;
+    var phi_1934_: vec3<f32>;
+    var phi_1990_: f32;
+    var phi_1999_: f32;
+    var phi_2008_: f32;
+    var phi_2017_: f32;
+    var phi_2024_: f32;
+    var phi_2031_: f32;
+    var phi_2044_: f32;
+    var phi_2053_: f32;
+    var phi_2062_: f32;
+    var phi_2071_: f32;
+    var phi_2078_: f32;
+    var phi_2085_: f32;
+    var phi_2102_: f32;
+    var phi_2107_: f32;
+    var phi_2112_: f32;
+    var phi_2120_: f32;
+    var phi_2125_: f32;
+    var phi_2130_: f32;
+    var phi_2142_: f32;
+    var phi_2147_: f32;
+    var phi_2152_: f32;
+    var phi_2157_: f32;
+    var phi_2162_: lt_bvh_triangle_Intersection;
+    var phi_2163_: bool;
+    var phi_2164_: lt_bvh_triangle_Intersection;
+    var phi_2165_: bool;
+    var phi_2169_: lt_bvh_triangle_Intersection;
+    var phi_2170_: bool;
+    var phi_2171_: lt_bvh_triangle_Intersection;
+    var phi_2172_: bool;
+    var phi_2173_: bool;
+    var phi_2177_: bool;
+    var phi_2181_: lt_bvh_triangle_Intersection;
+    var phi_2395_: f32;
+    var phi_2398_: bool;
+    var phi_2399_: bool;
+    var phi_2403_: bool;
+    var phi_2404_: bool;
+    var phi_2405_: bool;
+    var phi_2406_: bool;
+    var phi_2407_: bool;
+    var phi_2408_: bool;
+    var phi_2409_: bool;
+    var phi_2410_: bool;
+    var phi_2411_: bool;
+    var phi_2412_: bool;
+    var phi_2413_: bool;
     var phi_2414_: bool;
     var phi_2415_: bool;
+    var phi_2416_: bool;
+    var phi_2420_: bool;
+    var phi_2421_: bool;
+    var phi_2422_: bool;
+    var phi_2426_: bool;
+    var phi_2427_: bool;
+    var phi_1583_: u32;
+    var phi_2428_: bool;
+    var phi_2429_: bool;
+    var phi_2430_: bool;
+    var local_6: bool;
+    var phi_2434_: bool;
+    var phi_2435_: bool;
     var phi_1212_: u32;
     var phi_1215_: u32;
-    var phi_2416_: bool;
-    var phi_2417_: bool;
-    var phi_2418_: bool;
-    var local_5: bool;
-    var phi_2422_: bool;
-    var phi_2423_: bool;
-    var phi_2427_: bool;
-    var phi_2431_: bool;
-    var phi_2435_: bool;
     var phi_2436_: bool;
-    var phi_2440_: bool;
+    var phi_2437_: bool;
+    var phi_2438_: bool;
+    var local_7: bool;
+    var phi_2442_: bool;
+    var phi_2443_: bool;
+    var phi_2447_: bool;
+    var phi_2451_: bool;
+    var phi_2455_: bool;
     var phi_2456_: bool;
-    var phi_2457_: bool;
-    var phi_2458_: bool;
-    var phi_2459_: bool;
-    var phi_2463_: bool;
+    var phi_2460_: bool;
     var phi_2476_: bool;
     var phi_2477_: bool;
     var phi_2478_: bool;
@@ -852,194 +857,202 @@ fn function_() {
     var phi_2496_: bool;
     var phi_2497_: bool;
     var phi_2498_: bool;
-    var phi_2502_: bool;
+    var phi_2499_: bool;
     var phi_2503_: bool;
-    var phi_2504_: bool;
-    var phi_2505_: bool;
-    var phi_2506_: bool;
-    var phi_2510_: bool;
-    var phi_2580_: f32;
-    var phi_2587_: f32;
-    var phi_2594_: f32;
-    var phi_2601_: f32;
-    var phi_2608_: f32;
-    var phi_2615_: f32;
-    var phi_2632_: f32;
-    var phi_2637_: f32;
-    var phi_2642_: f32;
-    var phi_2647_: f32;
+    var phi_2516_: bool;
+    var phi_2517_: bool;
+    var phi_2518_: bool;
+    var phi_2522_: bool;
+    var phi_2523_: bool;
+    var phi_2524_: bool;
+    var phi_2525_: bool;
+    var phi_2526_: bool;
+    var phi_2530_: bool;
+    var phi_2600_: f32;
+    var phi_2607_: f32;
+    var phi_2614_: f32;
+    var phi_2621_: f32;
+    var phi_2628_: f32;
+    var phi_2635_: f32;
     var phi_2652_: f32;
-    var phi_2678_: bool;
-    var phi_2679_: bool;
-    var phi_2687_: u32;
-    var phi_2688_: u32;
-    var phi_2699_: vec3<f32>;
-    var phi_2700_: vec3<f32>;
-    var phi_2713_: u32;
-    var phi_2718_: u32;
-    var phi_2723_: u32;
-    var phi_2837_: bool;
-    var phi_2838_: bool;
-    var phi_2869_: u32;
-    var phi_2871_: u32;
-    var phi_2874_: bool;
-    var phi_2954_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2981_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3008_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3014_: u32;
-    var phi_3017_: u32;
-    var phi_3031_: u32;
-    var phi_3041_: u32;
+    var phi_2657_: f32;
+    var phi_2662_: f32;
+    var phi_2667_: f32;
+    var phi_2672_: f32;
+    var phi_2698_: bool;
+    var phi_2699_: bool;
+    var phi_2707_: u32;
+    var phi_2708_: u32;
+    var phi_2719_: vec3<f32>;
+    var phi_2720_: vec3<f32>;
+    var phi_2733_: u32;
+    var phi_2738_: u32;
+    var phi_2743_: u32;
+    var phi_2857_: bool;
+    var phi_2858_: bool;
+    var phi_2889_: u32;
+    var phi_2891_: u32;
+    var phi_2894_: bool;
+    var phi_2974_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3001_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3028_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3034_: u32;
+    var phi_3037_: u32;
     var phi_3051_: u32;
-    var phi_3069_: u32;
-    var phi_3079_: u32;
+    var phi_3061_: u32;
+    var phi_3071_: u32;
     var phi_3089_: u32;
-    var phi_3125_: u32;
-    var phi_3138_: u32;
-    var phi_3143_: u32;
-    var phi_3144_: u32;
+    var phi_3099_: u32;
+    var phi_3109_: u32;
     var phi_3145_: u32;
-    var phi_3015_: u32;
-    var phi_3018_: u32;
-    var local_6: u32;
-    var local_7: u32;
+    var phi_3158_: u32;
+    var phi_3163_: u32;
+    var phi_3164_: u32;
+    var phi_3165_: u32;
+    var phi_3035_: u32;
+    var phi_3038_: u32;
     var local_8: u32;
-    var phi_3203_: u32;
-    var phi_3206_: bool;
-    var phi_3250_: vec3<f32>;
-    var phi_3251_: vec3<f32>;
-    var phi_3280_: vec3<f32>;
-    var phi_3281_: vec3<f32>;
-    var phi_3310_: vec3<f32>;
-    var phi_3311_: vec3<f32>;
-    var phi_3329_: bool;
-    var phi_3330_: bool;
-    var phi_3334_: f32;
-    var phi_3335_: f32;
-    var phi_3336_: f32;
-    var phi_3337_: f32;
-    var phi_3345_: f32;
-    var phi_3355_: bool;
-    var phi_3356_: bool;
-    var phi_3360_: f32;
-    var phi_3361_: f32;
-    var phi_3362_: f32;
-    var phi_3363_: f32;
-    var phi_3371_: f32;
-    var phi_3381_: bool;
-    var phi_3382_: bool;
-    var phi_3386_: f32;
-    var phi_3387_: f32;
-    var phi_3388_: f32;
-    var phi_3389_: f32;
-    var phi_3397_: f32;
-    var phi_3412_: f32;
-    var phi_3413_: bool;
-    var phi_3414_: f32;
-    var phi_3415_: bool;
-    var phi_3416_: f32;
-    var phi_3417_: bool;
-    var phi_3435_: f32;
-    var phi_3436_: bool;
+    var local_9: u32;
+    var local_10: u32;
+    var phi_3223_: u32;
+    var phi_3226_: bool;
+    var phi_3270_: vec3<f32>;
+    var phi_3271_: vec3<f32>;
+    var phi_3300_: vec3<f32>;
+    var phi_3301_: vec3<f32>;
+    var phi_3330_: vec3<f32>;
+    var phi_3331_: vec3<f32>;
+    var phi_3349_: bool;
+    var phi_3350_: bool;
+    var phi_3354_: f32;
+    var phi_3355_: f32;
+    var phi_3356_: f32;
+    var phi_3357_: f32;
+    var phi_3365_: f32;
+    var phi_3375_: bool;
+    var phi_3376_: bool;
+    var phi_3380_: f32;
+    var phi_3381_: f32;
+    var phi_3382_: f32;
+    var phi_3383_: f32;
+    var phi_3391_: f32;
+    var phi_3401_: bool;
+    var phi_3402_: bool;
+    var phi_3406_: f32;
+    var phi_3407_: f32;
+    var phi_3408_: f32;
+    var phi_3409_: f32;
+    var phi_3417_: f32;
+    var phi_3432_: f32;
+    var phi_3433_: bool;
+    var phi_3434_: f32;
+    var phi_3435_: bool;
+    var phi_3436_: f32;
     var phi_3437_: bool;
-    var phi_3438_: f32;
-    var phi_3439_: bool;
-    var phi_3440_: bool;
-    var phi_3444_: bool;
-    var phi_3445_: f32;
-    var phi_3446_: bool;
-    var phi_3474_: vec3<f32>;
-    var phi_3475_: vec3<f32>;
-    var phi_3500_: vec3<f32>;
-    var phi_3501_: vec3<f32>;
-    var phi_3526_: vec3<f32>;
-    var phi_3527_: vec3<f32>;
-    var phi_3583_: f32;
-    var phi_3592_: f32;
-    var phi_3601_: f32;
-    var phi_3610_: f32;
-    var phi_3617_: f32;
-    var phi_3624_: f32;
+    var phi_3455_: f32;
+    var phi_3456_: bool;
+    var phi_3457_: bool;
+    var phi_3458_: f32;
+    var phi_3459_: bool;
+    var phi_3460_: bool;
+    var phi_3464_: bool;
+    var phi_3465_: f32;
+    var phi_3466_: bool;
+    var phi_3494_: vec3<f32>;
+    var phi_3495_: vec3<f32>;
+    var phi_3520_: vec3<f32>;
+    var phi_3521_: vec3<f32>;
+    var phi_3546_: vec3<f32>;
+    var phi_3547_: vec3<f32>;
+    var phi_3603_: f32;
+    var phi_3612_: f32;
+    var phi_3621_: f32;
+    var phi_3630_: f32;
     var phi_3637_: f32;
-    var phi_3646_: f32;
-    var phi_3655_: f32;
-    var phi_3664_: f32;
-    var phi_3671_: f32;
-    var phi_3678_: f32;
-    var phi_3695_: f32;
-    var phi_3700_: f32;
-    var phi_3705_: f32;
-    var phi_3713_: f32;
-    var phi_3718_: f32;
-    var phi_3723_: f32;
-    var phi_3735_: f32;
-    var phi_3740_: f32;
-    var phi_3745_: f32;
-    var phi_3750_: f32;
-    var phi_3755_: lt_bvh_triangle_Intersection;
-    var phi_3756_: bool;
-    var phi_3757_: lt_bvh_triangle_Intersection;
-    var phi_3758_: bool;
-    var phi_3762_: lt_bvh_triangle_Intersection;
-    var phi_3763_: bool;
-    var phi_3764_: lt_bvh_triangle_Intersection;
-    var phi_3765_: bool;
-    var phi_3766_: bool;
-    var phi_3770_: bool;
-    var phi_3774_: lt_bvh_triangle_Intersection;
-    var phi_3988_: f32;
-    var phi_3991_: bool;
-    var phi_3992_: bool;
-    var phi_3993_: bool;
-    var phi_3997_: bool;
-    var phi_3998_: bool;
-    var phi_3999_: bool;
-    var phi_4000_: bool;
-    var phi_4001_: bool;
-    var phi_4002_: bool;
-    var phi_4003_: bool;
-    var phi_4004_: bool;
-    var phi_4005_: bool;
-    var phi_4006_: bool;
-    var phi_3204_: u32;
-    var phi_3207_: bool;
-    var phi_4010_: bool;
+    var phi_3644_: f32;
+    var phi_3657_: f32;
+    var phi_3666_: f32;
+    var phi_3675_: f32;
+    var phi_3684_: f32;
+    var phi_3691_: f32;
+    var phi_3698_: f32;
+    var phi_3715_: f32;
+    var phi_3720_: f32;
+    var phi_3725_: f32;
+    var phi_3733_: f32;
+    var phi_3738_: f32;
+    var phi_3743_: f32;
+    var phi_3755_: f32;
+    var phi_3760_: f32;
+    var phi_3765_: f32;
+    var phi_3770_: f32;
+    var phi_3775_: lt_bvh_triangle_Intersection;
+    var phi_3776_: bool;
+    var phi_3777_: lt_bvh_triangle_Intersection;
+    var phi_3778_: bool;
+    var phi_3782_: lt_bvh_triangle_Intersection;
+    var phi_3783_: bool;
+    var phi_3784_: lt_bvh_triangle_Intersection;
+    var phi_3785_: bool;
+    var phi_3786_: bool;
+    var phi_3790_: bool;
+    var phi_3794_: lt_bvh_triangle_Intersection;
+    var phi_4008_: f32;
     var phi_4011_: bool;
-    var local_9: bool;
-    var phi_4053_: bool;
-    var phi_4054_: bool;
-    var phi_4085_: u32;
-    var phi_4086_: u32;
-    var phi_2872_: u32;
-    var phi_2875_: bool;
-    var phi_4087_: bool;
-    var phi_4088_: bool;
-    var phi_4089_: bool;
-    var local_10: bool;
-    var phi_4093_: bool;
-    var phi_4097_: bool;
-    var phi_4098_: bool;
-    var phi_4099_: bool;
-    var phi_4100_: bool;
-    var phi_4104_: bool;
-    var phi_4105_: bool;
-    var phi_4106_: bool;
-    var phi_4110_: f32;
-    var phi_4151_: u32;
-    var phi_4170_: u32;
-    var phi_4178_: u32;
-    var phi_4186_: u32;
-    var phi_4191_: u32;
+    var phi_4012_: bool;
+    var phi_4013_: bool;
+    var phi_4017_: bool;
+    var phi_4018_: bool;
+    var phi_4019_: bool;
+    var phi_4020_: bool;
+    var phi_4021_: bool;
+    var phi_4022_: bool;
+    var phi_4023_: bool;
+    var phi_4024_: bool;
+    var phi_4025_: bool;
+    var phi_4026_: bool;
+    var phi_3224_: u32;
+    var phi_3227_: bool;
+    var phi_4030_: bool;
+    var phi_4031_: bool;
     var local_11: bool;
+    var phi_4073_: bool;
+    var phi_4074_: bool;
+    var phi_4105_: u32;
+    var phi_4106_: u32;
+    var phi_2892_: u32;
+    var phi_2895_: bool;
+    var phi_4107_: bool;
+    var phi_4108_: bool;
+    var phi_4109_: bool;
     var local_12: bool;
-    var local_13: bool;
+    var phi_4113_: bool;
+    var phi_4117_: bool;
+    var phi_4118_: bool;
+    var phi_4119_: bool;
+    var phi_4120_: bool;
+    var phi_4124_: bool;
+    var phi_4125_: bool;
+    var phi_4126_: bool;
+    var phi_4130_: f32;
+    var phi_4171_: u32;
+    var phi_4190_: u32;
+    var phi_4198_: u32;
+    var phi_4206_: u32;
+    var phi_4211_: u32;
+    var local_13: u32;
     var local_14: bool;
     var local_15: bool;
-    var local_16: bool;
-    var local_17: bool;
+    var local_16: u32;
+    var local_17: u32;
     var local_18: bool;
     var local_19: bool;
     var local_20: bool;
+    var local_21: bool;
+    var local_22: bool;
+    var local_23: bool;
+    var local_24: bool;
+    var local_25: bool;
 
     let _e84 = id_1;
     let _e91 = arrayLength((&nodes.member));
@@ -1385,8 +1398,8 @@ fn function_() {
                 }
                 let _e390 = phi_1015_;
                 if (_e390.unnamed_1 == 4294967295u) {
-                    phi_2435_ = false;
-                    phi_2436_ = true;
+                    phi_2455_ = false;
+                    phi_2456_ = true;
                 } else {
                     if (0u < _e91) {
                     } else {
@@ -1526,2308 +1539,2355 @@ fn function_() {
                         let _e560 = phi_1211_;
                         let _e562 = phi_1214_;
                         let _e563 = (_e560 == 0u);
-                        local_5 = _e563;
+                        local_7 = _e563;
                         if _e563 {
                             phi_1212_ = u32();
                             phi_1215_ = u32();
-                            phi_2416_ = false;
-                            phi_2417_ = false;
-                            phi_2418_ = false;
+                            phi_2436_ = false;
+                            phi_2437_ = false;
+                            phi_2438_ = false;
                         } else {
-                            let _e571 = (_e560 & (_e560 - 1u));
-                            let _e572 = (((_e560 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e560), 32u, (_e560 == 0u))) * 4u);
-                            if (_e572 < _e106) {
-                            } else {
-                                return;
-                            }
-                            let _e576 = rows.member[(0u + _e572)];
-                            let _e577 = (_e572 + 1u);
-                            if (_e577 < _e106) {
-                            } else {
-                                return;
-                            }
-                            let _e581 = rows.member[(0u + _e577)];
-                            let _e582 = (_e572 + 2u);
-                            if (_e582 < _e106) {
-                            } else {
-                                return;
-                            }
-                            let _e586 = rows.member[(0u + _e582)];
-                            let _e587 = (_e572 + 3u);
-                            if (_e587 < _e106) {
-                            } else {
-                                return;
-                            }
-                            let _e591 = rows.member[(0u + _e587)];
-                            let _e592 = lt_bvh_LightNode(_e576, _e581, _e586, _e591);
-                            let _e604 = (_e390.unnamed.positive_exponent - bitcast<f32>(_e592.frame.x));
-                            let _e607 = bitcast<f32>((((_e592.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e604 > 0f) {
-                                if (_e604 < (255f * _e607)) {
-                                    phi_1283_ = (_e604 / _e607);
+                            phi_1223_ = _e560;
+                            phi_1226_ = 0u;
+                            phi_1228_ = 0u;
+                            phi_1230_ = _e562;
+                            loop {
+                                let _e565 = phi_1223_;
+                                let _e567 = phi_1226_;
+                                let _e569 = phi_1228_;
+                                let _e571 = phi_1230_;
+                                local_13 = _e569;
+                                local_5 = _e567;
+                                local_16 = _e565;
+                                local_17 = _e571;
+                                let _e572 = (_e565 == 0u);
+                                local_4 = _e572;
+                                if _e572 {
+                                    phi_1224_ = u32();
+                                    phi_1227_ = u32();
+                                    phi_1229_ = u32();
+                                    phi_1231_ = u32();
+                                    phi_1577_ = false;
                                 } else {
-                                    phi_1283_ = 255f;
-                                }
-                                let _e613 = phi_1283_;
-                                phi_1284_ = _e613;
-                            } else {
-                                phi_1284_ = 0f;
-                            }
-                            let _e615 = phi_1284_;
-                            let _e622 = select(select(u32(_e615), 0u, (_e615 < bitcast<f32>(0u))), 4294967295u, (_e615 > bitcast<f32>(1333788671u)));
-                            if (f32(_e622) < _e615) {
-                                phi_1298_ = (_e622 + 1u);
-                            } else {
-                                phi_1298_ = _e622;
-                            }
-                            let _e627 = phi_1298_;
-                            let _e628 = (_e622 * 16843009u);
-                            let _e629 = (_e627 * 16843009u);
-                            let _e639 = (_e390.unnamed.negative_exponent - bitcast<f32>(_e592.frame.y));
-                            let _e642 = bitcast<f32>((((_e592.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e639 > 0f) {
-                                if (_e639 < (255f * _e642)) {
-                                    phi_1321_ = (_e639 / _e642);
-                                } else {
-                                    phi_1321_ = 255f;
-                                }
-                                let _e648 = phi_1321_;
-                                phi_1322_ = _e648;
-                            } else {
-                                phi_1322_ = 0f;
-                            }
-                            let _e650 = phi_1322_;
-                            let _e657 = select(select(u32(_e650), 0u, (_e650 < bitcast<f32>(0u))), 4294967295u, (_e650 > bitcast<f32>(1333788671u)));
-                            if (f32(_e657) < _e650) {
-                                phi_1336_ = (_e657 + 1u);
-                            } else {
-                                phi_1336_ = _e657;
-                            }
-                            let _e662 = phi_1336_;
-                            let _e663 = (_e657 * 16843009u);
-                            let _e664 = (_e662 * 16843009u);
-                            let _e674 = (_e390.unnamed.min_variance - bitcast<f32>(_e592.frame.z));
-                            let _e677 = bitcast<f32>((((_e592.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e674 > 0f) {
-                                if (_e674 < (255f * _e677)) {
-                                    phi_1359_ = (_e674 / _e677);
-                                } else {
-                                    phi_1359_ = 255f;
-                                }
-                                let _e683 = phi_1359_;
-                                phi_1360_ = _e683;
-                            } else {
-                                phi_1360_ = 0f;
-                            }
-                            let _e685 = phi_1360_;
-                            let _e692 = select(select(u32(_e685), 0u, (_e685 < bitcast<f32>(0u))), 4294967295u, (_e685 > bitcast<f32>(1333788671u)));
-                            if (f32(_e692) < _e685) {
-                                phi_1374_ = (_e692 + 1u);
-                            } else {
-                                phi_1374_ = _e692;
-                            }
-                            let _e697 = phi_1374_;
-                            let _e698 = (_e697 * 16843009u);
-                            let _e831 = (((((((((((_e628 & ~(_e592.x.x)) | (~((_e592.x.x ^ _e628)) & ((_e628 | 2155905152u) - (_e592.x.x & 2139062143u)))) & ((_e592.x.z & ~(_e629)) | (~((_e629 ^ _e592.x.z)) & ((_e592.x.z | 2155905152u) - (_e629 & 2139062143u))))) & ((_e663 & ~(_e592.y.x)) | (~((_e592.y.x ^ _e663)) & ((_e663 | 2155905152u) - (_e592.y.x & 2139062143u))))) & ((_e592.y.z & ~(_e664)) | (~((_e664 ^ _e592.y.z)) & ((_e592.y.z | 2155905152u) - (_e664 & 2139062143u))))) & ((_e592.rest.x & ~(_e698)) | (~((_e698 ^ _e592.rest.x)) & ((_e592.rest.x | 2155905152u) - (_e698 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e628 & ~(_e592.x.y)) | (~((_e592.x.y ^ _e628)) & ((_e628 | 2155905152u) - (_e592.x.y & 2139062143u)))) & ((_e592.x.w & ~(_e629)) | (~((_e629 ^ _e592.x.w)) & ((_e592.x.w | 2155905152u) - (_e629 & 2139062143u))))) & ((_e663 & ~(_e592.y.y)) | (~((_e592.y.y ^ _e663)) & ((_e663 | 2155905152u) - (_e592.y.y & 2139062143u))))) & ((_e592.y.w & ~(_e664)) | (~((_e664 ^ _e592.y.w)) & ((_e592.y.w | 2155905152u) - (_e664 & 2139062143u))))) & ((_e592.rest.y & ~(_e698)) | (~((_e698 ^ _e592.rest.y)) & ((_e592.rest.y | 2155905152u) - (_e698 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                            if ((_e592.frame.w & 16777216u) != 0u) {
-                                phi_1501_ = _e831;
-                                loop {
-                                    let _e837 = phi_1501_;
-                                    let _e838 = (_e837 == 0u);
-                                    local_4 = _e838;
-                                    local_13 = _e838;
-                                    if _e838 {
-                                        phi_1502_ = u32();
-                                        phi_2348_ = false;
-                                        phi_2349_ = false;
-                                        phi_2350_ = false;
+                                    let _e573 = (_e569 == 0u);
+                                    if _e573 {
+                                        let _e580 = (((_e565 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e565), 32u, (_e565 == 0u))) * 4u);
+                                        if (_e580 < _e106) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e584 = rows.member[(0u + _e580)];
+                                        let _e585 = (_e580 + 1u);
+                                        if (_e585 < _e106) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e589 = rows.member[(0u + _e585)];
+                                        let _e590 = (_e580 + 2u);
+                                        if (_e590 < _e106) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e594 = rows.member[(0u + _e590)];
+                                        let _e595 = (_e580 + 3u);
+                                        if (_e595 < _e106) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e599 = rows.member[(0u + _e595)];
+                                        let _e600 = lt_bvh_LightNode(_e584, _e589, _e594, _e599);
+                                        let _e602 = (_e565 & (_e565 - 1u));
+                                        let _e614 = (_e390.unnamed.positive_exponent - bitcast<f32>(_e600.frame.x));
+                                        let _e617 = bitcast<f32>((((_e600.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e614 > 0f) {
+                                            if (_e614 < (255f * _e617)) {
+                                                phi_1303_ = (_e614 / _e617);
+                                            } else {
+                                                phi_1303_ = 255f;
+                                            }
+                                            let _e623 = phi_1303_;
+                                            phi_1304_ = _e623;
+                                        } else {
+                                            phi_1304_ = 0f;
+                                        }
+                                        let _e625 = phi_1304_;
+                                        let _e632 = select(select(u32(_e625), 0u, (_e625 < bitcast<f32>(0u))), 4294967295u, (_e625 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e632) < _e625) {
+                                            phi_1318_ = (_e632 + 1u);
+                                        } else {
+                                            phi_1318_ = _e632;
+                                        }
+                                        let _e637 = phi_1318_;
+                                        let _e638 = (_e632 * 16843009u);
+                                        let _e639 = (_e637 * 16843009u);
+                                        let _e649 = (_e390.unnamed.negative_exponent - bitcast<f32>(_e600.frame.y));
+                                        let _e652 = bitcast<f32>((((_e600.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e649 > 0f) {
+                                            if (_e649 < (255f * _e652)) {
+                                                phi_1341_ = (_e649 / _e652);
+                                            } else {
+                                                phi_1341_ = 255f;
+                                            }
+                                            let _e658 = phi_1341_;
+                                            phi_1342_ = _e658;
+                                        } else {
+                                            phi_1342_ = 0f;
+                                        }
+                                        let _e660 = phi_1342_;
+                                        let _e667 = select(select(u32(_e660), 0u, (_e660 < bitcast<f32>(0u))), 4294967295u, (_e660 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e667) < _e660) {
+                                            phi_1356_ = (_e667 + 1u);
+                                        } else {
+                                            phi_1356_ = _e667;
+                                        }
+                                        let _e672 = phi_1356_;
+                                        let _e673 = (_e667 * 16843009u);
+                                        let _e674 = (_e672 * 16843009u);
+                                        let _e684 = (_e390.unnamed.min_variance - bitcast<f32>(_e600.frame.z));
+                                        let _e687 = bitcast<f32>((((_e600.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e684 > 0f) {
+                                            if (_e684 < (255f * _e687)) {
+                                                phi_1379_ = (_e684 / _e687);
+                                            } else {
+                                                phi_1379_ = 255f;
+                                            }
+                                            let _e693 = phi_1379_;
+                                            phi_1380_ = _e693;
+                                        } else {
+                                            phi_1380_ = 0f;
+                                        }
+                                        let _e695 = phi_1380_;
+                                        let _e702 = select(select(u32(_e695), 0u, (_e695 < bitcast<f32>(0u))), 4294967295u, (_e695 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e702) < _e695) {
+                                            phi_1394_ = (_e702 + 1u);
+                                        } else {
+                                            phi_1394_ = _e702;
+                                        }
+                                        let _e707 = phi_1394_;
+                                        let _e708 = (_e707 * 16843009u);
+                                        let _e841 = (((((((((((_e638 & ~(_e600.x.x)) | (~((_e600.x.x ^ _e638)) & ((_e638 | 2155905152u) - (_e600.x.x & 2139062143u)))) & ((_e600.x.z & ~(_e639)) | (~((_e639 ^ _e600.x.z)) & ((_e600.x.z | 2155905152u) - (_e639 & 2139062143u))))) & ((_e673 & ~(_e600.y.x)) | (~((_e600.y.x ^ _e673)) & ((_e673 | 2155905152u) - (_e600.y.x & 2139062143u))))) & ((_e600.y.z & ~(_e674)) | (~((_e674 ^ _e600.y.z)) & ((_e600.y.z | 2155905152u) - (_e674 & 2139062143u))))) & ((_e600.rest.x & ~(_e708)) | (~((_e708 ^ _e600.rest.x)) & ((_e600.rest.x | 2155905152u) - (_e708 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e638 & ~(_e600.x.y)) | (~((_e600.x.y ^ _e638)) & ((_e638 | 2155905152u) - (_e600.x.y & 2139062143u)))) & ((_e600.x.w & ~(_e639)) | (~((_e639 ^ _e600.x.w)) & ((_e600.x.w | 2155905152u) - (_e639 & 2139062143u))))) & ((_e673 & ~(_e600.y.y)) | (~((_e600.y.y ^ _e673)) & ((_e673 | 2155905152u) - (_e600.y.y & 2139062143u))))) & ((_e600.y.w & ~(_e674)) | (~((_e674 ^ _e600.y.w)) & ((_e600.y.w | 2155905152u) - (_e674 & 2139062143u))))) & ((_e600.rest.y & ~(_e708)) | (~((_e708 ^ _e600.rest.y)) & ((_e600.rest.y | 2155905152u) - (_e708 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                                        if ((_e600.frame.w & 16777216u) != 0u) {
+                                            phi_1548_ = _e602;
+                                            phi_1549_ = _e600.rest.z;
+                                            phi_1550_ = _e841;
+                                            phi_1551_ = _e571;
+                                        } else {
+                                            if (_e841 == 0u) {
+                                                phi_1546_ = _e602;
+                                                phi_1547_ = _e571;
+                                            } else {
+                                                if ((_e602 & 255u) == 0u) {
+                                                    phi_1542_ = _e571;
+                                                } else {
+                                                    if (_e571 < 32u) {
+                                                        if (_e571 < 32u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        local_3[(0u + _e571)] = _e602;
+                                                        phi_1541_ = (_e571 + 1u);
+                                                    } else {
+                                                        phi_1541_ = _e571;
+                                                    }
+                                                    let _e857 = phi_1541_;
+                                                    phi_1542_ = _e857;
+                                                }
+                                                let _e859 = phi_1542_;
+                                                phi_1546_ = ((_e600.rest.z << bitcast<u32>(8i)) | _e841);
+                                                phi_1547_ = _e859;
+                                            }
+                                            let _e866 = phi_1546_;
+                                            let _e868 = phi_1547_;
+                                            phi_1548_ = _e866;
+                                            phi_1549_ = _e567;
+                                            phi_1550_ = _e569;
+                                            phi_1551_ = _e868;
+                                        }
+                                        let _e870 = phi_1548_;
+                                        let _e872 = phi_1549_;
+                                        let _e874 = phi_1550_;
+                                        let _e876 = phi_1551_;
+                                        if ((_e870 & 255u) == 0u) {
+                                            if (_e876 > 0u) {
+                                                let _e880 = (_e876 - 1u);
+                                                if (_e880 < 32u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e884 = local_3[(0u + _e880)];
+                                                phi_1569_ = _e884;
+                                                phi_1570_ = _e880;
+                                            } else {
+                                                phi_1569_ = 0u;
+                                                phi_1570_ = _e876;
+                                            }
+                                            let _e886 = phi_1569_;
+                                            let _e888 = phi_1570_;
+                                            phi_1571_ = _e886;
+                                            phi_1572_ = _e888;
+                                        } else {
+                                            phi_1571_ = _e870;
+                                            phi_1572_ = _e876;
+                                        }
+                                        let _e890 = phi_1571_;
+                                        let _e892 = phi_1572_;
+                                        phi_1573_ = _e890;
+                                        phi_1574_ = _e872;
+                                        phi_1575_ = _e874;
+                                        phi_1576_ = _e892;
                                     } else {
-                                        let _e841 = select(firstTrailingBit(_e837), 32u, (_e837 == 0u));
-                                        let _e846 = (_e592.rest.z + (_e841 >> bitcast<u32>(2i)));
-                                        if (_e846 < _e106) {
+                                        phi_1573_ = u32();
+                                        phi_1574_ = u32();
+                                        phi_1575_ = u32();
+                                        phi_1576_ = u32();
+                                    }
+                                    let _e894 = phi_1573_;
+                                    let _e896 = phi_1574_;
+                                    let _e898 = phi_1575_;
+                                    let _e900 = phi_1576_;
+                                    phi_1224_ = _e894;
+                                    phi_1227_ = _e896;
+                                    phi_1229_ = _e898;
+                                    phi_1231_ = _e900;
+                                    phi_1577_ = _e573;
+                                }
+                                let _e902 = phi_1224_;
+                                let _e904 = phi_1227_;
+                                let _e906 = phi_1229_;
+                                let _e908 = phi_1231_;
+                                let _e910 = phi_1577_;
+                                continue;
+                                continuing {
+                                    phi_1223_ = _e902;
+                                    phi_1226_ = _e904;
+                                    phi_1228_ = _e906;
+                                    phi_1230_ = _e908;
+                                    break if !(_e910);
+                                }
+                            }
+                            let _e913 = local_4;
+                            if _e913 {
+                            }
+                            let _e3471 = local_13;
+                            phi_1582_ = _e3471;
+                            loop {
+                                let _e915 = phi_1582_;
+                                let _e916 = (_e915 == 0u);
+                                local_6 = _e916;
+                                local_18 = _e916;
+                                if _e916 {
+                                    phi_1583_ = u32();
+                                    phi_2428_ = false;
+                                    phi_2429_ = false;
+                                    phi_2430_ = false;
+                                } else {
+                                    let _e919 = select(firstTrailingBit(_e915), 32u, (_e915 == 0u));
+                                    let _e923 = local_5;
+                                    let _e924 = (_e923 + (_e919 >> bitcast<u32>(2i)));
+                                    if (_e924 < _e106) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e929 = rows.member[(0u + _e924)][0u];
+                                    let _e933 = rows.member[(0u + _e924)][1u];
+                                    let _e937 = rows.member[(0u + _e924)][2u];
+                                    let _e941 = rows.member[(0u + _e924)][3u];
+                                    if ((_e919 & 2u) == 0u) {
+                                        phi_1621_ = _e933;
+                                        phi_1622_ = _e929;
+                                    } else {
+                                        phi_1621_ = _e941;
+                                        phi_1622_ = _e937;
+                                    }
+                                    let _e945 = phi_1621_;
+                                    let _e947 = phi_1622_;
+                                    if ((_e919 & 1u) == 0u) {
+                                        phi_1628_ = _e947;
+                                    } else {
+                                        phi_1628_ = _e945;
+                                    }
+                                    let _e951 = phi_1628_;
+                                    if (_e951 < _e94) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e958 = triangles.member[(0u + _e951)].v0_;
+                                    let _e960 = (_e958.x - _e150);
+                                    let _e962 = (_e958.y - _e152);
+                                    let _e964 = (_e958.z - _e154);
+                                    if (_e539 == 0u) {
+                                        phi_1658_ = vec3<f32>(_e962, _e964, _e960);
+                                    } else {
+                                        if (_e539 == 1u) {
+                                            phi_1657_ = vec3<f32>(_e964, _e960, _e962);
                                         } else {
-                                            return;
+                                            phi_1657_ = (_e958 - vec3<f32>(_e150, _e152, _e154));
                                         }
-                                        let _e851 = rows.member[(0u + _e846)][0u];
-                                        let _e855 = rows.member[(0u + _e846)][1u];
-                                        let _e859 = rows.member[(0u + _e846)][2u];
-                                        let _e863 = rows.member[(0u + _e846)][3u];
-                                        if ((_e841 & 2u) == 0u) {
-                                            phi_1541_ = _e855;
-                                            phi_1542_ = _e851;
+                                        let _e972 = phi_1657_;
+                                        phi_1658_ = _e972;
+                                    }
+                                    let _e974 = phi_1658_;
+                                    let _e978 = (_e974.x - (_e550 * _e974.z));
+                                    let _e982 = (_e974.y - (_e553 * _e974.z));
+                                    let _e984 = triangles.member[(0u + _e951)].v1_;
+                                    let _e986 = (_e984.x - _e150);
+                                    let _e988 = (_e984.y - _e152);
+                                    let _e990 = (_e984.z - _e154);
+                                    if (_e539 == 0u) {
+                                        phi_1688_ = vec3<f32>(_e988, _e990, _e986);
+                                    } else {
+                                        if (_e539 == 1u) {
+                                            phi_1687_ = vec3<f32>(_e990, _e986, _e988);
                                         } else {
-                                            phi_1541_ = _e863;
-                                            phi_1542_ = _e859;
+                                            phi_1687_ = (_e984 - vec3<f32>(_e150, _e152, _e154));
                                         }
-                                        let _e867 = phi_1541_;
-                                        let _e869 = phi_1542_;
-                                        if ((_e841 & 1u) == 0u) {
-                                            phi_1548_ = _e869;
+                                        let _e998 = phi_1687_;
+                                        phi_1688_ = _e998;
+                                    }
+                                    let _e1000 = phi_1688_;
+                                    let _e1004 = (_e1000.x - (_e550 * _e1000.z));
+                                    let _e1008 = (_e1000.y - (_e553 * _e1000.z));
+                                    let _e1010 = triangles.member[(0u + _e951)].v2_;
+                                    let _e1012 = (_e1010.x - _e150);
+                                    let _e1014 = (_e1010.y - _e152);
+                                    let _e1016 = (_e1010.z - _e154);
+                                    if (_e539 == 0u) {
+                                        phi_1718_ = vec3<f32>(_e1014, _e1016, _e1012);
+                                    } else {
+                                        if (_e539 == 1u) {
+                                            phi_1717_ = vec3<f32>(_e1016, _e1012, _e1014);
                                         } else {
-                                            phi_1548_ = _e867;
+                                            phi_1717_ = (_e1010 - vec3<f32>(_e150, _e152, _e154));
                                         }
-                                        let _e873 = phi_1548_;
-                                        if (_e873 < _e94) {
+                                        let _e1024 = phi_1717_;
+                                        phi_1718_ = _e1024;
+                                    }
+                                    let _e1026 = phi_1718_;
+                                    let _e1030 = (_e1026.x - (_e550 * _e1026.z));
+                                    let _e1034 = (_e1026.y - (_e553 * _e1026.z));
+                                    if (_e1004 < _e1030) {
+                                        phi_1737_ = true;
+                                    } else {
+                                        if (_e1004 == _e1030) {
+                                            phi_1736_ = (_e1008 < _e1034);
                                         } else {
-                                            return;
+                                            phi_1736_ = false;
                                         }
-                                        let _e880 = triangles.member[(0u + _e873)].v0_;
-                                        let _e882 = (_e880.x - _e150);
-                                        let _e884 = (_e880.y - _e152);
-                                        let _e886 = (_e880.z - _e154);
-                                        if (_e539 == 0u) {
-                                            phi_1578_ = vec3<f32>(_e884, _e886, _e882);
+                                        let _e1039 = phi_1736_;
+                                        phi_1737_ = _e1039;
+                                    }
+                                    let _e1041 = phi_1737_;
+                                    if _e1041 {
+                                        phi_1741_ = _e1034;
+                                        phi_1742_ = _e1030;
+                                        phi_1743_ = _e1008;
+                                        phi_1744_ = _e1004;
+                                    } else {
+                                        phi_1741_ = _e1008;
+                                        phi_1742_ = _e1004;
+                                        phi_1743_ = _e1034;
+                                        phi_1744_ = _e1030;
+                                    }
+                                    let _e1043 = phi_1741_;
+                                    let _e1045 = phi_1742_;
+                                    let _e1047 = phi_1743_;
+                                    let _e1049 = phi_1744_;
+                                    let _e1052 = ((_e1049 * _e1043) - (_e1047 * _e1045));
+                                    if _e1041 {
+                                        phi_1752_ = -(_e1052);
+                                    } else {
+                                        phi_1752_ = _e1052;
+                                    }
+                                    let _e1055 = phi_1752_;
+                                    if (_e1030 < _e978) {
+                                        phi_1763_ = true;
+                                    } else {
+                                        if (_e1030 == _e978) {
+                                            phi_1762_ = (_e1034 < _e982);
                                         } else {
-                                            if (_e539 == 1u) {
-                                                phi_1577_ = vec3<f32>(_e886, _e882, _e884);
+                                            phi_1762_ = false;
+                                        }
+                                        let _e1060 = phi_1762_;
+                                        phi_1763_ = _e1060;
+                                    }
+                                    let _e1062 = phi_1763_;
+                                    if _e1062 {
+                                        phi_1767_ = _e982;
+                                        phi_1768_ = _e978;
+                                        phi_1769_ = _e1034;
+                                        phi_1770_ = _e1030;
+                                    } else {
+                                        phi_1767_ = _e1034;
+                                        phi_1768_ = _e1030;
+                                        phi_1769_ = _e982;
+                                        phi_1770_ = _e978;
+                                    }
+                                    let _e1064 = phi_1767_;
+                                    let _e1066 = phi_1768_;
+                                    let _e1068 = phi_1769_;
+                                    let _e1070 = phi_1770_;
+                                    let _e1073 = ((_e1070 * _e1064) - (_e1068 * _e1066));
+                                    if _e1062 {
+                                        phi_1778_ = -(_e1073);
+                                    } else {
+                                        phi_1778_ = _e1073;
+                                    }
+                                    let _e1076 = phi_1778_;
+                                    if (_e978 < _e1004) {
+                                        phi_1789_ = true;
+                                    } else {
+                                        if (_e978 == _e1004) {
+                                            phi_1788_ = (_e982 < _e1008);
+                                        } else {
+                                            phi_1788_ = false;
+                                        }
+                                        let _e1081 = phi_1788_;
+                                        phi_1789_ = _e1081;
+                                    }
+                                    let _e1083 = phi_1789_;
+                                    if _e1083 {
+                                        phi_1793_ = _e1008;
+                                        phi_1794_ = _e1004;
+                                        phi_1795_ = _e982;
+                                        phi_1796_ = _e978;
+                                    } else {
+                                        phi_1793_ = _e982;
+                                        phi_1794_ = _e978;
+                                        phi_1795_ = _e1008;
+                                        phi_1796_ = _e1004;
+                                    }
+                                    let _e1085 = phi_1793_;
+                                    let _e1087 = phi_1794_;
+                                    let _e1089 = phi_1795_;
+                                    let _e1091 = phi_1796_;
+                                    let _e1094 = ((_e1091 * _e1085) - (_e1089 * _e1087));
+                                    if _e1083 {
+                                        phi_1804_ = -(_e1094);
+                                    } else {
+                                        phi_1804_ = _e1094;
+                                    }
+                                    let _e1097 = phi_1804_;
+                                    if (_e1055 >= 0f) {
+                                        if (_e1076 >= 0f) {
+                                            if (_e1097 >= 0f) {
+                                                phi_1819_ = ((_e1055 + _e1076) + _e1097);
+                                                phi_1820_ = false;
                                             } else {
-                                                phi_1577_ = (_e880 - vec3<f32>(_e150, _e152, _e154));
+                                                phi_1819_ = f32();
+                                                phi_1820_ = true;
                                             }
-                                            let _e894 = phi_1577_;
-                                            phi_1578_ = _e894;
-                                        }
-                                        let _e896 = phi_1578_;
-                                        let _e900 = (_e896.x - (_e550 * _e896.z));
-                                        let _e904 = (_e896.y - (_e553 * _e896.z));
-                                        let _e906 = triangles.member[(0u + _e873)].v1_;
-                                        let _e908 = (_e906.x - _e150);
-                                        let _e910 = (_e906.y - _e152);
-                                        let _e912 = (_e906.z - _e154);
-                                        if (_e539 == 0u) {
-                                            phi_1608_ = vec3<f32>(_e910, _e912, _e908);
+                                            let _e1104 = phi_1819_;
+                                            let _e1106 = phi_1820_;
+                                            phi_1821_ = _e1104;
+                                            phi_1822_ = _e1106;
                                         } else {
-                                            if (_e539 == 1u) {
-                                                phi_1607_ = vec3<f32>(_e912, _e908, _e910);
-                                            } else {
-                                                phi_1607_ = (_e906 - vec3<f32>(_e150, _e152, _e154));
-                                            }
-                                            let _e920 = phi_1607_;
-                                            phi_1608_ = _e920;
+                                            phi_1821_ = f32();
+                                            phi_1822_ = true;
                                         }
-                                        let _e922 = phi_1608_;
-                                        let _e926 = (_e922.x - (_e550 * _e922.z));
-                                        let _e930 = (_e922.y - (_e553 * _e922.z));
-                                        let _e932 = triangles.member[(0u + _e873)].v2_;
-                                        let _e934 = (_e932.x - _e150);
-                                        let _e936 = (_e932.y - _e152);
-                                        let _e938 = (_e932.z - _e154);
-                                        if (_e539 == 0u) {
-                                            phi_1638_ = vec3<f32>(_e936, _e938, _e934);
-                                        } else {
-                                            if (_e539 == 1u) {
-                                                phi_1637_ = vec3<f32>(_e938, _e934, _e936);
-                                            } else {
-                                                phi_1637_ = (_e932 - vec3<f32>(_e150, _e152, _e154));
-                                            }
-                                            let _e946 = phi_1637_;
-                                            phi_1638_ = _e946;
-                                        }
-                                        let _e948 = phi_1638_;
-                                        let _e952 = (_e948.x - (_e550 * _e948.z));
-                                        let _e956 = (_e948.y - (_e553 * _e948.z));
-                                        if (_e926 < _e952) {
-                                            phi_1657_ = true;
-                                        } else {
-                                            if (_e926 == _e952) {
-                                                phi_1656_ = (_e930 < _e956);
-                                            } else {
-                                                phi_1656_ = false;
-                                            }
-                                            let _e961 = phi_1656_;
-                                            phi_1657_ = _e961;
-                                        }
-                                        let _e963 = phi_1657_;
-                                        if _e963 {
-                                            phi_1661_ = _e956;
-                                            phi_1662_ = _e952;
-                                            phi_1663_ = _e930;
-                                            phi_1664_ = _e926;
-                                        } else {
-                                            phi_1661_ = _e930;
-                                            phi_1662_ = _e926;
-                                            phi_1663_ = _e956;
-                                            phi_1664_ = _e952;
-                                        }
-                                        let _e965 = phi_1661_;
-                                        let _e967 = phi_1662_;
-                                        let _e969 = phi_1663_;
-                                        let _e971 = phi_1664_;
-                                        let _e974 = ((_e971 * _e965) - (_e969 * _e967));
-                                        if _e963 {
-                                            phi_1672_ = -(_e974);
-                                        } else {
-                                            phi_1672_ = _e974;
-                                        }
-                                        let _e977 = phi_1672_;
-                                        if (_e952 < _e900) {
-                                            phi_1683_ = true;
-                                        } else {
-                                            if (_e952 == _e900) {
-                                                phi_1682_ = (_e956 < _e904);
-                                            } else {
-                                                phi_1682_ = false;
-                                            }
-                                            let _e982 = phi_1682_;
-                                            phi_1683_ = _e982;
-                                        }
-                                        let _e984 = phi_1683_;
-                                        if _e984 {
-                                            phi_1687_ = _e904;
-                                            phi_1688_ = _e900;
-                                            phi_1689_ = _e956;
-                                            phi_1690_ = _e952;
-                                        } else {
-                                            phi_1687_ = _e956;
-                                            phi_1688_ = _e952;
-                                            phi_1689_ = _e904;
-                                            phi_1690_ = _e900;
-                                        }
-                                        let _e986 = phi_1687_;
-                                        let _e988 = phi_1688_;
-                                        let _e990 = phi_1689_;
-                                        let _e992 = phi_1690_;
-                                        let _e995 = ((_e992 * _e986) - (_e990 * _e988));
-                                        if _e984 {
-                                            phi_1698_ = -(_e995);
-                                        } else {
-                                            phi_1698_ = _e995;
-                                        }
-                                        let _e998 = phi_1698_;
-                                        if (_e900 < _e926) {
-                                            phi_1709_ = true;
-                                        } else {
-                                            if (_e900 == _e926) {
-                                                phi_1708_ = (_e904 < _e930);
-                                            } else {
-                                                phi_1708_ = false;
-                                            }
-                                            let _e1003 = phi_1708_;
-                                            phi_1709_ = _e1003;
-                                        }
-                                        let _e1005 = phi_1709_;
-                                        if _e1005 {
-                                            phi_1713_ = _e930;
-                                            phi_1714_ = _e926;
-                                            phi_1715_ = _e904;
-                                            phi_1716_ = _e900;
-                                        } else {
-                                            phi_1713_ = _e904;
-                                            phi_1714_ = _e900;
-                                            phi_1715_ = _e930;
-                                            phi_1716_ = _e926;
-                                        }
-                                        let _e1007 = phi_1713_;
-                                        let _e1009 = phi_1714_;
-                                        let _e1011 = phi_1715_;
-                                        let _e1013 = phi_1716_;
-                                        let _e1016 = ((_e1013 * _e1007) - (_e1011 * _e1009));
-                                        if _e1005 {
-                                            phi_1724_ = -(_e1016);
-                                        } else {
-                                            phi_1724_ = _e1016;
-                                        }
-                                        let _e1019 = phi_1724_;
-                                        if (_e977 >= 0f) {
-                                            if (_e998 >= 0f) {
-                                                if (_e1019 >= 0f) {
-                                                    phi_1739_ = ((_e977 + _e998) + _e1019);
-                                                    phi_1740_ = false;
-                                                } else {
-                                                    phi_1739_ = f32();
-                                                    phi_1740_ = true;
+                                        let _e1108 = phi_1821_;
+                                        let _e1110 = phi_1822_;
+                                        phi_1823_ = _e1108;
+                                        phi_1824_ = _e1110;
+                                    } else {
+                                        phi_1823_ = f32();
+                                        phi_1824_ = true;
+                                    }
+                                    let _e1112 = phi_1823_;
+                                    let _e1114 = phi_1824_;
+                                    if _e1114 {
+                                        if (_e1055 <= 0f) {
+                                            if (_e1076 <= 0f) {
+                                                let _e1117 = (_e1097 <= 0f);
+                                                if _e1117 {
                                                 }
-                                                let _e1026 = phi_1739_;
-                                                let _e1028 = phi_1740_;
-                                                phi_1741_ = _e1026;
-                                                phi_1742_ = _e1028;
+                                                phi_1842_ = ((_e1055 + _e1076) + _e1097);
+                                                phi_1843_ = false;
+                                                phi_1844_ = _e1117;
                                             } else {
-                                                phi_1741_ = f32();
-                                                phi_1742_ = true;
+                                                phi_1842_ = f32();
+                                                phi_1843_ = true;
+                                                phi_1844_ = false;
                                             }
-                                            let _e1030 = phi_1741_;
-                                            let _e1032 = phi_1742_;
-                                            phi_1743_ = _e1030;
-                                            phi_1744_ = _e1032;
+                                            let _e1121 = phi_1842_;
+                                            let _e1123 = phi_1843_;
+                                            let _e1125 = phi_1844_;
+                                            phi_1845_ = _e1121;
+                                            phi_1846_ = _e1123;
+                                            phi_1847_ = _e1125;
                                         } else {
-                                            phi_1743_ = f32();
-                                            phi_1744_ = true;
+                                            phi_1845_ = f32();
+                                            phi_1846_ = true;
+                                            phi_1847_ = false;
                                         }
-                                        let _e1034 = phi_1743_;
-                                        let _e1036 = phi_1744_;
-                                        if _e1036 {
-                                            if (_e977 <= 0f) {
-                                                if (_e998 <= 0f) {
-                                                    let _e1039 = (_e1019 <= 0f);
-                                                    if _e1039 {
-                                                    }
-                                                    phi_1762_ = ((_e977 + _e998) + _e1019);
-                                                    phi_1763_ = false;
-                                                    phi_1764_ = _e1039;
+                                        let _e1127 = phi_1845_;
+                                        let _e1129 = phi_1846_;
+                                        let _e1131 = phi_1847_;
+                                        if _e1129 {
+                                            phi_1851_ = false;
+                                        } else {
+                                            phi_1851_ = _e1131;
+                                        }
+                                        let _e1133 = phi_1851_;
+                                        phi_1852_ = _e1127;
+                                        phi_1853_ = _e1133;
+                                    } else {
+                                        phi_1852_ = _e1112;
+                                        phi_1853_ = true;
+                                    }
+                                    let _e1135 = phi_1852_;
+                                    let _e1137 = phi_1853_;
+                                    if _e1137 {
+                                        let _e1138 = (_e1135 == 0f);
+                                        if _e1138 {
+                                            phi_2169_ = lt_bvh_triangle_Intersection();
+                                            phi_2170_ = false;
+                                        } else {
+                                            let _e1140 = triangles.member[(0u + _e951)].v0_;
+                                            let _e1142 = (_e1140.x - _e150);
+                                            let _e1144 = (_e1140.y - _e152);
+                                            let _e1146 = (_e1140.z - _e154);
+                                            if (_e539 == 0u) {
+                                                phi_1882_ = vec3<f32>(_e1144, _e1146, _e1142);
+                                            } else {
+                                                if (_e539 == 1u) {
+                                                    phi_1881_ = vec3<f32>(_e1146, _e1142, _e1144);
                                                 } else {
-                                                    phi_1762_ = f32();
-                                                    phi_1763_ = true;
-                                                    phi_1764_ = false;
+                                                    phi_1881_ = (_e1140 - vec3<f32>(_e150, _e152, _e154));
                                                 }
-                                                let _e1043 = phi_1762_;
-                                                let _e1045 = phi_1763_;
-                                                let _e1047 = phi_1764_;
-                                                phi_1765_ = _e1043;
-                                                phi_1766_ = _e1045;
-                                                phi_1767_ = _e1047;
-                                            } else {
-                                                phi_1765_ = f32();
-                                                phi_1766_ = true;
-                                                phi_1767_ = false;
+                                                let _e1154 = phi_1881_;
+                                                phi_1882_ = _e1154;
                                             }
-                                            let _e1049 = phi_1765_;
-                                            let _e1051 = phi_1766_;
-                                            let _e1053 = phi_1767_;
-                                            if _e1051 {
-                                                phi_1771_ = false;
+                                            let _e1156 = phi_1882_;
+                                            let _e1158 = triangles.member[(0u + _e951)].v1_;
+                                            let _e1160 = triangles.member[(0u + _e951)].v0_;
+                                            let _e1163 = (_e1158.x - _e1160.x);
+                                            let _e1166 = (_e1158.y - _e1160.y);
+                                            let _e1169 = (_e1158.z - _e1160.z);
+                                            if (_e539 == 0u) {
+                                                phi_1908_ = vec3<f32>(_e1166, _e1169, _e1163);
                                             } else {
-                                                phi_1771_ = _e1053;
-                                            }
-                                            let _e1055 = phi_1771_;
-                                            phi_1772_ = _e1049;
-                                            phi_1773_ = _e1055;
-                                        } else {
-                                            phi_1772_ = _e1034;
-                                            phi_1773_ = true;
-                                        }
-                                        let _e1057 = phi_1772_;
-                                        let _e1059 = phi_1773_;
-                                        if _e1059 {
-                                            let _e1060 = (_e1057 == 0f);
-                                            if _e1060 {
-                                                phi_2089_ = lt_bvh_triangle_Intersection();
-                                                phi_2090_ = false;
-                                            } else {
-                                                let _e1062 = triangles.member[(0u + _e873)].v0_;
-                                                let _e1064 = (_e1062.x - _e150);
-                                                let _e1066 = (_e1062.y - _e152);
-                                                let _e1068 = (_e1062.z - _e154);
-                                                if (_e539 == 0u) {
-                                                    phi_1802_ = vec3<f32>(_e1066, _e1068, _e1064);
+                                                if (_e539 == 1u) {
+                                                    phi_1907_ = vec3<f32>(_e1169, _e1163, _e1166);
                                                 } else {
-                                                    if (_e539 == 1u) {
-                                                        phi_1801_ = vec3<f32>(_e1068, _e1064, _e1066);
+                                                    phi_1907_ = (_e1158 - _e1160);
+                                                }
+                                                let _e1176 = phi_1907_;
+                                                phi_1908_ = _e1176;
+                                            }
+                                            let _e1178 = phi_1908_;
+                                            let _e1180 = triangles.member[(0u + _e951)].v2_;
+                                            let _e1182 = triangles.member[(0u + _e951)].v0_;
+                                            let _e1185 = (_e1180.x - _e1182.x);
+                                            let _e1188 = (_e1180.y - _e1182.y);
+                                            let _e1191 = (_e1180.z - _e1182.z);
+                                            if (_e539 == 0u) {
+                                                phi_1934_ = vec3<f32>(_e1188, _e1191, _e1185);
+                                            } else {
+                                                if (_e539 == 1u) {
+                                                    phi_1933_ = vec3<f32>(_e1191, _e1185, _e1188);
+                                                } else {
+                                                    phi_1933_ = (_e1180 - _e1182);
+                                                }
+                                                let _e1198 = phi_1933_;
+                                                phi_1934_ = _e1198;
+                                            }
+                                            let _e1200 = phi_1934_;
+                                            let _e1207 = ((_e1178.y * _e1200.z) - (_e1178.z * _e1200.y));
+                                            let _e1214 = ((_e1178.z * _e1200.x) - (_e1178.x * _e1200.z));
+                                            let _e1221 = ((_e1178.x * _e1200.y) - (_e1178.y * _e1200.x));
+                                            let _e1235 = (((1f / _e547.z) * (((_e1207 * _e1156.x) + (_e1214 * _e1156.y)) + (_e1221 * _e1156.z))) / (((_e1207 * _e550) + (_e1214 * _e553)) + _e1221));
+                                            if (_e1235 > 0f) {
+                                                if (_e1235 < _e162) {
+                                                    let _e1239 = triangles.member[(0u + _e951)].v0_;
+                                                    let _e1241 = triangles.member[(0u + _e951)].v1_;
+                                                    if (_e1239.x < _e1241.x) {
+                                                        phi_1990_ = _e1239.x;
                                                     } else {
-                                                        phi_1801_ = (_e1062 - vec3<f32>(_e150, _e152, _e154));
+                                                        phi_1990_ = _e1241.x;
                                                     }
-                                                    let _e1076 = phi_1801_;
-                                                    phi_1802_ = _e1076;
-                                                }
-                                                let _e1078 = phi_1802_;
-                                                let _e1080 = triangles.member[(0u + _e873)].v1_;
-                                                let _e1082 = triangles.member[(0u + _e873)].v0_;
-                                                let _e1085 = (_e1080.x - _e1082.x);
-                                                let _e1088 = (_e1080.y - _e1082.y);
-                                                let _e1091 = (_e1080.z - _e1082.z);
-                                                if (_e539 == 0u) {
-                                                    phi_1828_ = vec3<f32>(_e1088, _e1091, _e1085);
-                                                } else {
-                                                    if (_e539 == 1u) {
-                                                        phi_1827_ = vec3<f32>(_e1091, _e1085, _e1088);
+                                                    let _e1248 = phi_1990_;
+                                                    if (_e1239.y < _e1241.y) {
+                                                        phi_1999_ = _e1239.y;
                                                     } else {
-                                                        phi_1827_ = (_e1080 - _e1082);
+                                                        phi_1999_ = _e1241.y;
                                                     }
-                                                    let _e1098 = phi_1827_;
-                                                    phi_1828_ = _e1098;
-                                                }
-                                                let _e1100 = phi_1828_;
-                                                let _e1102 = triangles.member[(0u + _e873)].v2_;
-                                                let _e1104 = triangles.member[(0u + _e873)].v0_;
-                                                let _e1107 = (_e1102.x - _e1104.x);
-                                                let _e1110 = (_e1102.y - _e1104.y);
-                                                let _e1113 = (_e1102.z - _e1104.z);
-                                                if (_e539 == 0u) {
-                                                    phi_1854_ = vec3<f32>(_e1110, _e1113, _e1107);
-                                                } else {
-                                                    if (_e539 == 1u) {
-                                                        phi_1853_ = vec3<f32>(_e1113, _e1107, _e1110);
+                                                    let _e1255 = phi_1999_;
+                                                    if (_e1239.z < _e1241.z) {
+                                                        phi_2008_ = _e1239.z;
                                                     } else {
-                                                        phi_1853_ = (_e1102 - _e1104);
+                                                        phi_2008_ = _e1241.z;
                                                     }
-                                                    let _e1120 = phi_1853_;
-                                                    phi_1854_ = _e1120;
-                                                }
-                                                let _e1122 = phi_1854_;
-                                                let _e1129 = ((_e1100.y * _e1122.z) - (_e1100.z * _e1122.y));
-                                                let _e1136 = ((_e1100.z * _e1122.x) - (_e1100.x * _e1122.z));
-                                                let _e1143 = ((_e1100.x * _e1122.y) - (_e1100.y * _e1122.x));
-                                                let _e1157 = (((1f / _e547.z) * (((_e1129 * _e1078.x) + (_e1136 * _e1078.y)) + (_e1143 * _e1078.z))) / (((_e1129 * _e550) + (_e1136 * _e553)) + _e1143));
-                                                if (_e1157 > 0f) {
-                                                    if (_e1157 < _e162) {
-                                                        let _e1161 = triangles.member[(0u + _e873)].v0_;
-                                                        let _e1163 = triangles.member[(0u + _e873)].v1_;
-                                                        if (_e1161.x < _e1163.x) {
-                                                            phi_1910_ = _e1161.x;
-                                                        } else {
-                                                            phi_1910_ = _e1163.x;
-                                                        }
-                                                        let _e1170 = phi_1910_;
-                                                        if (_e1161.y < _e1163.y) {
-                                                            phi_1919_ = _e1161.y;
-                                                        } else {
-                                                            phi_1919_ = _e1163.y;
-                                                        }
-                                                        let _e1177 = phi_1919_;
-                                                        if (_e1161.z < _e1163.z) {
-                                                            phi_1928_ = _e1161.z;
-                                                        } else {
-                                                            phi_1928_ = _e1163.z;
-                                                        }
-                                                        let _e1184 = phi_1928_;
-                                                        let _e1186 = triangles.member[(0u + _e873)].v2_;
-                                                        if (_e1170 < _e1186.x) {
-                                                            phi_1937_ = _e1170;
-                                                        } else {
-                                                            phi_1937_ = _e1186.x;
-                                                        }
-                                                        let _e1191 = phi_1937_;
-                                                        if (_e1177 < _e1186.y) {
-                                                            phi_1944_ = _e1177;
-                                                        } else {
-                                                            phi_1944_ = _e1186.y;
-                                                        }
-                                                        let _e1196 = phi_1944_;
-                                                        if (_e1184 < _e1186.z) {
-                                                            phi_1951_ = _e1184;
-                                                        } else {
-                                                            phi_1951_ = _e1186.z;
-                                                        }
-                                                        let _e1201 = phi_1951_;
-                                                        let _e1203 = triangles.member[(0u + _e873)].v0_;
-                                                        let _e1205 = triangles.member[(0u + _e873)].v1_;
-                                                        if (_e1203.x > _e1205.x) {
-                                                            phi_1964_ = _e1203.x;
-                                                        } else {
-                                                            phi_1964_ = _e1205.x;
-                                                        }
-                                                        let _e1212 = phi_1964_;
-                                                        if (_e1203.y > _e1205.y) {
-                                                            phi_1973_ = _e1203.y;
-                                                        } else {
-                                                            phi_1973_ = _e1205.y;
-                                                        }
-                                                        let _e1219 = phi_1973_;
-                                                        if (_e1203.z > _e1205.z) {
-                                                            phi_1982_ = _e1203.z;
-                                                        } else {
-                                                            phi_1982_ = _e1205.z;
-                                                        }
-                                                        let _e1226 = phi_1982_;
-                                                        let _e1228 = triangles.member[(0u + _e873)].v2_;
-                                                        if (_e1212 > _e1228.x) {
-                                                            phi_1991_ = _e1212;
-                                                        } else {
-                                                            phi_1991_ = _e1228.x;
-                                                        }
-                                                        let _e1233 = phi_1991_;
-                                                        if (_e1219 > _e1228.y) {
-                                                            phi_1998_ = _e1219;
-                                                        } else {
-                                                            phi_1998_ = _e1228.y;
-                                                        }
-                                                        let _e1238 = phi_1998_;
-                                                        if (_e1226 > _e1228.z) {
-                                                            phi_2005_ = _e1226;
-                                                        } else {
-                                                            phi_2005_ = _e1228.z;
-                                                        }
-                                                        let _e1243 = phi_2005_;
-                                                        let _e1247 = ((_e1191 - _e150) * _e468);
-                                                        let _e1248 = ((_e1196 - _e152) * _e478);
-                                                        let _e1249 = ((_e1201 - _e154) * _e488);
-                                                        let _e1253 = ((_e1233 - _e150) * _e468);
-                                                        let _e1254 = ((_e1238 - _e152) * _e478);
-                                                        let _e1255 = ((_e1243 - _e154) * _e488);
-                                                        if (_e1247 < _e1253) {
-                                                            phi_2022_ = _e1247;
-                                                        } else {
-                                                            phi_2022_ = _e1253;
-                                                        }
-                                                        let _e1258 = phi_2022_;
-                                                        if (_e1248 < _e1254) {
-                                                            phi_2027_ = _e1248;
-                                                        } else {
-                                                            phi_2027_ = _e1254;
-                                                        }
-                                                        let _e1261 = phi_2027_;
-                                                        if (_e1249 < _e1255) {
-                                                            phi_2032_ = _e1249;
-                                                        } else {
-                                                            phi_2032_ = _e1255;
-                                                        }
-                                                        let _e1264 = phi_2032_;
-                                                        if (_e1247 > _e1253) {
-                                                            phi_2040_ = _e1247;
-                                                        } else {
-                                                            phi_2040_ = _e1253;
-                                                        }
-                                                        let _e1270 = phi_2040_;
-                                                        if (_e1248 > _e1254) {
-                                                            phi_2045_ = _e1248;
-                                                        } else {
-                                                            phi_2045_ = _e1254;
-                                                        }
-                                                        let _e1273 = phi_2045_;
-                                                        if (_e1249 > _e1255) {
-                                                            phi_2050_ = _e1249;
-                                                        } else {
-                                                            phi_2050_ = _e1255;
-                                                        }
-                                                        let _e1276 = phi_2050_;
-                                                        let _e1280 = core_intrinsics_maximum_number_nsz_f32_((_e1258 - _e523), (_e1261 - _e524));
-                                                        let _e1281 = core_intrinsics_maximum_number_nsz_f32_(_e1280, (_e1264 - _e525));
-                                                        let _e1282 = core_intrinsics_minimum_number_nsz_f32_((_e1270 + _e523), (_e1273 + _e524));
-                                                        let _e1283 = core_intrinsics_minimum_number_nsz_f32_(_e1282, (_e1276 + _e525));
-                                                        if (_e1281 > -300000000000000000000000000000000000000f) {
-                                                            phi_2062_ = _e1281;
-                                                        } else {
-                                                            phi_2062_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1286 = phi_2062_;
-                                                        if (_e1283 < 300000000000000000000000000000000000000f) {
-                                                            phi_2067_ = _e1283;
-                                                        } else {
-                                                            phi_2067_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1289 = phi_2067_;
-                                                        if (_e1157 < _e1286) {
-                                                            phi_2072_ = _e1286;
-                                                        } else {
-                                                            phi_2072_ = _e1157;
-                                                        }
-                                                        let _e1292 = phi_2072_;
-                                                        if (_e1292 > _e1289) {
-                                                            phi_2077_ = _e1289;
-                                                        } else {
-                                                            phi_2077_ = _e1292;
-                                                        }
-                                                        let _e1295 = phi_2077_;
-                                                        phi_2082_ = lt_bvh_triangle_Intersection(_e1295, (_e998 / _e1057), (_e1019 / _e1057), (_e1286 <= _e1289));
-                                                        phi_2083_ = false;
+                                                    let _e1262 = phi_2008_;
+                                                    let _e1264 = triangles.member[(0u + _e951)].v2_;
+                                                    if (_e1248 < _e1264.x) {
+                                                        phi_2017_ = _e1248;
                                                     } else {
-                                                        phi_2082_ = lt_bvh_triangle_Intersection();
-                                                        phi_2083_ = true;
+                                                        phi_2017_ = _e1264.x;
                                                     }
-                                                    let _e1301 = phi_2082_;
-                                                    let _e1303 = phi_2083_;
-                                                    phi_2084_ = _e1301;
-                                                    phi_2085_ = _e1303;
+                                                    let _e1269 = phi_2017_;
+                                                    if (_e1255 < _e1264.y) {
+                                                        phi_2024_ = _e1255;
+                                                    } else {
+                                                        phi_2024_ = _e1264.y;
+                                                    }
+                                                    let _e1274 = phi_2024_;
+                                                    if (_e1262 < _e1264.z) {
+                                                        phi_2031_ = _e1262;
+                                                    } else {
+                                                        phi_2031_ = _e1264.z;
+                                                    }
+                                                    let _e1279 = phi_2031_;
+                                                    let _e1281 = triangles.member[(0u + _e951)].v0_;
+                                                    let _e1283 = triangles.member[(0u + _e951)].v1_;
+                                                    if (_e1281.x > _e1283.x) {
+                                                        phi_2044_ = _e1281.x;
+                                                    } else {
+                                                        phi_2044_ = _e1283.x;
+                                                    }
+                                                    let _e1290 = phi_2044_;
+                                                    if (_e1281.y > _e1283.y) {
+                                                        phi_2053_ = _e1281.y;
+                                                    } else {
+                                                        phi_2053_ = _e1283.y;
+                                                    }
+                                                    let _e1297 = phi_2053_;
+                                                    if (_e1281.z > _e1283.z) {
+                                                        phi_2062_ = _e1281.z;
+                                                    } else {
+                                                        phi_2062_ = _e1283.z;
+                                                    }
+                                                    let _e1304 = phi_2062_;
+                                                    let _e1306 = triangles.member[(0u + _e951)].v2_;
+                                                    if (_e1290 > _e1306.x) {
+                                                        phi_2071_ = _e1290;
+                                                    } else {
+                                                        phi_2071_ = _e1306.x;
+                                                    }
+                                                    let _e1311 = phi_2071_;
+                                                    if (_e1297 > _e1306.y) {
+                                                        phi_2078_ = _e1297;
+                                                    } else {
+                                                        phi_2078_ = _e1306.y;
+                                                    }
+                                                    let _e1316 = phi_2078_;
+                                                    if (_e1304 > _e1306.z) {
+                                                        phi_2085_ = _e1304;
+                                                    } else {
+                                                        phi_2085_ = _e1306.z;
+                                                    }
+                                                    let _e1321 = phi_2085_;
+                                                    let _e1325 = ((_e1269 - _e150) * _e468);
+                                                    let _e1326 = ((_e1274 - _e152) * _e478);
+                                                    let _e1327 = ((_e1279 - _e154) * _e488);
+                                                    let _e1331 = ((_e1311 - _e150) * _e468);
+                                                    let _e1332 = ((_e1316 - _e152) * _e478);
+                                                    let _e1333 = ((_e1321 - _e154) * _e488);
+                                                    if (_e1325 < _e1331) {
+                                                        phi_2102_ = _e1325;
+                                                    } else {
+                                                        phi_2102_ = _e1331;
+                                                    }
+                                                    let _e1336 = phi_2102_;
+                                                    if (_e1326 < _e1332) {
+                                                        phi_2107_ = _e1326;
+                                                    } else {
+                                                        phi_2107_ = _e1332;
+                                                    }
+                                                    let _e1339 = phi_2107_;
+                                                    if (_e1327 < _e1333) {
+                                                        phi_2112_ = _e1327;
+                                                    } else {
+                                                        phi_2112_ = _e1333;
+                                                    }
+                                                    let _e1342 = phi_2112_;
+                                                    if (_e1325 > _e1331) {
+                                                        phi_2120_ = _e1325;
+                                                    } else {
+                                                        phi_2120_ = _e1331;
+                                                    }
+                                                    let _e1348 = phi_2120_;
+                                                    if (_e1326 > _e1332) {
+                                                        phi_2125_ = _e1326;
+                                                    } else {
+                                                        phi_2125_ = _e1332;
+                                                    }
+                                                    let _e1351 = phi_2125_;
+                                                    if (_e1327 > _e1333) {
+                                                        phi_2130_ = _e1327;
+                                                    } else {
+                                                        phi_2130_ = _e1333;
+                                                    }
+                                                    let _e1354 = phi_2130_;
+                                                    let _e1358 = core_intrinsics_maximum_number_nsz_f32_((_e1336 - _e523), (_e1339 - _e524));
+                                                    let _e1359 = core_intrinsics_maximum_number_nsz_f32_(_e1358, (_e1342 - _e525));
+                                                    let _e1360 = core_intrinsics_minimum_number_nsz_f32_((_e1348 + _e523), (_e1351 + _e524));
+                                                    let _e1361 = core_intrinsics_minimum_number_nsz_f32_(_e1360, (_e1354 + _e525));
+                                                    if (_e1359 > -300000000000000000000000000000000000000f) {
+                                                        phi_2142_ = _e1359;
+                                                    } else {
+                                                        phi_2142_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1364 = phi_2142_;
+                                                    if (_e1361 < 300000000000000000000000000000000000000f) {
+                                                        phi_2147_ = _e1361;
+                                                    } else {
+                                                        phi_2147_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1367 = phi_2147_;
+                                                    if (_e1235 < _e1364) {
+                                                        phi_2152_ = _e1364;
+                                                    } else {
+                                                        phi_2152_ = _e1235;
+                                                    }
+                                                    let _e1370 = phi_2152_;
+                                                    if (_e1370 > _e1367) {
+                                                        phi_2157_ = _e1367;
+                                                    } else {
+                                                        phi_2157_ = _e1370;
+                                                    }
+                                                    let _e1373 = phi_2157_;
+                                                    phi_2162_ = lt_bvh_triangle_Intersection(_e1373, (_e1076 / _e1135), (_e1097 / _e1135), (_e1364 <= _e1367));
+                                                    phi_2163_ = false;
                                                 } else {
-                                                    phi_2084_ = lt_bvh_triangle_Intersection();
-                                                    phi_2085_ = true;
+                                                    phi_2162_ = lt_bvh_triangle_Intersection();
+                                                    phi_2163_ = true;
                                                 }
-                                                let _e1305 = phi_2084_;
-                                                let _e1307 = phi_2085_;
-                                                if _e1307 {
-                                                }
-                                                phi_2089_ = _e1305;
-                                                phi_2090_ = _e1307;
+                                                let _e1379 = phi_2162_;
+                                                let _e1381 = phi_2163_;
+                                                phi_2164_ = _e1379;
+                                                phi_2165_ = _e1381;
+                                            } else {
+                                                phi_2164_ = lt_bvh_triangle_Intersection();
+                                                phi_2165_ = true;
                                             }
-                                            let _e1309 = phi_2089_;
-                                            let _e1311 = phi_2090_;
-                                            phi_2091_ = _e1309;
-                                            phi_2092_ = _e1060;
-                                            phi_2093_ = _e1311;
-                                        } else {
-                                            phi_2091_ = lt_bvh_triangle_Intersection();
-                                            phi_2092_ = true;
-                                            phi_2093_ = false;
+                                            let _e1383 = phi_2164_;
+                                            let _e1385 = phi_2165_;
+                                            if _e1385 {
+                                            }
+                                            phi_2169_ = _e1383;
+                                            phi_2170_ = _e1385;
                                         }
-                                        let _e1313 = phi_2091_;
-                                        let _e1315 = phi_2092_;
-                                        let _e1317 = phi_2093_;
-                                        if _e1315 {
-                                            phi_2097_ = true;
-                                        } else {
-                                            phi_2097_ = _e1317;
-                                        }
-                                        let _e1319 = phi_2097_;
-                                        if _e1319 {
-                                            phi_2101_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                        } else {
-                                            phi_2101_ = _e1313;
-                                        }
-                                        let _e1321 = phi_2101_;
-                                        if _e1321.is_hit {
-                                            if (_e1321.t > 0f) {
-                                                if (_e1321.t < _e162) {
-                                                    let _e1328 = triangles.member[(0u + _e873)].i0_;
-                                                    let _e1330 = ((_e1328 & 2147483648u) == 0u);
-                                                    if _e1330 {
-                                                        phi_2324_ = false;
-                                                        phi_2325_ = false;
+                                        let _e1387 = phi_2169_;
+                                        let _e1389 = phi_2170_;
+                                        phi_2171_ = _e1387;
+                                        phi_2172_ = _e1138;
+                                        phi_2173_ = _e1389;
+                                    } else {
+                                        phi_2171_ = lt_bvh_triangle_Intersection();
+                                        phi_2172_ = true;
+                                        phi_2173_ = false;
+                                    }
+                                    let _e1391 = phi_2171_;
+                                    let _e1393 = phi_2172_;
+                                    let _e1395 = phi_2173_;
+                                    if _e1393 {
+                                        phi_2177_ = true;
+                                    } else {
+                                        phi_2177_ = _e1395;
+                                    }
+                                    let _e1397 = phi_2177_;
+                                    if _e1397 {
+                                        phi_2181_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_2181_ = _e1391;
+                                    }
+                                    let _e1399 = phi_2181_;
+                                    if _e1399.is_hit {
+                                        if (_e1399.t > 0f) {
+                                            if (_e1399.t < _e162) {
+                                                let _e1406 = triangles.member[(0u + _e951)].i0_;
+                                                let _e1408 = ((_e1406 & 2147483648u) == 0u);
+                                                if _e1408 {
+                                                    phi_2404_ = false;
+                                                    phi_2405_ = false;
+                                                } else {
+                                                    if (_e951 < _e94) {
                                                     } else {
-                                                        if (_e873 < _e94) {
+                                                        return;
+                                                    }
+                                                    let _e1415 = triangles.member[(0u + _e951)].i0_;
+                                                    let _e1416 = (_e1415 & 2147483647u);
+                                                    let _e1418 = triangles.member[(0u + _e951)].i1_;
+                                                    let _e1420 = triangles.member[(0u + _e951)].i2_;
+                                                    if (_e1416 < _e110) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1424 = vertices.member[(0u + _e1416)];
+                                                    if (_e1418 < _e110) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1428 = vertices.member[(0u + _e1418)];
+                                                    if (_e1420 < _e110) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1432 = vertices.member[(0u + _e1420)];
+                                                    let _e1433 = array<abi_Vertex, 3>(_e1424, _e1428, _e1432);
+                                                    if (_e1433[0].material < _e113) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1439 = materials.member[(0u + _e1433[0].material)];
+                                                    if ((_e1439.flags & 1u) == 1u) {
+                                                        let _e1444 = ((1f - _e1399.u) - _e1399.v);
+                                                        if (_e1439.cutoff <= 0f) {
+                                                            phi_2398_ = true;
                                                         } else {
-                                                            return;
-                                                        }
-                                                        let _e1337 = triangles.member[(0u + _e873)].i0_;
-                                                        let _e1338 = (_e1337 & 2147483647u);
-                                                        let _e1340 = triangles.member[(0u + _e873)].i1_;
-                                                        let _e1342 = triangles.member[(0u + _e873)].i2_;
-                                                        if (_e1338 < _e110) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1346 = vertices.member[(0u + _e1338)];
-                                                        if (_e1340 < _e110) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1350 = vertices.member[(0u + _e1340)];
-                                                        if (_e1342 < _e110) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1354 = vertices.member[(0u + _e1342)];
-                                                        let _e1355 = array<abi_Vertex, 3>(_e1346, _e1350, _e1354);
-                                                        if (_e1355[0].material < _e113) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1361 = materials.member[(0u + _e1355[0].material)];
-                                                        if ((_e1361.flags & 1u) == 1u) {
-                                                            let _e1366 = ((1f - _e1321.u) - _e1321.v);
-                                                            if (_e1361.cutoff <= 0f) {
-                                                                phi_2318_ = true;
+                                                            let _e1471 = (_e1439.base_color.w * ((((f32((_e1433[0].color >> bitcast<u32>(24i))) * _e1444) + (f32((_e1433[1].color >> bitcast<u32>(24i))) * _e1399.u)) + (f32((_e1433[2].color >> bitcast<u32>(24i))) * _e1399.v)) * (1f / 255f)));
+                                                            if (_e1439.alpha_size == 0u) {
+                                                                phi_2395_ = _e1471;
                                                             } else {
-                                                                let _e1393 = (_e1361.base_color.w * ((((f32((_e1355[0].color >> bitcast<u32>(24i))) * _e1366) + (f32((_e1355[1].color >> bitcast<u32>(24i))) * _e1321.u)) + (f32((_e1355[2].color >> bitcast<u32>(24i))) * _e1321.v)) * (1f / 255f)));
-                                                                if (_e1361.alpha_size == 0u) {
-                                                                    phi_2315_ = _e1393;
+                                                                local_2.offset = _e1439.alpha_offset;
+                                                                local_2.size = _e1439.alpha_size;
+                                                                local_2.flags = _e1439.flags;
+                                                                let _e1502 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1433[0].u * _e1444) + (_e1433[1].u * _e1399.u)) + (_e1433[2].u * _e1399.v)), (((_e1433[0].v * _e1444) + (_e1433[1].v * _e1399.u)) + (_e1433[2].v * _e1399.v)));
+                                                                let _e1506 = (_e1502.indices[0] >> bitcast<u32>(2i));
+                                                                if (_e1506 < _e116) {
                                                                 } else {
-                                                                    local_2.offset = _e1361.alpha_offset;
-                                                                    local_2.size = _e1361.alpha_size;
-                                                                    local_2.flags = _e1361.flags;
-                                                                    let _e1424 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1355[0].u * _e1366) + (_e1355[1].u * _e1321.u)) + (_e1355[2].u * _e1321.v)), (((_e1355[0].v * _e1366) + (_e1355[1].v * _e1321.u)) + (_e1355[2].v * _e1321.v)));
-                                                                    let _e1428 = (_e1424.indices[0] >> bitcast<u32>(2i));
-                                                                    if (_e1428 < _e116) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1432 = alpha_texels.member[(0u + _e1428)];
-                                                                    let _e1448 = (_e1424.indices[1] >> bitcast<u32>(2i));
-                                                                    if (_e1448 < _e116) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1452 = alpha_texels.member[(0u + _e1448)];
-                                                                    let _e1469 = (_e1424.indices[2] >> bitcast<u32>(2i));
-                                                                    if (_e1469 < _e116) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1473 = alpha_texels.member[(0u + _e1469)];
-                                                                    let _e1490 = (_e1424.indices[3] >> bitcast<u32>(2i));
-                                                                    if (_e1490 < _e116) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1494 = alpha_texels.member[(0u + _e1490)];
-                                                                    phi_2315_ = (_e1393 * (((((f32(((_e1432 >> bitcast<u32>((((_e1424.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1424.weights.x) + ((f32(((_e1452 >> bitcast<u32>((((_e1424.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1424.weights.y)) + ((f32(((_e1473 >> bitcast<u32>((((_e1424.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1424.weights.z)) + ((f32(((_e1494 >> bitcast<u32>((((_e1424.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1424.weights.w)));
+                                                                    return;
                                                                 }
-                                                                let _e1510 = phi_2315_;
-                                                                phi_2318_ = (_e1510 >= _e1361.cutoff);
+                                                                let _e1510 = alpha_texels.member[(0u + _e1506)];
+                                                                let _e1526 = (_e1502.indices[1] >> bitcast<u32>(2i));
+                                                                if (_e1526 < _e116) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1530 = alpha_texels.member[(0u + _e1526)];
+                                                                let _e1547 = (_e1502.indices[2] >> bitcast<u32>(2i));
+                                                                if (_e1547 < _e116) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1551 = alpha_texels.member[(0u + _e1547)];
+                                                                let _e1568 = (_e1502.indices[3] >> bitcast<u32>(2i));
+                                                                if (_e1568 < _e116) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1572 = alpha_texels.member[(0u + _e1568)];
+                                                                phi_2395_ = (_e1471 * (((((f32(((_e1510 >> bitcast<u32>((((_e1502.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1502.weights.x) + ((f32(((_e1530 >> bitcast<u32>((((_e1502.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1502.weights.y)) + ((f32(((_e1551 >> bitcast<u32>((((_e1502.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1502.weights.z)) + ((f32(((_e1572 >> bitcast<u32>((((_e1502.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1502.weights.w)));
                                                             }
-                                                            let _e1514 = phi_2318_;
-                                                            phi_2319_ = _e1514;
-                                                        } else {
-                                                            phi_2319_ = false;
+                                                            let _e1588 = phi_2395_;
+                                                            phi_2398_ = (_e1588 >= _e1439.cutoff);
                                                         }
-                                                        let _e1516 = phi_2319_;
-                                                        if _e1516 {
-                                                            phi_2323_ = false;
-                                                        } else {
-                                                            phi_2323_ = true;
-                                                        }
-                                                        let _e1518 = phi_2323_;
-                                                        phi_2324_ = _e1518;
-                                                        phi_2325_ = _e1516;
+                                                        let _e1592 = phi_2398_;
+                                                        phi_2399_ = _e1592;
+                                                    } else {
+                                                        phi_2399_ = false;
                                                     }
-                                                    let _e1520 = phi_2324_;
-                                                    let _e1522 = phi_2325_;
-                                                    phi_2326_ = _e1520;
-                                                    phi_2327_ = _e1330;
-                                                    phi_2328_ = _e1522;
-                                                } else {
-                                                    phi_2326_ = true;
-                                                    phi_2327_ = false;
-                                                    phi_2328_ = false;
+                                                    let _e1594 = phi_2399_;
+                                                    if _e1594 {
+                                                        phi_2403_ = false;
+                                                    } else {
+                                                        phi_2403_ = true;
+                                                    }
+                                                    let _e1596 = phi_2403_;
+                                                    phi_2404_ = _e1596;
+                                                    phi_2405_ = _e1594;
                                                 }
-                                                let _e1524 = phi_2326_;
-                                                let _e1526 = phi_2327_;
-                                                let _e1528 = phi_2328_;
-                                                phi_2329_ = false;
-                                                phi_2330_ = _e1524;
-                                                phi_2331_ = _e1526;
-                                                phi_2332_ = _e1528;
+                                                let _e1598 = phi_2404_;
+                                                let _e1600 = phi_2405_;
+                                                phi_2406_ = _e1598;
+                                                phi_2407_ = _e1408;
+                                                phi_2408_ = _e1600;
                                             } else {
-                                                phi_2329_ = true;
-                                                phi_2330_ = false;
-                                                phi_2331_ = false;
-                                                phi_2332_ = false;
+                                                phi_2406_ = true;
+                                                phi_2407_ = false;
+                                                phi_2408_ = false;
                                             }
-                                            let _e1530 = phi_2329_;
-                                            let _e1532 = phi_2330_;
-                                            let _e1534 = phi_2331_;
-                                            let _e1536 = phi_2332_;
-                                            phi_2333_ = _e1530;
-                                            phi_2334_ = _e1532;
-                                            phi_2335_ = _e1534;
-                                            phi_2336_ = _e1536;
+                                            let _e1602 = phi_2406_;
+                                            let _e1604 = phi_2407_;
+                                            let _e1606 = phi_2408_;
+                                            phi_2409_ = false;
+                                            phi_2410_ = _e1602;
+                                            phi_2411_ = _e1604;
+                                            phi_2412_ = _e1606;
                                         } else {
-                                            phi_2333_ = true;
-                                            phi_2334_ = false;
-                                            phi_2335_ = false;
-                                            phi_2336_ = false;
+                                            phi_2409_ = true;
+                                            phi_2410_ = false;
+                                            phi_2411_ = false;
+                                            phi_2412_ = false;
                                         }
-                                        let _e1538 = phi_2333_;
-                                        let _e1540 = phi_2334_;
-                                        let _e1542 = phi_2335_;
-                                        let _e1544 = phi_2336_;
-                                        if _e1538 {
-                                            phi_2340_ = true;
-                                            phi_2341_ = false;
-                                            phi_2342_ = false;
-                                        } else {
-                                            phi_2340_ = _e1540;
-                                            phi_2341_ = _e1542;
-                                            phi_2342_ = _e1544;
-                                        }
-                                        let _e1546 = phi_2340_;
-                                        let _e1548 = phi_2341_;
-                                        let _e1550 = phi_2342_;
-                                        if _e1546 {
-                                            phi_2346_ = false;
-                                            phi_2347_ = false;
-                                        } else {
-                                            phi_2346_ = _e1548;
-                                            phi_2347_ = _e1550;
-                                        }
-                                        let _e1552 = phi_2346_;
-                                        let _e1554 = phi_2347_;
-                                        phi_1502_ = (_e837 & (_e837 - 1u));
-                                        phi_2348_ = _e1546;
-                                        phi_2349_ = _e1552;
-                                        phi_2350_ = _e1554;
-                                    }
-                                    let _e1556 = phi_1502_;
-                                    let _e1558 = phi_2348_;
-                                    let _e1560 = phi_2349_;
-                                    let _e1562 = phi_2350_;
-                                    local_11 = _e1560;
-                                    local_12 = _e1562;
-                                    continue;
-                                    continuing {
-                                        phi_1501_ = _e1556;
-                                        break if !(_e1558);
-                                    }
-                                }
-                                let _e1565 = local_4;
-                                if _e1565 {
-                                    phi_2354_ = false;
-                                    phi_2355_ = false;
-                                } else {
-                                    let _e3534 = local_11;
-                                    phi_2354_ = _e3534;
-                                    let _e3537 = local_12;
-                                    phi_2355_ = _e3537;
-                                }
-                                let _e1567 = phi_2354_;
-                                let _e1569 = phi_2355_;
-                                phi_2383_ = _e571;
-                                phi_2384_ = _e562;
-                                let _e3546 = local_13;
-                                phi_2385_ = _e3546;
-                                phi_2386_ = _e1567;
-                                phi_2387_ = _e1569;
-                            } else {
-                                if (_e831 == 0u) {
-                                    phi_2381_ = _e571;
-                                    phi_2382_ = _e562;
-                                } else {
-                                    if ((_e571 & 255u) == 0u) {
-                                        phi_2377_ = _e562;
+                                        let _e1608 = phi_2409_;
+                                        let _e1610 = phi_2410_;
+                                        let _e1612 = phi_2411_;
+                                        let _e1614 = phi_2412_;
+                                        phi_2413_ = _e1608;
+                                        phi_2414_ = _e1610;
+                                        phi_2415_ = _e1612;
+                                        phi_2416_ = _e1614;
                                     } else {
-                                        if (_e562 < 32u) {
-                                            if (_e562 < 32u) {
-                                            } else {
-                                                return;
-                                            }
-                                            local_3[(0u + _e562)] = _e571;
-                                            phi_2376_ = (_e562 + 1u);
-                                        } else {
-                                            phi_2376_ = _e562;
-                                        }
-                                        let _e1579 = phi_2376_;
-                                        phi_2377_ = _e1579;
+                                        phi_2413_ = true;
+                                        phi_2414_ = false;
+                                        phi_2415_ = false;
+                                        phi_2416_ = false;
                                     }
-                                    let _e1581 = phi_2377_;
-                                    phi_2381_ = ((_e592.rest.z << bitcast<u32>(8i)) | _e831);
-                                    phi_2382_ = _e1581;
-                                }
-                                let _e1588 = phi_2381_;
-                                let _e1590 = phi_2382_;
-                                phi_2383_ = _e1588;
-                                phi_2384_ = _e1590;
-                                phi_2385_ = true;
-                                phi_2386_ = false;
-                                phi_2387_ = false;
-                            }
-                            let _e1592 = phi_2383_;
-                            let _e1594 = phi_2384_;
-                            let _e1596 = phi_2385_;
-                            let _e1598 = phi_2386_;
-                            let _e1600 = phi_2387_;
-                            if _e1596 {
-                                if ((_e1592 & 255u) == 0u) {
-                                    if (_e1594 > 0u) {
-                                        let _e1604 = (_e1594 - 1u);
-                                        if (_e1604 < 32u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e1608 = local_3[(0u + _e1604)];
-                                        phi_2408_ = _e1608;
-                                        phi_2409_ = _e1604;
+                                    let _e1616 = phi_2413_;
+                                    let _e1618 = phi_2414_;
+                                    let _e1620 = phi_2415_;
+                                    let _e1622 = phi_2416_;
+                                    if _e1616 {
+                                        phi_2420_ = true;
+                                        phi_2421_ = false;
+                                        phi_2422_ = false;
                                     } else {
-                                        phi_2408_ = 0u;
-                                        phi_2409_ = _e1594;
+                                        phi_2420_ = _e1618;
+                                        phi_2421_ = _e1620;
+                                        phi_2422_ = _e1622;
                                     }
-                                    let _e1610 = phi_2408_;
-                                    let _e1612 = phi_2409_;
-                                    phi_2410_ = _e1610;
-                                    phi_2411_ = _e1612;
-                                } else {
-                                    phi_2410_ = _e1592;
-                                    phi_2411_ = _e1594;
+                                    let _e1624 = phi_2420_;
+                                    let _e1626 = phi_2421_;
+                                    let _e1628 = phi_2422_;
+                                    if _e1624 {
+                                        phi_2426_ = false;
+                                        phi_2427_ = false;
+                                    } else {
+                                        phi_2426_ = _e1626;
+                                        phi_2427_ = _e1628;
+                                    }
+                                    let _e1630 = phi_2426_;
+                                    let _e1632 = phi_2427_;
+                                    phi_1583_ = (_e915 & (_e915 - 1u));
+                                    phi_2428_ = _e1624;
+                                    phi_2429_ = _e1630;
+                                    phi_2430_ = _e1632;
                                 }
-                                let _e1614 = phi_2410_;
-                                let _e1616 = phi_2411_;
-                                phi_2412_ = _e1614;
-                                phi_2413_ = _e1616;
-                                phi_2414_ = false;
-                                phi_2415_ = false;
-                            } else {
-                                phi_2412_ = u32();
-                                phi_2413_ = u32();
-                                phi_2414_ = _e1598;
-                                phi_2415_ = _e1600;
+                                let _e1634 = phi_1583_;
+                                let _e1636 = phi_2428_;
+                                let _e1638 = phi_2429_;
+                                let _e1640 = phi_2430_;
+                                local_14 = _e1638;
+                                local_15 = _e1640;
+                                continue;
+                                continuing {
+                                    phi_1582_ = _e1634;
+                                    break if !(_e1636);
+                                }
                             }
-                            let _e1618 = phi_2412_;
-                            let _e1620 = phi_2413_;
-                            let _e1622 = phi_2414_;
-                            let _e1624 = phi_2415_;
-                            phi_1212_ = _e1618;
-                            phi_1215_ = _e1620;
-                            phi_2416_ = _e1596;
-                            phi_2417_ = _e1622;
-                            phi_2418_ = _e1624;
+                            let _e1643 = local_6;
+                            if _e1643 {
+                                phi_2434_ = false;
+                                phi_2435_ = false;
+                            } else {
+                                let _e3586 = local_14;
+                                phi_2434_ = _e3586;
+                                let _e3589 = local_15;
+                                phi_2435_ = _e3589;
+                            }
+                            let _e1645 = phi_2434_;
+                            let _e1647 = phi_2435_;
+                            let _e3592 = local_16;
+                            phi_1212_ = _e3592;
+                            let _e3595 = local_17;
+                            phi_1215_ = _e3595;
+                            let _e3598 = local_18;
+                            phi_2436_ = _e3598;
+                            phi_2437_ = _e1645;
+                            phi_2438_ = _e1647;
                         }
-                        let _e1626 = phi_1212_;
-                        let _e1628 = phi_1215_;
-                        let _e1630 = phi_2416_;
-                        let _e1632 = phi_2417_;
-                        let _e1634 = phi_2418_;
-                        local_14 = _e1632;
-                        local_15 = _e1634;
+                        let _e1649 = phi_1212_;
+                        let _e1651 = phi_1215_;
+                        let _e1653 = phi_2436_;
+                        let _e1655 = phi_2437_;
+                        let _e1657 = phi_2438_;
+                        local_19 = _e1655;
+                        local_20 = _e1657;
                         continue;
                         continuing {
-                            phi_1211_ = _e1626;
-                            phi_1214_ = _e1628;
-                            break if !(_e1630);
+                            phi_1211_ = _e1649;
+                            phi_1214_ = _e1651;
+                            break if !(_e1653);
                         }
                     }
-                    let _e1637 = local_5;
-                    if _e1637 {
-                        phi_2422_ = false;
-                        phi_2423_ = false;
+                    let _e1660 = local_7;
+                    if _e1660 {
+                        phi_2442_ = false;
+                        phi_2443_ = false;
                     } else {
-                        let _e3565 = local_14;
-                        phi_2422_ = _e3565;
-                        let _e3568 = local_15;
-                        phi_2423_ = _e3568;
+                        let _e3604 = local_19;
+                        phi_2442_ = _e3604;
+                        let _e3607 = local_20;
+                        phi_2443_ = _e3607;
                     }
-                    let _e1639 = phi_2422_;
-                    let _e1641 = phi_2423_;
-                    if _e1639 {
-                        phi_2427_ = false;
+                    let _e1662 = phi_2442_;
+                    let _e1664 = phi_2443_;
+                    if _e1662 {
+                        phi_2447_ = false;
                     } else {
-                        phi_2427_ = _e1641;
+                        phi_2447_ = _e1664;
                     }
-                    let _e1643 = phi_2427_;
-                    if _e1643 {
-                        phi_2431_ = true;
+                    let _e1666 = phi_2447_;
+                    if _e1666 {
+                        phi_2451_ = true;
                     } else {
-                        phi_2431_ = _e1639;
+                        phi_2451_ = _e1662;
                     }
-                    let _e1645 = phi_2431_;
-                    if _e1645 {
+                    let _e1668 = phi_2451_;
+                    if _e1668 {
                     }
-                    phi_2435_ = true;
-                    phi_2436_ = _e1645;
+                    phi_2455_ = true;
+                    phi_2456_ = _e1668;
                 }
-                let _e1647 = phi_2435_;
-                let _e1649 = phi_2436_;
-                if _e1649 {
-                    phi_2440_ = _e1647;
+                let _e1670 = phi_2455_;
+                let _e1672 = phi_2456_;
+                if _e1672 {
+                    phi_2460_ = _e1670;
                 } else {
-                    phi_2440_ = false;
+                    phi_2460_ = false;
                 }
-                let _e1651 = phi_2440_;
-                phi_4105_ = _e1651;
+                let _e1674 = phi_2460_;
+                phi_4125_ = _e1674;
             } else {
-                let _e1652 = abs(_e170);
-                let _e1653 = abs(_e171);
-                let _e1654 = abs(_e172);
+                let _e1675 = abs(_e170);
+                let _e1676 = abs(_e171);
+                let _e1677 = abs(_e172);
                 if (abs(_e150) < 1000000000000000f) {
                     if (abs(_e152) < 1000000000000000f) {
-                        phi_2456_ = (abs(_e154) < 1000000000000000f);
-                        phi_2457_ = false;
+                        phi_2476_ = (abs(_e154) < 1000000000000000f);
+                        phi_2477_ = false;
                     } else {
-                        phi_2456_ = bool();
-                        phi_2457_ = true;
+                        phi_2476_ = bool();
+                        phi_2477_ = true;
                     }
-                    let _e1662 = phi_2456_;
-                    let _e1664 = phi_2457_;
-                    phi_2458_ = _e1662;
-                    phi_2459_ = _e1664;
+                    let _e1685 = phi_2476_;
+                    let _e1687 = phi_2477_;
+                    phi_2478_ = _e1685;
+                    phi_2479_ = _e1687;
                 } else {
-                    phi_2458_ = bool();
-                    phi_2459_ = true;
+                    phi_2478_ = bool();
+                    phi_2479_ = true;
                 }
-                let _e1666 = phi_2458_;
-                let _e1668 = phi_2459_;
-                if _e1668 {
-                    phi_2463_ = false;
+                let _e1689 = phi_2478_;
+                let _e1691 = phi_2479_;
+                if _e1691 {
+                    phi_2483_ = false;
                 } else {
-                    phi_2463_ = _e1666;
+                    phi_2483_ = _e1689;
                 }
-                let _e1670 = phi_2463_;
-                if _e1670 {
-                    if (_e1652 < 1000000000000000f) {
-                        if (_e1653 < 1000000000000000f) {
-                            phi_2476_ = (_e1654 < 1000000000000000f);
-                            phi_2477_ = false;
+                let _e1693 = phi_2483_;
+                if _e1693 {
+                    if (_e1675 < 1000000000000000f) {
+                        if (_e1676 < 1000000000000000f) {
+                            phi_2496_ = (_e1677 < 1000000000000000f);
+                            phi_2497_ = false;
                         } else {
-                            phi_2476_ = bool();
-                            phi_2477_ = true;
+                            phi_2496_ = bool();
+                            phi_2497_ = true;
                         }
-                        let _e1675 = phi_2476_;
-                        let _e1677 = phi_2477_;
-                        phi_2478_ = _e1675;
-                        phi_2479_ = _e1677;
+                        let _e1698 = phi_2496_;
+                        let _e1700 = phi_2497_;
+                        phi_2498_ = _e1698;
+                        phi_2499_ = _e1700;
                     } else {
-                        phi_2478_ = bool();
-                        phi_2479_ = true;
+                        phi_2498_ = bool();
+                        phi_2499_ = true;
                     }
-                    let _e1679 = phi_2478_;
-                    let _e1681 = phi_2479_;
-                    if _e1681 {
-                        phi_2483_ = false;
+                    let _e1702 = phi_2498_;
+                    let _e1704 = phi_2499_;
+                    if _e1704 {
+                        phi_2503_ = false;
                     } else {
-                        phi_2483_ = _e1679;
+                        phi_2503_ = _e1702;
                     }
-                    let _e1683 = phi_2483_;
-                    if _e1683 {
-                        if (_e1652 > 0f) {
-                            phi_2497_ = bool();
-                            phi_2498_ = true;
+                    let _e1706 = phi_2503_;
+                    if _e1706 {
+                        if (_e1675 > 0f) {
+                            phi_2517_ = bool();
+                            phi_2518_ = true;
                         } else {
-                            let _e1685 = (_e1653 > 0f);
-                            if _e1685 {
-                                phi_2496_ = bool();
+                            let _e1708 = (_e1676 > 0f);
+                            if _e1708 {
+                                phi_2516_ = bool();
                             } else {
-                                phi_2496_ = (_e1654 > 0f);
+                                phi_2516_ = (_e1677 > 0f);
                             }
-                            let _e1688 = phi_2496_;
-                            phi_2497_ = _e1688;
-                            phi_2498_ = _e1685;
+                            let _e1711 = phi_2516_;
+                            phi_2517_ = _e1711;
+                            phi_2518_ = _e1708;
                         }
-                        let _e1690 = phi_2497_;
-                        let _e1692 = phi_2498_;
-                        if _e1692 {
-                            phi_2502_ = true;
+                        let _e1713 = phi_2517_;
+                        let _e1715 = phi_2518_;
+                        if _e1715 {
+                            phi_2522_ = true;
                         } else {
-                            phi_2502_ = _e1690;
+                            phi_2522_ = _e1713;
                         }
-                        let _e1694 = phi_2502_;
-                        phi_2503_ = _e1694;
-                        phi_2504_ = false;
+                        let _e1717 = phi_2522_;
+                        phi_2523_ = _e1717;
+                        phi_2524_ = false;
                     } else {
-                        phi_2503_ = bool();
-                        phi_2504_ = true;
+                        phi_2523_ = bool();
+                        phi_2524_ = true;
                     }
-                    let _e1696 = phi_2503_;
-                    let _e1698 = phi_2504_;
-                    phi_2505_ = _e1696;
-                    phi_2506_ = _e1698;
+                    let _e1719 = phi_2523_;
+                    let _e1721 = phi_2524_;
+                    phi_2525_ = _e1719;
+                    phi_2526_ = _e1721;
                 } else {
-                    phi_2505_ = bool();
-                    phi_2506_ = true;
+                    phi_2525_ = bool();
+                    phi_2526_ = true;
                 }
-                let _e1700 = phi_2505_;
-                let _e1702 = phi_2506_;
-                if _e1702 {
-                    phi_2510_ = false;
+                let _e1723 = phi_2525_;
+                let _e1725 = phi_2526_;
+                if _e1725 {
+                    phi_2530_ = false;
                 } else {
-                    phi_2510_ = _e1700;
+                    phi_2530_ = _e1723;
                 }
-                let _e1704 = phi_2510_;
-                if _e1704 {
-                    let _e1705 = (0u >= _e91);
-                    if _e1705 {
-                        phi_4098_ = bool();
+                let _e1727 = phi_2530_;
+                if _e1727 {
+                    let _e1728 = (0u >= _e91);
+                    if _e1728 {
+                        phi_4118_ = bool();
                     } else {
                         if (0u < _e91) {
                         } else {
                             return;
                         }
-                        let _e1711 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1715 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1719 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1723 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1727 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1731 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1735 = nodes.member[(0u + 0u)].frame[3u];
-                        let _e1769 = core_intrinsics_maximum_number_nsz_f32_(abs(_e170), abs(_e171));
-                        let _e1770 = core_intrinsics_maximum_number_nsz_f32_(_e1769, abs(_e172));
-                        let _e1771 = (_e1770 * 0.0000000000009094947f);
-                        if (abs(_e170) < _e1771) {
-                            phi_2580_ = _e1771;
+                        let _e1734 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1738 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1742 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1746 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1750 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1754 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1758 = nodes.member[(0u + 0u)].frame[3u];
+                        let _e1792 = core_intrinsics_maximum_number_nsz_f32_(abs(_e170), abs(_e171));
+                        let _e1793 = core_intrinsics_maximum_number_nsz_f32_(_e1792, abs(_e172));
+                        let _e1794 = (_e1793 * 0.0000000000009094947f);
+                        if (abs(_e170) < _e1794) {
+                            phi_2600_ = _e1794;
                         } else {
-                            phi_2580_ = abs(_e170);
+                            phi_2600_ = abs(_e170);
                         }
-                        let _e1776 = phi_2580_;
+                        let _e1799 = phi_2600_;
                         if (_e170 < 0f) {
-                            phi_2587_ = (-1f / _e1776);
+                            phi_2607_ = (-1f / _e1799);
                         } else {
-                            phi_2587_ = (1f / _e1776);
+                            phi_2607_ = (1f / _e1799);
                         }
-                        let _e1781 = phi_2587_;
-                        if (abs(_e171) < _e1771) {
-                            phi_2594_ = _e1771;
+                        let _e1804 = phi_2607_;
+                        if (abs(_e171) < _e1794) {
+                            phi_2614_ = _e1794;
                         } else {
-                            phi_2594_ = abs(_e171);
+                            phi_2614_ = abs(_e171);
                         }
-                        let _e1786 = phi_2594_;
+                        let _e1809 = phi_2614_;
                         if (_e171 < 0f) {
-                            phi_2601_ = (-1f / _e1786);
+                            phi_2621_ = (-1f / _e1809);
                         } else {
-                            phi_2601_ = (1f / _e1786);
+                            phi_2621_ = (1f / _e1809);
                         }
-                        let _e1791 = phi_2601_;
-                        if (abs(_e172) < _e1771) {
-                            phi_2608_ = _e1771;
+                        let _e1814 = phi_2621_;
+                        if (abs(_e172) < _e1794) {
+                            phi_2628_ = _e1794;
                         } else {
-                            phi_2608_ = abs(_e172);
+                            phi_2628_ = abs(_e172);
                         }
-                        let _e1796 = phi_2608_;
+                        let _e1819 = phi_2628_;
                         if (_e172 < 0f) {
-                            phi_2615_ = (-1f / _e1796);
+                            phi_2635_ = (-1f / _e1819);
                         } else {
-                            phi_2615_ = (1f / _e1796);
+                            phi_2635_ = (1f / _e1819);
                         }
-                        let _e1801 = phi_2615_;
-                        let _e1805 = abs((bitcast<f32>(_e1711) - _e150));
-                        let _e1806 = abs((bitcast<f32>(_e1715) - _e152));
-                        let _e1807 = abs((bitcast<f32>(_e1719) - _e154));
-                        let _e1811 = abs(((bitcast<f32>(_e1723) + (bitcast<f32>((((_e1735 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150));
-                        let _e1812 = abs(((bitcast<f32>(_e1727) + (bitcast<f32>((((_e1735 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e152));
-                        let _e1813 = abs(((bitcast<f32>(_e1731) + (bitcast<f32>((((_e1735 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e154));
-                        if (_e1805 > _e1811) {
-                            phi_2632_ = _e1805;
+                        let _e1824 = phi_2635_;
+                        let _e1828 = abs((bitcast<f32>(_e1734) - _e150));
+                        let _e1829 = abs((bitcast<f32>(_e1738) - _e152));
+                        let _e1830 = abs((bitcast<f32>(_e1742) - _e154));
+                        let _e1834 = abs(((bitcast<f32>(_e1746) + (bitcast<f32>((((_e1758 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150));
+                        let _e1835 = abs(((bitcast<f32>(_e1750) + (bitcast<f32>((((_e1758 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e152));
+                        let _e1836 = abs(((bitcast<f32>(_e1754) + (bitcast<f32>((((_e1758 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e154));
+                        if (_e1828 > _e1834) {
+                            phi_2652_ = _e1828;
                         } else {
-                            phi_2632_ = _e1811;
+                            phi_2652_ = _e1834;
                         }
-                        let _e1816 = phi_2632_;
-                        if (_e1806 > _e1812) {
-                            phi_2637_ = _e1806;
+                        let _e1839 = phi_2652_;
+                        if (_e1829 > _e1835) {
+                            phi_2657_ = _e1829;
                         } else {
-                            phi_2637_ = _e1812;
+                            phi_2657_ = _e1835;
                         }
-                        let _e1819 = phi_2637_;
-                        if (_e1807 > _e1813) {
-                            phi_2642_ = _e1807;
+                        let _e1842 = phi_2657_;
+                        if (_e1830 > _e1836) {
+                            phi_2662_ = _e1830;
                         } else {
-                            phi_2642_ = _e1813;
+                            phi_2662_ = _e1836;
                         }
-                        let _e1822 = phi_2642_;
-                        if (_e1816 > _e1819) {
-                            phi_2647_ = _e1816;
+                        let _e1845 = phi_2662_;
+                        if (_e1839 > _e1842) {
+                            phi_2667_ = _e1839;
                         } else {
-                            phi_2647_ = _e1819;
+                            phi_2667_ = _e1842;
                         }
-                        let _e1825 = phi_2647_;
-                        if (_e1825 > _e1822) {
-                            phi_2652_ = _e1825;
+                        let _e1848 = phi_2667_;
+                        if (_e1848 > _e1845) {
+                            phi_2672_ = _e1848;
                         } else {
-                            phi_2652_ = _e1822;
+                            phi_2672_ = _e1845;
                         }
-                        let _e1828 = phi_2652_;
-                        let _e1832 = (_e1828 * 0.0000019073486f);
-                        let _e1833 = (abs(_e1781) * _e1832);
-                        let _e1834 = (abs(_e1791) * _e1832);
-                        let _e1835 = (abs(_e1801) * _e1832);
-                        let _e1839 = (_e1828 * 0.0000009536743f);
-                        let _e1840 = (abs(_e1781) * _e1839);
-                        let _e1841 = (abs(_e1791) * _e1839);
-                        let _e1842 = (abs(_e1801) * _e1839);
-                        let _e1843 = abs(_e170);
-                        let _e1844 = abs(_e171);
-                        let _e1845 = abs(_e172);
-                        if (_e1843 >= _e1844) {
-                            if (_e1843 >= _e1845) {
-                                phi_2678_ = false;
+                        let _e1851 = phi_2672_;
+                        let _e1855 = (_e1851 * 0.0000019073486f);
+                        let _e1856 = (abs(_e1804) * _e1855);
+                        let _e1857 = (abs(_e1814) * _e1855);
+                        let _e1858 = (abs(_e1824) * _e1855);
+                        let _e1862 = (_e1851 * 0.0000009536743f);
+                        let _e1863 = (abs(_e1804) * _e1862);
+                        let _e1864 = (abs(_e1814) * _e1862);
+                        let _e1865 = (abs(_e1824) * _e1862);
+                        let _e1866 = abs(_e170);
+                        let _e1867 = abs(_e171);
+                        let _e1868 = abs(_e172);
+                        if (_e1866 >= _e1867) {
+                            if (_e1866 >= _e1868) {
+                                phi_2698_ = false;
                             } else {
-                                phi_2678_ = true;
+                                phi_2698_ = true;
                             }
-                            let _e1849 = phi_2678_;
-                            phi_2679_ = _e1849;
+                            let _e1872 = phi_2698_;
+                            phi_2699_ = _e1872;
                         } else {
-                            phi_2679_ = true;
+                            phi_2699_ = true;
                         }
-                        let _e1851 = phi_2679_;
-                        if _e1851 {
-                            if (_e1844 >= _e1845) {
-                                phi_2687_ = 1u;
+                        let _e1874 = phi_2699_;
+                        if _e1874 {
+                            if (_e1867 >= _e1868) {
+                                phi_2707_ = 1u;
                             } else {
-                                phi_2687_ = 2u;
+                                phi_2707_ = 2u;
                             }
-                            let _e1854 = phi_2687_;
-                            phi_2688_ = _e1854;
+                            let _e1877 = phi_2707_;
+                            phi_2708_ = _e1877;
                         } else {
-                            phi_2688_ = 0u;
+                            phi_2708_ = 0u;
                         }
-                        let _e1856 = phi_2688_;
-                        if (_e1856 == 0u) {
-                            phi_2700_ = vec3<f32>(_e171, _e172, _e170);
+                        let _e1879 = phi_2708_;
+                        if (_e1879 == 0u) {
+                            phi_2720_ = vec3<f32>(_e171, _e172, _e170);
                         } else {
-                            if (_e1856 == 1u) {
-                                phi_2699_ = vec3<f32>(_e172, _e170, _e171);
+                            if (_e1879 == 1u) {
+                                phi_2719_ = vec3<f32>(_e172, _e170, _e171);
                             } else {
-                                phi_2699_ = _e173;
+                                phi_2719_ = _e173;
                             }
-                            let _e1862 = phi_2699_;
-                            phi_2700_ = _e1862;
+                            let _e1885 = phi_2719_;
+                            phi_2720_ = _e1885;
                         }
-                        let _e1864 = phi_2700_;
-                        let _e1867 = (_e1864.x / _e1864.z);
-                        let _e1870 = (_e1864.y / _e1864.z);
-                        if (_e1781 < 0f) {
-                            phi_2713_ = 0u;
+                        let _e1887 = phi_2720_;
+                        let _e1890 = (_e1887.x / _e1887.z);
+                        let _e1893 = (_e1887.y / _e1887.z);
+                        if (_e1804 < 0f) {
+                            phi_2733_ = 0u;
                         } else {
-                            phi_2713_ = 1u;
+                            phi_2733_ = 1u;
                         }
-                        let _e1875 = phi_2713_;
-                        if (_e1791 < 0f) {
-                            phi_2718_ = 0u;
+                        let _e1898 = phi_2733_;
+                        if (_e1814 < 0f) {
+                            phi_2738_ = 0u;
                         } else {
-                            phi_2718_ = 2u;
+                            phi_2738_ = 2u;
                         }
-                        let _e1878 = phi_2718_;
-                        if (_e1801 < 0f) {
-                            phi_2723_ = 0u;
+                        let _e1901 = phi_2738_;
+                        if (_e1824 < 0f) {
+                            phi_2743_ = 0u;
                         } else {
-                            phi_2723_ = 4u;
+                            phi_2743_ = 4u;
                         }
-                        let _e1881 = phi_2723_;
-                        let _e1883 = ((_e1875 | _e1878) | _e1881);
-                        let _e1884 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1884.first[0], _e1884.first[1], _e1884.first[2], _e1884.first[3], _e1884.first[4], _e1884.first[5], _e1884.first[6], _e1884.first[7], _e1884.first[8], _e1884.first[9], _e1884.first[10], _e1884.first[11], _e1884.first[12], _e1884.first[13], _e1884.first[14], _e1884.first[15], _e1884.first[16], _e1884.first[17], _e1884.first[18], _e1884.first[19], _e1884.first[20], _e1884.first[21], _e1884.first[22], _e1884.first[23], _e1884.first[24], _e1884.first[25], _e1884.first[26], _e1884.first[27], _e1884.first[28], _e1884.first[29], _e1884.first[30], _e1884.first[31]), array<u32, 32>(_e1884.mask[0], _e1884.mask[1], _e1884.mask[2], _e1884.mask[3], _e1884.mask[4], _e1884.mask[5], _e1884.mask[6], _e1884.mask[7], _e1884.mask[8], _e1884.mask[9], _e1884.mask[10], _e1884.mask[11], _e1884.mask[12], _e1884.mask[13], _e1884.mask[14], _e1884.mask[15], _e1884.mask[16], _e1884.mask[17], _e1884.mask[18], _e1884.mask[19], _e1884.mask[20], _e1884.mask[21], _e1884.mask[22], _e1884.mask[23], _e1884.mask[24], _e1884.mask[25], _e1884.mask[26], _e1884.mask[27], _e1884.mask[28], _e1884.mask[29], _e1884.mask[30], _e1884.mask[31]), _e1884.len, _e1884.group, _e1884.group_mask);
-                        let _e1958 = local_1.group_mask;
-                        if ((_e1958 & 4278190080u) == 0u) {
-                            let _e1962 = local_1.len;
-                            if (_e1962 == 0u) {
-                                phi_2837_ = false;
+                        let _e1904 = phi_2743_;
+                        let _e1906 = ((_e1898 | _e1901) | _e1904);
+                        let _e1907 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1907.first[0], _e1907.first[1], _e1907.first[2], _e1907.first[3], _e1907.first[4], _e1907.first[5], _e1907.first[6], _e1907.first[7], _e1907.first[8], _e1907.first[9], _e1907.first[10], _e1907.first[11], _e1907.first[12], _e1907.first[13], _e1907.first[14], _e1907.first[15], _e1907.first[16], _e1907.first[17], _e1907.first[18], _e1907.first[19], _e1907.first[20], _e1907.first[21], _e1907.first[22], _e1907.first[23], _e1907.first[24], _e1907.first[25], _e1907.first[26], _e1907.first[27], _e1907.first[28], _e1907.first[29], _e1907.first[30], _e1907.first[31]), array<u32, 32>(_e1907.mask[0], _e1907.mask[1], _e1907.mask[2], _e1907.mask[3], _e1907.mask[4], _e1907.mask[5], _e1907.mask[6], _e1907.mask[7], _e1907.mask[8], _e1907.mask[9], _e1907.mask[10], _e1907.mask[11], _e1907.mask[12], _e1907.mask[13], _e1907.mask[14], _e1907.mask[15], _e1907.mask[16], _e1907.mask[17], _e1907.mask[18], _e1907.mask[19], _e1907.mask[20], _e1907.mask[21], _e1907.mask[22], _e1907.mask[23], _e1907.mask[24], _e1907.mask[25], _e1907.mask[26], _e1907.mask[27], _e1907.mask[28], _e1907.mask[29], _e1907.mask[30], _e1907.mask[31]), _e1907.len, _e1907.group, _e1907.group_mask);
+                        let _e1981 = local_1.group_mask;
+                        if ((_e1981 & 4278190080u) == 0u) {
+                            let _e1985 = local_1.len;
+                            if (_e1985 == 0u) {
+                                phi_2857_ = false;
                             } else {
-                                let _e1966 = local_1.len;
-                                local_1.len = (_e1966 - 1u);
-                                let _e1969 = local_1.len;
-                                if (_e1969 < 32u) {
+                                let _e1989 = local_1.len;
+                                local_1.len = (_e1989 - 1u);
+                                let _e1992 = local_1.len;
+                                if (_e1992 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1974 = local_1.first[(0u + _e1969)];
-                                local_1.group = _e1974;
-                                let _e1977 = local_1.len;
-                                if (_e1977 < 32u) {
+                                let _e1997 = local_1.first[(0u + _e1992)];
+                                local_1.group = _e1997;
+                                let _e2000 = local_1.len;
+                                if (_e2000 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1982 = local_1.mask[(0u + _e1977)];
-                                local_1.group_mask = _e1982;
-                                phi_2837_ = true;
+                                let _e2005 = local_1.mask[(0u + _e2000)];
+                                local_1.group_mask = _e2005;
+                                phi_2857_ = true;
                             }
-                            let _e1985 = phi_2837_;
-                            phi_2838_ = _e1985;
+                            let _e2008 = phi_2857_;
+                            phi_2858_ = _e2008;
                         } else {
-                            phi_2838_ = true;
+                            phi_2858_ = true;
                         }
-                        let _e1987 = phi_2838_;
-                        if _e1987 {
-                            let _e1989 = local_1.group_mask;
-                            let _e1995 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1989)), 32u, (_e1989 == 0u)));
-                            let _e1999 = local_1.group_mask;
-                            let _e2013 = local_1.group_mask;
-                            local_1.group_mask = (_e2013 & ~((1u << bitcast<u32>((_e1995 & 31u)))));
-                            let _e2016 = local_1.group;
-                            phi_2869_ = (_e2016 + countOneBits(((_e1999 & ~((4294967295u << bitcast<u32>((((_e1995 - 24u) ^ 7u) & 31u))))) & 255u)));
+                        let _e2010 = phi_2858_;
+                        if _e2010 {
+                            let _e2012 = local_1.group_mask;
+                            let _e2018 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2012)), 32u, (_e2012 == 0u)));
+                            let _e2022 = local_1.group_mask;
+                            let _e2036 = local_1.group_mask;
+                            local_1.group_mask = (_e2036 & ~((1u << bitcast<u32>((_e2018 & 31u)))));
+                            let _e2039 = local_1.group;
+                            phi_2889_ = (_e2039 + countOneBits(((_e2022 & ~((4294967295u << bitcast<u32>((((_e2018 - 24u) ^ 7u) & 31u))))) & 255u)));
                         } else {
-                            phi_2869_ = 4294967295u;
+                            phi_2889_ = 4294967295u;
                         }
-                        let _e2019 = phi_2869_;
-                        phi_2871_ = _e2019;
-                        phi_2874_ = false;
+                        let _e2042 = phi_2889_;
+                        phi_2891_ = _e2042;
+                        phi_2894_ = false;
                         loop {
-                            let _e2021 = phi_2871_;
-                            let _e2023 = phi_2874_;
-                            local_20 = _e2023;
-                            if (_e2021 != 4294967295u) {
-                                if (_e2021 < _e91) {
+                            let _e2044 = phi_2891_;
+                            let _e2046 = phi_2894_;
+                            local_25 = _e2046;
+                            if (_e2044 != 4294967295u) {
+                                if (_e2044 < _e91) {
                                 } else {
                                     return;
                                 }
-                                let _e2030 = nodes.member[(0u + _e2021)].frame[3u];
-                                let _e2055 = (bitcast<f32>((((_e2030 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1781);
-                                let _e2056 = (bitcast<f32>((((_e2030 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1791);
-                                let _e2057 = (bitcast<f32>((((_e2030 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1801);
-                                let _e2060 = nodes.member[(0u + _e2021)].frame[0u];
-                                let _e2064 = nodes.member[(0u + _e2021)].frame[1u];
-                                let _e2068 = nodes.member[(0u + _e2021)].frame[2u];
-                                let _e2073 = ((bitcast<f32>(_e2060) - _e150) * _e1781);
-                                let _e2074 = ((bitcast<f32>(_e2064) - _e152) * _e1791);
-                                let _e2075 = ((bitcast<f32>(_e2068) - _e154) * _e1801);
-                                let _e2083 = nodes.member[(0u + _e2021)].x;
-                                if (_e1781 < 0f) {
-                                    let _e2094 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2083.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2100 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2094.unnamed.word, _e2083.w), _e2094.unnamed_1);
-                                    let _e2106 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2100.unnamed, lt_mask_LightPlace(_e2083.x, _e2100.unnamed_1.shift));
-                                    phi_2954_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2106.unnamed, lt_mask_LightPlace(_e2106.unnamed_1.word, _e2083.y));
+                                let _e2053 = nodes.member[(0u + _e2044)].frame[3u];
+                                let _e2078 = (bitcast<f32>((((_e2053 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1804);
+                                let _e2079 = (bitcast<f32>((((_e2053 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1814);
+                                let _e2080 = (bitcast<f32>((((_e2053 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1824);
+                                let _e2083 = nodes.member[(0u + _e2044)].frame[0u];
+                                let _e2087 = nodes.member[(0u + _e2044)].frame[1u];
+                                let _e2091 = nodes.member[(0u + _e2044)].frame[2u];
+                                let _e2096 = ((bitcast<f32>(_e2083) - _e150) * _e1804);
+                                let _e2097 = ((bitcast<f32>(_e2087) - _e152) * _e1814);
+                                let _e2098 = ((bitcast<f32>(_e2091) - _e154) * _e1824);
+                                let _e2106 = nodes.member[(0u + _e2044)].x;
+                                if (_e1804 < 0f) {
+                                    let _e2117 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2106.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2123 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2117.unnamed.word, _e2106.w), _e2117.unnamed_1);
+                                    let _e2129 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2123.unnamed, lt_mask_LightPlace(_e2106.x, _e2123.unnamed_1.shift));
+                                    phi_2974_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2129.unnamed, lt_mask_LightPlace(_e2129.unnamed_1.word, _e2106.y));
                                 } else {
-                                    let _e2122 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2083.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2128 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2122.unnamed.word, _e2083.y), _e2122.unnamed_1);
-                                    let _e2134 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2128.unnamed, lt_mask_LightPlace(_e2083.z, _e2128.unnamed_1.shift));
-                                    phi_2954_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2134.unnamed, lt_mask_LightPlace(_e2134.unnamed_1.word, _e2083.w));
+                                    let _e2145 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2106.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2151 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2145.unnamed.word, _e2106.y), _e2145.unnamed_1);
+                                    let _e2157 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2151.unnamed, lt_mask_LightPlace(_e2106.z, _e2151.unnamed_1.shift));
+                                    phi_2974_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2157.unnamed, lt_mask_LightPlace(_e2157.unnamed_1.word, _e2106.w));
                                 }
-                                let _e2142 = phi_2954_;
-                                let _e2152 = nodes.member[(0u + _e2021)].y;
-                                if (_e1791 < 0f) {
-                                    let _e2163 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2152.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2169 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2163.unnamed.word, _e2152.w), _e2163.unnamed_1);
-                                    let _e2175 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2169.unnamed, lt_mask_LightPlace(_e2152.x, _e2169.unnamed_1.shift));
-                                    phi_2981_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2175.unnamed, lt_mask_LightPlace(_e2175.unnamed_1.word, _e2152.y));
+                                let _e2165 = phi_2974_;
+                                let _e2175 = nodes.member[(0u + _e2044)].y;
+                                if (_e1814 < 0f) {
+                                    let _e2186 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2175.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2192 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2186.unnamed.word, _e2175.w), _e2186.unnamed_1);
+                                    let _e2198 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2192.unnamed, lt_mask_LightPlace(_e2175.x, _e2192.unnamed_1.shift));
+                                    phi_3001_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2198.unnamed, lt_mask_LightPlace(_e2198.unnamed_1.word, _e2175.y));
                                 } else {
-                                    let _e2191 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2152.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2197 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2191.unnamed.word, _e2152.y), _e2191.unnamed_1);
-                                    let _e2203 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2197.unnamed, lt_mask_LightPlace(_e2152.z, _e2197.unnamed_1.shift));
-                                    phi_2981_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2203.unnamed, lt_mask_LightPlace(_e2203.unnamed_1.word, _e2152.w));
+                                    let _e2214 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2175.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2220 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2214.unnamed.word, _e2175.y), _e2214.unnamed_1);
+                                    let _e2226 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2220.unnamed, lt_mask_LightPlace(_e2175.z, _e2220.unnamed_1.shift));
+                                    phi_3001_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2226.unnamed, lt_mask_LightPlace(_e2226.unnamed_1.word, _e2175.w));
                                 }
-                                let _e2211 = phi_2981_;
-                                let _e2221 = nodes.member[(0u + _e2021)].z;
-                                if (_e1801 < 0f) {
-                                    let _e2232 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2221.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2238 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2232.unnamed.word, _e2221.w), _e2232.unnamed_1);
-                                    let _e2244 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2238.unnamed, lt_mask_LightPlace(_e2221.x, _e2238.unnamed_1.shift));
-                                    phi_3008_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2244.unnamed, lt_mask_LightPlace(_e2244.unnamed_1.word, _e2221.y));
+                                let _e2234 = phi_3001_;
+                                let _e2244 = nodes.member[(0u + _e2044)].z;
+                                if (_e1824 < 0f) {
+                                    let _e2255 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2244.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2261 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2255.unnamed.word, _e2244.w), _e2255.unnamed_1);
+                                    let _e2267 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2261.unnamed, lt_mask_LightPlace(_e2244.x, _e2261.unnamed_1.shift));
+                                    phi_3028_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2267.unnamed, lt_mask_LightPlace(_e2267.unnamed_1.word, _e2244.y));
                                 } else {
-                                    let _e2260 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2221.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2266 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2260.unnamed.word, _e2221.y), _e2260.unnamed_1);
-                                    let _e2272 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2266.unnamed, lt_mask_LightPlace(_e2221.z, _e2266.unnamed_1.shift));
-                                    phi_3008_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2272.unnamed, lt_mask_LightPlace(_e2272.unnamed_1.word, _e2221.w));
+                                    let _e2283 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2244.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2289 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2283.unnamed.word, _e2244.y), _e2283.unnamed_1);
+                                    let _e2295 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2289.unnamed, lt_mask_LightPlace(_e2244.z, _e2289.unnamed_1.shift));
+                                    phi_3028_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2295.unnamed, lt_mask_LightPlace(_e2295.unnamed_1.word, _e2244.w));
                                 }
-                                let _e2280 = phi_3008_;
-                                phi_3014_ = 0u;
-                                phi_3017_ = 0u;
+                                let _e2303 = phi_3028_;
+                                phi_3034_ = 0u;
+                                phi_3037_ = 0u;
                                 loop {
-                                    let _e2290 = phi_3014_;
-                                    let _e2292 = phi_3017_;
-                                    local_6 = _e2292;
-                                    local_7 = _e2292;
-                                    local_8 = _e2292;
-                                    let _e2293 = (_e2290 < 8u);
-                                    if _e2293 {
-                                        let _e2295 = (_e2290 >> bitcast<u32>(2i));
-                                        let _e2296 = (_e2290 & 3u);
-                                        if (_e2295 == 0u) {
-                                            phi_3031_ = _e2142.unnamed.word;
+                                    let _e2313 = phi_3034_;
+                                    let _e2315 = phi_3037_;
+                                    local_8 = _e2315;
+                                    local_9 = _e2315;
+                                    local_10 = _e2315;
+                                    let _e2316 = (_e2313 < 8u);
+                                    if _e2316 {
+                                        let _e2318 = (_e2313 >> bitcast<u32>(2i));
+                                        let _e2319 = (_e2313 & 3u);
+                                        if (_e2318 == 0u) {
+                                            phi_3051_ = _e2165.unnamed.word;
                                         } else {
-                                            phi_3031_ = _e2142.unnamed.shift;
+                                            phi_3051_ = _e2165.unnamed.shift;
                                         }
-                                        let _e2299 = phi_3031_;
-                                        if (_e2295 == 0u) {
-                                            phi_3041_ = _e2211.unnamed.word;
+                                        let _e2322 = phi_3051_;
+                                        if (_e2318 == 0u) {
+                                            phi_3061_ = _e2234.unnamed.word;
                                         } else {
-                                            phi_3041_ = _e2211.unnamed.shift;
+                                            phi_3061_ = _e2234.unnamed.shift;
                                         }
-                                        let _e2308 = phi_3041_;
-                                        if (_e2295 == 0u) {
-                                            phi_3051_ = _e2280.unnamed.word;
+                                        let _e2331 = phi_3061_;
+                                        if (_e2318 == 0u) {
+                                            phi_3071_ = _e2303.unnamed.word;
                                         } else {
-                                            phi_3051_ = _e2280.unnamed.shift;
+                                            phi_3071_ = _e2303.unnamed.shift;
                                         }
-                                        let _e2317 = phi_3051_;
-                                        let _e2330 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2299 >> bitcast<u32>(((_e2296 * 8u) & 31u))) & 255u)) * _e2055) + (_e2073 - _e1833)), ((f32(((_e2308 >> bitcast<u32>(((_e2296 * 8u) & 31u))) & 255u)) * _e2056) + (_e2074 - _e1834)));
-                                        let _e2331 = core_intrinsics_maximum_number_nsz_f32_(_e2330, ((f32(((_e2317 >> bitcast<u32>(((_e2296 * 8u) & 31u))) & 255u)) * _e2057) + (_e2075 - _e1835)));
-                                        if (_e2295 == 0u) {
-                                            phi_3069_ = _e2142.unnamed_1.word;
+                                        let _e2340 = phi_3071_;
+                                        let _e2353 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2322 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2078) + (_e2096 - _e1856)), ((f32(((_e2331 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2079) + (_e2097 - _e1857)));
+                                        let _e2354 = core_intrinsics_maximum_number_nsz_f32_(_e2353, ((f32(((_e2340 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2080) + (_e2098 - _e1858)));
+                                        if (_e2318 == 0u) {
+                                            phi_3089_ = _e2165.unnamed_1.word;
                                         } else {
-                                            phi_3069_ = _e2142.unnamed_1.shift;
+                                            phi_3089_ = _e2165.unnamed_1.shift;
                                         }
-                                        let _e2334 = phi_3069_;
-                                        if (_e2295 == 0u) {
-                                            phi_3079_ = _e2211.unnamed_1.word;
+                                        let _e2357 = phi_3089_;
+                                        if (_e2318 == 0u) {
+                                            phi_3099_ = _e2234.unnamed_1.word;
                                         } else {
-                                            phi_3079_ = _e2211.unnamed_1.shift;
+                                            phi_3099_ = _e2234.unnamed_1.shift;
                                         }
-                                        let _e2343 = phi_3079_;
-                                        if (_e2295 == 0u) {
-                                            phi_3089_ = _e2280.unnamed_1.word;
+                                        let _e2366 = phi_3099_;
+                                        if (_e2318 == 0u) {
+                                            phi_3109_ = _e2303.unnamed_1.word;
                                         } else {
-                                            phi_3089_ = _e2280.unnamed_1.shift;
+                                            phi_3109_ = _e2303.unnamed_1.shift;
                                         }
-                                        let _e2352 = phi_3089_;
-                                        let _e2365 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2334 >> bitcast<u32>(((_e2296 * 8u) & 31u))) & 255u)) * _e2055) + (_e2073 + _e1833)), ((f32(((_e2343 >> bitcast<u32>(((_e2296 * 8u) & 31u))) & 255u)) * _e2056) + (_e2074 + _e1834)));
-                                        let _e2366 = core_intrinsics_minimum_number_nsz_f32_(_e2365, ((f32(((_e2352 >> bitcast<u32>(((_e2296 * 8u) & 31u))) & 255u)) * _e2057) + (_e2075 + _e1835)));
-                                        if (_e2331 <= _e2366) {
-                                            if (_e2331 <= _e162) {
-                                                if (_e2366 >= 0f) {
-                                                    if (_e2295 == 0u) {
-                                                        let _e2373 = nodes.member[(0u + _e2021)].links[2u];
-                                                        phi_3125_ = _e2373;
+                                        let _e2375 = phi_3109_;
+                                        let _e2388 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2357 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2078) + (_e2096 + _e1856)), ((f32(((_e2366 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2079) + (_e2097 + _e1857)));
+                                        let _e2389 = core_intrinsics_minimum_number_nsz_f32_(_e2388, ((f32(((_e2375 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2080) + (_e2098 + _e1858)));
+                                        if (_e2354 <= _e2389) {
+                                            if (_e2354 <= _e162) {
+                                                if (_e2389 >= 0f) {
+                                                    if (_e2318 == 0u) {
+                                                        let _e2396 = nodes.member[(0u + _e2044)].links[2u];
+                                                        phi_3145_ = _e2396;
                                                     } else {
-                                                        let _e2376 = nodes.member[(0u + _e2021)].links[3u];
-                                                        phi_3125_ = _e2376;
+                                                        let _e2399 = nodes.member[(0u + _e2044)].links[3u];
+                                                        phi_3145_ = _e2399;
                                                     }
-                                                    let _e2378 = phi_3125_;
-                                                    let _e2383 = ((_e2378 >> bitcast<u32>(((_e2296 * 8u) & 31u))) & 255u);
-                                                    let _e2384 = (_e2383 & 31u);
-                                                    if (_e2384 >= 24u) {
-                                                        phi_3138_ = (24u + ((_e2384 - 24u) ^ _e1883));
+                                                    let _e2401 = phi_3145_;
+                                                    let _e2406 = ((_e2401 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u);
+                                                    let _e2407 = (_e2406 & 31u);
+                                                    if (_e2407 >= 24u) {
+                                                        phi_3158_ = (24u + ((_e2407 - 24u) ^ _e1906));
                                                     } else {
-                                                        phi_3138_ = _e2384;
+                                                        phi_3158_ = _e2407;
                                                     }
-                                                    let _e2390 = phi_3138_;
-                                                    phi_3143_ = (_e2292 | ((_e2383 >> bitcast<u32>(5i)) << bitcast<u32>((_e2390 & 31u))));
+                                                    let _e2413 = phi_3158_;
+                                                    phi_3163_ = (_e2315 | ((_e2406 >> bitcast<u32>(5i)) << bitcast<u32>((_e2413 & 31u))));
                                                 } else {
-                                                    phi_3143_ = _e2292;
+                                                    phi_3163_ = _e2315;
                                                 }
-                                                let _e2398 = phi_3143_;
-                                                phi_3144_ = _e2398;
+                                                let _e2421 = phi_3163_;
+                                                phi_3164_ = _e2421;
                                             } else {
-                                                phi_3144_ = _e2292;
+                                                phi_3164_ = _e2315;
                                             }
-                                            let _e2400 = phi_3144_;
-                                            phi_3145_ = _e2400;
+                                            let _e2423 = phi_3164_;
+                                            phi_3165_ = _e2423;
                                         } else {
-                                            phi_3145_ = _e2292;
+                                            phi_3165_ = _e2315;
                                         }
-                                        let _e2402 = phi_3145_;
-                                        phi_3015_ = (_e2290 + 1u);
-                                        phi_3018_ = _e2402;
+                                        let _e2425 = phi_3165_;
+                                        phi_3035_ = (_e2313 + 1u);
+                                        phi_3038_ = _e2425;
                                     } else {
-                                        phi_3015_ = u32();
-                                        phi_3018_ = u32();
+                                        phi_3035_ = u32();
+                                        phi_3038_ = u32();
                                     }
-                                    let _e2405 = phi_3015_;
-                                    let _e2407 = phi_3018_;
+                                    let _e2428 = phi_3035_;
+                                    let _e2430 = phi_3038_;
                                     continue;
                                     continuing {
-                                        phi_3014_ = _e2405;
-                                        phi_3017_ = _e2407;
-                                        break if !(_e2293);
+                                        phi_3034_ = _e2428;
+                                        phi_3037_ = _e2430;
+                                        break if !(_e2316);
                                     }
                                 }
-                                let _e2411 = nodes.member[(0u + _e2021)].links[0u];
-                                let _e2415 = nodes.member[(0u + _e2021)].frame[3u];
-                                let _e2419 = local_6;
-                                if ((_e2419 & 4278190080u) == 0u) {
+                                let _e2434 = nodes.member[(0u + _e2044)].links[0u];
+                                let _e2438 = nodes.member[(0u + _e2044)].frame[3u];
+                                let _e2442 = local_8;
+                                if ((_e2442 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e2423 = local_1.group_mask;
-                                    if ((_e2423 & 4278190080u) == 0u) {
+                                    let _e2446 = local_1.group_mask;
+                                    if ((_e2446 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2427 = local_1.len;
-                                        if (_e2427 < 32u) {
-                                            let _e2430 = local_1.group;
-                                            let _e2432 = local_1.len;
-                                            if (_e2432 < 32u) {
+                                        let _e2450 = local_1.len;
+                                        if (_e2450 < 32u) {
+                                            let _e2453 = local_1.group;
+                                            let _e2455 = local_1.len;
+                                            if (_e2455 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_1.first[(0u + _e2432)] = _e2430;
-                                            let _e2438 = local_1.group_mask;
-                                            let _e2440 = local_1.len;
-                                            if (_e2440 < 32u) {
+                                            local_1.first[(0u + _e2455)] = _e2453;
+                                            let _e2461 = local_1.group_mask;
+                                            let _e2463 = local_1.len;
+                                            if (_e2463 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_1.mask[(0u + _e2440)] = _e2438;
-                                            let _e2447 = local_1.len;
-                                            local_1.len = (_e2447 + 1u);
+                                            local_1.mask[(0u + _e2463)] = _e2461;
+                                            let _e2470 = local_1.len;
+                                            local_1.len = (_e2470 + 1u);
                                         }
                                     }
-                                    local_1.group = (0u + _e2411);
-                                    let _e2451 = local_7;
-                                    local_1.group_mask = ((_e2451 & 4278190080u) | (_e2415 >> bitcast<u32>(24i)));
+                                    local_1.group = (0u + _e2434);
+                                    let _e2474 = local_9;
+                                    local_1.group_mask = ((_e2474 & 4278190080u) | (_e2438 >> bitcast<u32>(24i)));
                                 }
-                                let _e2456 = local_8;
-                                phi_3203_ = (_e2456 & 16777215u);
-                                phi_3206_ = _e2023;
+                                let _e2479 = local_10;
+                                phi_3223_ = (_e2479 & 16777215u);
+                                phi_3226_ = _e2046;
                                 loop {
-                                    let _e2459 = phi_3203_;
-                                    let _e2461 = phi_3206_;
-                                    local_16 = _e2461;
-                                    let _e2462 = (_e2459 == 0u);
-                                    local_9 = _e2462;
-                                    local_18 = _e2462;
-                                    if _e2462 {
-                                        phi_3204_ = u32();
-                                        phi_3207_ = bool();
-                                        phi_4010_ = bool();
-                                        phi_4011_ = false;
+                                    let _e2482 = phi_3223_;
+                                    let _e2484 = phi_3226_;
+                                    local_21 = _e2484;
+                                    let _e2485 = (_e2482 == 0u);
+                                    local_11 = _e2485;
+                                    local_23 = _e2485;
+                                    if _e2485 {
+                                        phi_3224_ = u32();
+                                        phi_3227_ = bool();
+                                        phi_4030_ = bool();
+                                        phi_4031_ = false;
                                     } else {
-                                        let _e2465 = nodes.member[(0u + _e2021)].links[1u];
-                                        let _e2470 = ((0u + _e2465) + select(firstTrailingBit(_e2459), 32u, (_e2459 == 0u)));
-                                        if (_e2470 < _e94) {
+                                        let _e2488 = nodes.member[(0u + _e2044)].links[1u];
+                                        let _e2493 = ((0u + _e2488) + select(firstTrailingBit(_e2482), 32u, (_e2482 == 0u)));
+                                        if (_e2493 < _e94) {
                                         } else {
                                             return;
                                         }
-                                        let _e2477 = triangles.member[(0u + _e2470)].v0_;
-                                        let _e2479 = (_e2477.x - _e150);
-                                        let _e2481 = (_e2477.y - _e152);
-                                        let _e2483 = (_e2477.z - _e154);
-                                        if (_e1856 == 0u) {
-                                            phi_3251_ = vec3<f32>(_e2481, _e2483, _e2479);
+                                        let _e2500 = triangles.member[(0u + _e2493)].v0_;
+                                        let _e2502 = (_e2500.x - _e150);
+                                        let _e2504 = (_e2500.y - _e152);
+                                        let _e2506 = (_e2500.z - _e154);
+                                        if (_e1879 == 0u) {
+                                            phi_3271_ = vec3<f32>(_e2504, _e2506, _e2502);
                                         } else {
-                                            if (_e1856 == 1u) {
-                                                phi_3250_ = vec3<f32>(_e2483, _e2479, _e2481);
+                                            if (_e1879 == 1u) {
+                                                phi_3270_ = vec3<f32>(_e2506, _e2502, _e2504);
                                             } else {
-                                                phi_3250_ = (_e2477 - vec3<f32>(_e150, _e152, _e154));
+                                                phi_3270_ = (_e2500 - vec3<f32>(_e150, _e152, _e154));
                                             }
-                                            let _e2491 = phi_3250_;
-                                            phi_3251_ = _e2491;
+                                            let _e2514 = phi_3270_;
+                                            phi_3271_ = _e2514;
                                         }
-                                        let _e2493 = phi_3251_;
-                                        let _e2497 = (_e2493.x - (_e1867 * _e2493.z));
-                                        let _e2501 = (_e2493.y - (_e1870 * _e2493.z));
-                                        let _e2503 = triangles.member[(0u + _e2470)].v1_;
-                                        let _e2505 = (_e2503.x - _e150);
-                                        let _e2507 = (_e2503.y - _e152);
-                                        let _e2509 = (_e2503.z - _e154);
-                                        if (_e1856 == 0u) {
-                                            phi_3281_ = vec3<f32>(_e2507, _e2509, _e2505);
+                                        let _e2516 = phi_3271_;
+                                        let _e2520 = (_e2516.x - (_e1890 * _e2516.z));
+                                        let _e2524 = (_e2516.y - (_e1893 * _e2516.z));
+                                        let _e2526 = triangles.member[(0u + _e2493)].v1_;
+                                        let _e2528 = (_e2526.x - _e150);
+                                        let _e2530 = (_e2526.y - _e152);
+                                        let _e2532 = (_e2526.z - _e154);
+                                        if (_e1879 == 0u) {
+                                            phi_3301_ = vec3<f32>(_e2530, _e2532, _e2528);
                                         } else {
-                                            if (_e1856 == 1u) {
-                                                phi_3280_ = vec3<f32>(_e2509, _e2505, _e2507);
+                                            if (_e1879 == 1u) {
+                                                phi_3300_ = vec3<f32>(_e2532, _e2528, _e2530);
                                             } else {
-                                                phi_3280_ = (_e2503 - vec3<f32>(_e150, _e152, _e154));
+                                                phi_3300_ = (_e2526 - vec3<f32>(_e150, _e152, _e154));
                                             }
-                                            let _e2517 = phi_3280_;
-                                            phi_3281_ = _e2517;
+                                            let _e2540 = phi_3300_;
+                                            phi_3301_ = _e2540;
                                         }
-                                        let _e2519 = phi_3281_;
-                                        let _e2523 = (_e2519.x - (_e1867 * _e2519.z));
-                                        let _e2527 = (_e2519.y - (_e1870 * _e2519.z));
-                                        let _e2529 = triangles.member[(0u + _e2470)].v2_;
-                                        let _e2531 = (_e2529.x - _e150);
-                                        let _e2533 = (_e2529.y - _e152);
-                                        let _e2535 = (_e2529.z - _e154);
-                                        if (_e1856 == 0u) {
-                                            phi_3311_ = vec3<f32>(_e2533, _e2535, _e2531);
+                                        let _e2542 = phi_3301_;
+                                        let _e2546 = (_e2542.x - (_e1890 * _e2542.z));
+                                        let _e2550 = (_e2542.y - (_e1893 * _e2542.z));
+                                        let _e2552 = triangles.member[(0u + _e2493)].v2_;
+                                        let _e2554 = (_e2552.x - _e150);
+                                        let _e2556 = (_e2552.y - _e152);
+                                        let _e2558 = (_e2552.z - _e154);
+                                        if (_e1879 == 0u) {
+                                            phi_3331_ = vec3<f32>(_e2556, _e2558, _e2554);
                                         } else {
-                                            if (_e1856 == 1u) {
-                                                phi_3310_ = vec3<f32>(_e2535, _e2531, _e2533);
+                                            if (_e1879 == 1u) {
+                                                phi_3330_ = vec3<f32>(_e2558, _e2554, _e2556);
                                             } else {
-                                                phi_3310_ = (_e2529 - vec3<f32>(_e150, _e152, _e154));
+                                                phi_3330_ = (_e2552 - vec3<f32>(_e150, _e152, _e154));
                                             }
-                                            let _e2543 = phi_3310_;
-                                            phi_3311_ = _e2543;
+                                            let _e2566 = phi_3330_;
+                                            phi_3331_ = _e2566;
                                         }
-                                        let _e2545 = phi_3311_;
-                                        let _e2549 = (_e2545.x - (_e1867 * _e2545.z));
-                                        let _e2553 = (_e2545.y - (_e1870 * _e2545.z));
-                                        if (_e2523 < _e2549) {
-                                            phi_3330_ = true;
+                                        let _e2568 = phi_3331_;
+                                        let _e2572 = (_e2568.x - (_e1890 * _e2568.z));
+                                        let _e2576 = (_e2568.y - (_e1893 * _e2568.z));
+                                        if (_e2546 < _e2572) {
+                                            phi_3350_ = true;
                                         } else {
-                                            if (_e2523 == _e2549) {
-                                                phi_3329_ = (_e2527 < _e2553);
+                                            if (_e2546 == _e2572) {
+                                                phi_3349_ = (_e2550 < _e2576);
                                             } else {
-                                                phi_3329_ = false;
+                                                phi_3349_ = false;
                                             }
-                                            let _e2558 = phi_3329_;
-                                            phi_3330_ = _e2558;
+                                            let _e2581 = phi_3349_;
+                                            phi_3350_ = _e2581;
                                         }
-                                        let _e2560 = phi_3330_;
-                                        if _e2560 {
-                                            phi_3334_ = _e2553;
-                                            phi_3335_ = _e2549;
-                                            phi_3336_ = _e2527;
-                                            phi_3337_ = _e2523;
+                                        let _e2583 = phi_3350_;
+                                        if _e2583 {
+                                            phi_3354_ = _e2576;
+                                            phi_3355_ = _e2572;
+                                            phi_3356_ = _e2550;
+                                            phi_3357_ = _e2546;
                                         } else {
-                                            phi_3334_ = _e2527;
-                                            phi_3335_ = _e2523;
-                                            phi_3336_ = _e2553;
-                                            phi_3337_ = _e2549;
+                                            phi_3354_ = _e2550;
+                                            phi_3355_ = _e2546;
+                                            phi_3356_ = _e2576;
+                                            phi_3357_ = _e2572;
                                         }
-                                        let _e2562 = phi_3334_;
-                                        let _e2564 = phi_3335_;
-                                        let _e2566 = phi_3336_;
-                                        let _e2568 = phi_3337_;
-                                        let _e2571 = ((_e2568 * _e2562) - (_e2566 * _e2564));
-                                        if _e2560 {
-                                            phi_3345_ = -(_e2571);
+                                        let _e2585 = phi_3354_;
+                                        let _e2587 = phi_3355_;
+                                        let _e2589 = phi_3356_;
+                                        let _e2591 = phi_3357_;
+                                        let _e2594 = ((_e2591 * _e2585) - (_e2589 * _e2587));
+                                        if _e2583 {
+                                            phi_3365_ = -(_e2594);
                                         } else {
-                                            phi_3345_ = _e2571;
+                                            phi_3365_ = _e2594;
                                         }
-                                        let _e2574 = phi_3345_;
-                                        if (_e2549 < _e2497) {
-                                            phi_3356_ = true;
+                                        let _e2597 = phi_3365_;
+                                        if (_e2572 < _e2520) {
+                                            phi_3376_ = true;
                                         } else {
-                                            if (_e2549 == _e2497) {
-                                                phi_3355_ = (_e2553 < _e2501);
+                                            if (_e2572 == _e2520) {
+                                                phi_3375_ = (_e2576 < _e2524);
                                             } else {
-                                                phi_3355_ = false;
+                                                phi_3375_ = false;
                                             }
-                                            let _e2579 = phi_3355_;
-                                            phi_3356_ = _e2579;
+                                            let _e2602 = phi_3375_;
+                                            phi_3376_ = _e2602;
                                         }
-                                        let _e2581 = phi_3356_;
-                                        if _e2581 {
-                                            phi_3360_ = _e2501;
-                                            phi_3361_ = _e2497;
-                                            phi_3362_ = _e2553;
-                                            phi_3363_ = _e2549;
+                                        let _e2604 = phi_3376_;
+                                        if _e2604 {
+                                            phi_3380_ = _e2524;
+                                            phi_3381_ = _e2520;
+                                            phi_3382_ = _e2576;
+                                            phi_3383_ = _e2572;
                                         } else {
-                                            phi_3360_ = _e2553;
-                                            phi_3361_ = _e2549;
-                                            phi_3362_ = _e2501;
-                                            phi_3363_ = _e2497;
+                                            phi_3380_ = _e2576;
+                                            phi_3381_ = _e2572;
+                                            phi_3382_ = _e2524;
+                                            phi_3383_ = _e2520;
                                         }
-                                        let _e2583 = phi_3360_;
-                                        let _e2585 = phi_3361_;
-                                        let _e2587 = phi_3362_;
-                                        let _e2589 = phi_3363_;
-                                        let _e2592 = ((_e2589 * _e2583) - (_e2587 * _e2585));
-                                        if _e2581 {
-                                            phi_3371_ = -(_e2592);
+                                        let _e2606 = phi_3380_;
+                                        let _e2608 = phi_3381_;
+                                        let _e2610 = phi_3382_;
+                                        let _e2612 = phi_3383_;
+                                        let _e2615 = ((_e2612 * _e2606) - (_e2610 * _e2608));
+                                        if _e2604 {
+                                            phi_3391_ = -(_e2615);
                                         } else {
-                                            phi_3371_ = _e2592;
+                                            phi_3391_ = _e2615;
                                         }
-                                        let _e2595 = phi_3371_;
-                                        if (_e2497 < _e2523) {
-                                            phi_3382_ = true;
+                                        let _e2618 = phi_3391_;
+                                        if (_e2520 < _e2546) {
+                                            phi_3402_ = true;
                                         } else {
-                                            if (_e2497 == _e2523) {
-                                                phi_3381_ = (_e2501 < _e2527);
+                                            if (_e2520 == _e2546) {
+                                                phi_3401_ = (_e2524 < _e2550);
                                             } else {
-                                                phi_3381_ = false;
+                                                phi_3401_ = false;
                                             }
-                                            let _e2600 = phi_3381_;
-                                            phi_3382_ = _e2600;
+                                            let _e2623 = phi_3401_;
+                                            phi_3402_ = _e2623;
                                         }
-                                        let _e2602 = phi_3382_;
-                                        if _e2602 {
-                                            phi_3386_ = _e2527;
-                                            phi_3387_ = _e2523;
-                                            phi_3388_ = _e2501;
-                                            phi_3389_ = _e2497;
+                                        let _e2625 = phi_3402_;
+                                        if _e2625 {
+                                            phi_3406_ = _e2550;
+                                            phi_3407_ = _e2546;
+                                            phi_3408_ = _e2524;
+                                            phi_3409_ = _e2520;
                                         } else {
-                                            phi_3386_ = _e2501;
-                                            phi_3387_ = _e2497;
-                                            phi_3388_ = _e2527;
-                                            phi_3389_ = _e2523;
+                                            phi_3406_ = _e2524;
+                                            phi_3407_ = _e2520;
+                                            phi_3408_ = _e2550;
+                                            phi_3409_ = _e2546;
                                         }
-                                        let _e2604 = phi_3386_;
-                                        let _e2606 = phi_3387_;
-                                        let _e2608 = phi_3388_;
-                                        let _e2610 = phi_3389_;
-                                        let _e2613 = ((_e2610 * _e2604) - (_e2608 * _e2606));
-                                        if _e2602 {
-                                            phi_3397_ = -(_e2613);
+                                        let _e2627 = phi_3406_;
+                                        let _e2629 = phi_3407_;
+                                        let _e2631 = phi_3408_;
+                                        let _e2633 = phi_3409_;
+                                        let _e2636 = ((_e2633 * _e2627) - (_e2631 * _e2629));
+                                        if _e2625 {
+                                            phi_3417_ = -(_e2636);
                                         } else {
-                                            phi_3397_ = _e2613;
+                                            phi_3417_ = _e2636;
                                         }
-                                        let _e2616 = phi_3397_;
-                                        if (_e2574 >= 0f) {
-                                            if (_e2595 >= 0f) {
-                                                if (_e2616 >= 0f) {
-                                                    phi_3412_ = ((_e2574 + _e2595) + _e2616);
-                                                    phi_3413_ = false;
+                                        let _e2639 = phi_3417_;
+                                        if (_e2597 >= 0f) {
+                                            if (_e2618 >= 0f) {
+                                                if (_e2639 >= 0f) {
+                                                    phi_3432_ = ((_e2597 + _e2618) + _e2639);
+                                                    phi_3433_ = false;
                                                 } else {
-                                                    phi_3412_ = f32();
-                                                    phi_3413_ = true;
+                                                    phi_3432_ = f32();
+                                                    phi_3433_ = true;
                                                 }
-                                                let _e2623 = phi_3412_;
-                                                let _e2625 = phi_3413_;
-                                                phi_3414_ = _e2623;
-                                                phi_3415_ = _e2625;
+                                                let _e2646 = phi_3432_;
+                                                let _e2648 = phi_3433_;
+                                                phi_3434_ = _e2646;
+                                                phi_3435_ = _e2648;
                                             } else {
-                                                phi_3414_ = f32();
-                                                phi_3415_ = true;
+                                                phi_3434_ = f32();
+                                                phi_3435_ = true;
                                             }
-                                            let _e2627 = phi_3414_;
-                                            let _e2629 = phi_3415_;
-                                            phi_3416_ = _e2627;
-                                            phi_3417_ = _e2629;
+                                            let _e2650 = phi_3434_;
+                                            let _e2652 = phi_3435_;
+                                            phi_3436_ = _e2650;
+                                            phi_3437_ = _e2652;
                                         } else {
-                                            phi_3416_ = f32();
-                                            phi_3417_ = true;
+                                            phi_3436_ = f32();
+                                            phi_3437_ = true;
                                         }
-                                        let _e2631 = phi_3416_;
-                                        let _e2633 = phi_3417_;
-                                        if _e2633 {
-                                            if (_e2574 <= 0f) {
-                                                if (_e2595 <= 0f) {
-                                                    let _e2636 = (_e2616 <= 0f);
-                                                    if _e2636 {
-                                                    }
-                                                    phi_3435_ = ((_e2574 + _e2595) + _e2616);
-                                                    phi_3436_ = false;
-                                                    phi_3437_ = _e2636;
-                                                } else {
-                                                    phi_3435_ = f32();
-                                                    phi_3436_ = true;
-                                                    phi_3437_ = false;
-                                                }
-                                                let _e2640 = phi_3435_;
-                                                let _e2642 = phi_3436_;
-                                                let _e2644 = phi_3437_;
-                                                phi_3438_ = _e2640;
-                                                phi_3439_ = _e2642;
-                                                phi_3440_ = _e2644;
-                                            } else {
-                                                phi_3438_ = f32();
-                                                phi_3439_ = true;
-                                                phi_3440_ = false;
-                                            }
-                                            let _e2646 = phi_3438_;
-                                            let _e2648 = phi_3439_;
-                                            let _e2650 = phi_3440_;
-                                            if _e2648 {
-                                                phi_3444_ = false;
-                                            } else {
-                                                phi_3444_ = _e2650;
-                                            }
-                                            let _e2652 = phi_3444_;
-                                            phi_3445_ = _e2646;
-                                            phi_3446_ = _e2652;
-                                        } else {
-                                            phi_3445_ = _e2631;
-                                            phi_3446_ = true;
-                                        }
-                                        let _e2654 = phi_3445_;
-                                        let _e2656 = phi_3446_;
+                                        let _e2654 = phi_3436_;
+                                        let _e2656 = phi_3437_;
                                         if _e2656 {
-                                            let _e2657 = (_e2654 == 0f);
-                                            if _e2657 {
-                                                phi_3762_ = lt_bvh_triangle_Intersection();
-                                                phi_3763_ = false;
+                                            if (_e2597 <= 0f) {
+                                                if (_e2618 <= 0f) {
+                                                    let _e2659 = (_e2639 <= 0f);
+                                                    if _e2659 {
+                                                    }
+                                                    phi_3455_ = ((_e2597 + _e2618) + _e2639);
+                                                    phi_3456_ = false;
+                                                    phi_3457_ = _e2659;
+                                                } else {
+                                                    phi_3455_ = f32();
+                                                    phi_3456_ = true;
+                                                    phi_3457_ = false;
+                                                }
+                                                let _e2663 = phi_3455_;
+                                                let _e2665 = phi_3456_;
+                                                let _e2667 = phi_3457_;
+                                                phi_3458_ = _e2663;
+                                                phi_3459_ = _e2665;
+                                                phi_3460_ = _e2667;
                                             } else {
-                                                let _e2659 = triangles.member[(0u + _e2470)].v0_;
-                                                let _e2661 = (_e2659.x - _e150);
-                                                let _e2663 = (_e2659.y - _e152);
-                                                let _e2665 = (_e2659.z - _e154);
-                                                if (_e1856 == 0u) {
-                                                    phi_3475_ = vec3<f32>(_e2663, _e2665, _e2661);
-                                                } else {
-                                                    if (_e1856 == 1u) {
-                                                        phi_3474_ = vec3<f32>(_e2665, _e2661, _e2663);
-                                                    } else {
-                                                        phi_3474_ = (_e2659 - vec3<f32>(_e150, _e152, _e154));
-                                                    }
-                                                    let _e2673 = phi_3474_;
-                                                    phi_3475_ = _e2673;
-                                                }
-                                                let _e2675 = phi_3475_;
-                                                let _e2677 = triangles.member[(0u + _e2470)].v1_;
-                                                let _e2679 = triangles.member[(0u + _e2470)].v0_;
-                                                let _e2682 = (_e2677.x - _e2679.x);
-                                                let _e2685 = (_e2677.y - _e2679.y);
-                                                let _e2688 = (_e2677.z - _e2679.z);
-                                                if (_e1856 == 0u) {
-                                                    phi_3501_ = vec3<f32>(_e2685, _e2688, _e2682);
-                                                } else {
-                                                    if (_e1856 == 1u) {
-                                                        phi_3500_ = vec3<f32>(_e2688, _e2682, _e2685);
-                                                    } else {
-                                                        phi_3500_ = (_e2677 - _e2679);
-                                                    }
-                                                    let _e2695 = phi_3500_;
-                                                    phi_3501_ = _e2695;
-                                                }
-                                                let _e2697 = phi_3501_;
-                                                let _e2699 = triangles.member[(0u + _e2470)].v2_;
-                                                let _e2701 = triangles.member[(0u + _e2470)].v0_;
-                                                let _e2704 = (_e2699.x - _e2701.x);
-                                                let _e2707 = (_e2699.y - _e2701.y);
-                                                let _e2710 = (_e2699.z - _e2701.z);
-                                                if (_e1856 == 0u) {
-                                                    phi_3527_ = vec3<f32>(_e2707, _e2710, _e2704);
-                                                } else {
-                                                    if (_e1856 == 1u) {
-                                                        phi_3526_ = vec3<f32>(_e2710, _e2704, _e2707);
-                                                    } else {
-                                                        phi_3526_ = (_e2699 - _e2701);
-                                                    }
-                                                    let _e2717 = phi_3526_;
-                                                    phi_3527_ = _e2717;
-                                                }
-                                                let _e2719 = phi_3527_;
-                                                let _e2726 = ((_e2697.y * _e2719.z) - (_e2697.z * _e2719.y));
-                                                let _e2733 = ((_e2697.z * _e2719.x) - (_e2697.x * _e2719.z));
-                                                let _e2740 = ((_e2697.x * _e2719.y) - (_e2697.y * _e2719.x));
-                                                let _e2754 = (((1f / _e1864.z) * (((_e2726 * _e2675.x) + (_e2733 * _e2675.y)) + (_e2740 * _e2675.z))) / (((_e2726 * _e1867) + (_e2733 * _e1870)) + _e2740));
-                                                if (_e2754 > 0f) {
-                                                    if (_e2754 < _e162) {
-                                                        let _e2758 = triangles.member[(0u + _e2470)].v0_;
-                                                        let _e2760 = triangles.member[(0u + _e2470)].v1_;
-                                                        if (_e2758.x < _e2760.x) {
-                                                            phi_3583_ = _e2758.x;
-                                                        } else {
-                                                            phi_3583_ = _e2760.x;
-                                                        }
-                                                        let _e2767 = phi_3583_;
-                                                        if (_e2758.y < _e2760.y) {
-                                                            phi_3592_ = _e2758.y;
-                                                        } else {
-                                                            phi_3592_ = _e2760.y;
-                                                        }
-                                                        let _e2774 = phi_3592_;
-                                                        if (_e2758.z < _e2760.z) {
-                                                            phi_3601_ = _e2758.z;
-                                                        } else {
-                                                            phi_3601_ = _e2760.z;
-                                                        }
-                                                        let _e2781 = phi_3601_;
-                                                        let _e2783 = triangles.member[(0u + _e2470)].v2_;
-                                                        if (_e2767 < _e2783.x) {
-                                                            phi_3610_ = _e2767;
-                                                        } else {
-                                                            phi_3610_ = _e2783.x;
-                                                        }
-                                                        let _e2788 = phi_3610_;
-                                                        if (_e2774 < _e2783.y) {
-                                                            phi_3617_ = _e2774;
-                                                        } else {
-                                                            phi_3617_ = _e2783.y;
-                                                        }
-                                                        let _e2793 = phi_3617_;
-                                                        if (_e2781 < _e2783.z) {
-                                                            phi_3624_ = _e2781;
-                                                        } else {
-                                                            phi_3624_ = _e2783.z;
-                                                        }
-                                                        let _e2798 = phi_3624_;
-                                                        let _e2800 = triangles.member[(0u + _e2470)].v0_;
-                                                        let _e2802 = triangles.member[(0u + _e2470)].v1_;
-                                                        if (_e2800.x > _e2802.x) {
-                                                            phi_3637_ = _e2800.x;
-                                                        } else {
-                                                            phi_3637_ = _e2802.x;
-                                                        }
-                                                        let _e2809 = phi_3637_;
-                                                        if (_e2800.y > _e2802.y) {
-                                                            phi_3646_ = _e2800.y;
-                                                        } else {
-                                                            phi_3646_ = _e2802.y;
-                                                        }
-                                                        let _e2816 = phi_3646_;
-                                                        if (_e2800.z > _e2802.z) {
-                                                            phi_3655_ = _e2800.z;
-                                                        } else {
-                                                            phi_3655_ = _e2802.z;
-                                                        }
-                                                        let _e2823 = phi_3655_;
-                                                        let _e2825 = triangles.member[(0u + _e2470)].v2_;
-                                                        if (_e2809 > _e2825.x) {
-                                                            phi_3664_ = _e2809;
-                                                        } else {
-                                                            phi_3664_ = _e2825.x;
-                                                        }
-                                                        let _e2830 = phi_3664_;
-                                                        if (_e2816 > _e2825.y) {
-                                                            phi_3671_ = _e2816;
-                                                        } else {
-                                                            phi_3671_ = _e2825.y;
-                                                        }
-                                                        let _e2835 = phi_3671_;
-                                                        if (_e2823 > _e2825.z) {
-                                                            phi_3678_ = _e2823;
-                                                        } else {
-                                                            phi_3678_ = _e2825.z;
-                                                        }
-                                                        let _e2840 = phi_3678_;
-                                                        let _e2844 = ((_e2788 - _e150) * _e1781);
-                                                        let _e2845 = ((_e2793 - _e152) * _e1791);
-                                                        let _e2846 = ((_e2798 - _e154) * _e1801);
-                                                        let _e2850 = ((_e2830 - _e150) * _e1781);
-                                                        let _e2851 = ((_e2835 - _e152) * _e1791);
-                                                        let _e2852 = ((_e2840 - _e154) * _e1801);
-                                                        if (_e2844 < _e2850) {
-                                                            phi_3695_ = _e2844;
-                                                        } else {
-                                                            phi_3695_ = _e2850;
-                                                        }
-                                                        let _e2855 = phi_3695_;
-                                                        if (_e2845 < _e2851) {
-                                                            phi_3700_ = _e2845;
-                                                        } else {
-                                                            phi_3700_ = _e2851;
-                                                        }
-                                                        let _e2858 = phi_3700_;
-                                                        if (_e2846 < _e2852) {
-                                                            phi_3705_ = _e2846;
-                                                        } else {
-                                                            phi_3705_ = _e2852;
-                                                        }
-                                                        let _e2861 = phi_3705_;
-                                                        if (_e2844 > _e2850) {
-                                                            phi_3713_ = _e2844;
-                                                        } else {
-                                                            phi_3713_ = _e2850;
-                                                        }
-                                                        let _e2867 = phi_3713_;
-                                                        if (_e2845 > _e2851) {
-                                                            phi_3718_ = _e2845;
-                                                        } else {
-                                                            phi_3718_ = _e2851;
-                                                        }
-                                                        let _e2870 = phi_3718_;
-                                                        if (_e2846 > _e2852) {
-                                                            phi_3723_ = _e2846;
-                                                        } else {
-                                                            phi_3723_ = _e2852;
-                                                        }
-                                                        let _e2873 = phi_3723_;
-                                                        let _e2877 = core_intrinsics_maximum_number_nsz_f32_((_e2855 - _e1840), (_e2858 - _e1841));
-                                                        let _e2878 = core_intrinsics_maximum_number_nsz_f32_(_e2877, (_e2861 - _e1842));
-                                                        let _e2879 = core_intrinsics_minimum_number_nsz_f32_((_e2867 + _e1840), (_e2870 + _e1841));
-                                                        let _e2880 = core_intrinsics_minimum_number_nsz_f32_(_e2879, (_e2873 + _e1842));
-                                                        if (_e2878 > -300000000000000000000000000000000000000f) {
-                                                            phi_3735_ = _e2878;
-                                                        } else {
-                                                            phi_3735_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2883 = phi_3735_;
-                                                        if (_e2880 < 300000000000000000000000000000000000000f) {
-                                                            phi_3740_ = _e2880;
-                                                        } else {
-                                                            phi_3740_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2886 = phi_3740_;
-                                                        if (_e2754 < _e2883) {
-                                                            phi_3745_ = _e2883;
-                                                        } else {
-                                                            phi_3745_ = _e2754;
-                                                        }
-                                                        let _e2889 = phi_3745_;
-                                                        if (_e2889 > _e2886) {
-                                                            phi_3750_ = _e2886;
-                                                        } else {
-                                                            phi_3750_ = _e2889;
-                                                        }
-                                                        let _e2892 = phi_3750_;
-                                                        phi_3755_ = lt_bvh_triangle_Intersection(_e2892, (_e2595 / _e2654), (_e2616 / _e2654), (_e2883 <= _e2886));
-                                                        phi_3756_ = false;
-                                                    } else {
-                                                        phi_3755_ = lt_bvh_triangle_Intersection();
-                                                        phi_3756_ = true;
-                                                    }
-                                                    let _e2898 = phi_3755_;
-                                                    let _e2900 = phi_3756_;
-                                                    phi_3757_ = _e2898;
-                                                    phi_3758_ = _e2900;
-                                                } else {
-                                                    phi_3757_ = lt_bvh_triangle_Intersection();
-                                                    phi_3758_ = true;
-                                                }
-                                                let _e2902 = phi_3757_;
-                                                let _e2904 = phi_3758_;
-                                                if _e2904 {
-                                                }
-                                                phi_3762_ = _e2902;
-                                                phi_3763_ = _e2904;
+                                                phi_3458_ = f32();
+                                                phi_3459_ = true;
+                                                phi_3460_ = false;
                                             }
-                                            let _e2906 = phi_3762_;
-                                            let _e2908 = phi_3763_;
-                                            phi_3764_ = _e2906;
-                                            phi_3765_ = _e2657;
-                                            phi_3766_ = _e2908;
+                                            let _e2669 = phi_3458_;
+                                            let _e2671 = phi_3459_;
+                                            let _e2673 = phi_3460_;
+                                            if _e2671 {
+                                                phi_3464_ = false;
+                                            } else {
+                                                phi_3464_ = _e2673;
+                                            }
+                                            let _e2675 = phi_3464_;
+                                            phi_3465_ = _e2669;
+                                            phi_3466_ = _e2675;
                                         } else {
-                                            phi_3764_ = lt_bvh_triangle_Intersection();
-                                            phi_3765_ = true;
-                                            phi_3766_ = false;
+                                            phi_3465_ = _e2654;
+                                            phi_3466_ = true;
                                         }
-                                        let _e2910 = phi_3764_;
-                                        let _e2912 = phi_3765_;
-                                        let _e2914 = phi_3766_;
-                                        if _e2912 {
-                                            phi_3770_ = true;
-                                        } else {
-                                            phi_3770_ = _e2914;
-                                        }
-                                        let _e2916 = phi_3770_;
-                                        if _e2916 {
-                                            phi_3774_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                        } else {
-                                            phi_3774_ = _e2910;
-                                        }
-                                        let _e2918 = phi_3774_;
-                                        if _e2918.is_hit {
-                                            if (_e2918.t > 0f) {
-                                                if (_e2918.t < _e162) {
-                                                    let _e2925 = triangles.member[(0u + _e2470)].i0_;
-                                                    if ((_e2925 & 2147483648u) == 0u) {
-                                                        phi_3993_ = true;
+                                        let _e2677 = phi_3465_;
+                                        let _e2679 = phi_3466_;
+                                        if _e2679 {
+                                            let _e2680 = (_e2677 == 0f);
+                                            if _e2680 {
+                                                phi_3782_ = lt_bvh_triangle_Intersection();
+                                                phi_3783_ = false;
+                                            } else {
+                                                let _e2682 = triangles.member[(0u + _e2493)].v0_;
+                                                let _e2684 = (_e2682.x - _e150);
+                                                let _e2686 = (_e2682.y - _e152);
+                                                let _e2688 = (_e2682.z - _e154);
+                                                if (_e1879 == 0u) {
+                                                    phi_3495_ = vec3<f32>(_e2686, _e2688, _e2684);
+                                                } else {
+                                                    if (_e1879 == 1u) {
+                                                        phi_3494_ = vec3<f32>(_e2688, _e2684, _e2686);
                                                     } else {
-                                                        if (_e2470 < _e94) {
+                                                        phi_3494_ = (_e2682 - vec3<f32>(_e150, _e152, _e154));
+                                                    }
+                                                    let _e2696 = phi_3494_;
+                                                    phi_3495_ = _e2696;
+                                                }
+                                                let _e2698 = phi_3495_;
+                                                let _e2700 = triangles.member[(0u + _e2493)].v1_;
+                                                let _e2702 = triangles.member[(0u + _e2493)].v0_;
+                                                let _e2705 = (_e2700.x - _e2702.x);
+                                                let _e2708 = (_e2700.y - _e2702.y);
+                                                let _e2711 = (_e2700.z - _e2702.z);
+                                                if (_e1879 == 0u) {
+                                                    phi_3521_ = vec3<f32>(_e2708, _e2711, _e2705);
+                                                } else {
+                                                    if (_e1879 == 1u) {
+                                                        phi_3520_ = vec3<f32>(_e2711, _e2705, _e2708);
+                                                    } else {
+                                                        phi_3520_ = (_e2700 - _e2702);
+                                                    }
+                                                    let _e2718 = phi_3520_;
+                                                    phi_3521_ = _e2718;
+                                                }
+                                                let _e2720 = phi_3521_;
+                                                let _e2722 = triangles.member[(0u + _e2493)].v2_;
+                                                let _e2724 = triangles.member[(0u + _e2493)].v0_;
+                                                let _e2727 = (_e2722.x - _e2724.x);
+                                                let _e2730 = (_e2722.y - _e2724.y);
+                                                let _e2733 = (_e2722.z - _e2724.z);
+                                                if (_e1879 == 0u) {
+                                                    phi_3547_ = vec3<f32>(_e2730, _e2733, _e2727);
+                                                } else {
+                                                    if (_e1879 == 1u) {
+                                                        phi_3546_ = vec3<f32>(_e2733, _e2727, _e2730);
+                                                    } else {
+                                                        phi_3546_ = (_e2722 - _e2724);
+                                                    }
+                                                    let _e2740 = phi_3546_;
+                                                    phi_3547_ = _e2740;
+                                                }
+                                                let _e2742 = phi_3547_;
+                                                let _e2749 = ((_e2720.y * _e2742.z) - (_e2720.z * _e2742.y));
+                                                let _e2756 = ((_e2720.z * _e2742.x) - (_e2720.x * _e2742.z));
+                                                let _e2763 = ((_e2720.x * _e2742.y) - (_e2720.y * _e2742.x));
+                                                let _e2777 = (((1f / _e1887.z) * (((_e2749 * _e2698.x) + (_e2756 * _e2698.y)) + (_e2763 * _e2698.z))) / (((_e2749 * _e1890) + (_e2756 * _e1893)) + _e2763));
+                                                if (_e2777 > 0f) {
+                                                    if (_e2777 < _e162) {
+                                                        let _e2781 = triangles.member[(0u + _e2493)].v0_;
+                                                        let _e2783 = triangles.member[(0u + _e2493)].v1_;
+                                                        if (_e2781.x < _e2783.x) {
+                                                            phi_3603_ = _e2781.x;
+                                                        } else {
+                                                            phi_3603_ = _e2783.x;
+                                                        }
+                                                        let _e2790 = phi_3603_;
+                                                        if (_e2781.y < _e2783.y) {
+                                                            phi_3612_ = _e2781.y;
+                                                        } else {
+                                                            phi_3612_ = _e2783.y;
+                                                        }
+                                                        let _e2797 = phi_3612_;
+                                                        if (_e2781.z < _e2783.z) {
+                                                            phi_3621_ = _e2781.z;
+                                                        } else {
+                                                            phi_3621_ = _e2783.z;
+                                                        }
+                                                        let _e2804 = phi_3621_;
+                                                        let _e2806 = triangles.member[(0u + _e2493)].v2_;
+                                                        if (_e2790 < _e2806.x) {
+                                                            phi_3630_ = _e2790;
+                                                        } else {
+                                                            phi_3630_ = _e2806.x;
+                                                        }
+                                                        let _e2811 = phi_3630_;
+                                                        if (_e2797 < _e2806.y) {
+                                                            phi_3637_ = _e2797;
+                                                        } else {
+                                                            phi_3637_ = _e2806.y;
+                                                        }
+                                                        let _e2816 = phi_3637_;
+                                                        if (_e2804 < _e2806.z) {
+                                                            phi_3644_ = _e2804;
+                                                        } else {
+                                                            phi_3644_ = _e2806.z;
+                                                        }
+                                                        let _e2821 = phi_3644_;
+                                                        let _e2823 = triangles.member[(0u + _e2493)].v0_;
+                                                        let _e2825 = triangles.member[(0u + _e2493)].v1_;
+                                                        if (_e2823.x > _e2825.x) {
+                                                            phi_3657_ = _e2823.x;
+                                                        } else {
+                                                            phi_3657_ = _e2825.x;
+                                                        }
+                                                        let _e2832 = phi_3657_;
+                                                        if (_e2823.y > _e2825.y) {
+                                                            phi_3666_ = _e2823.y;
+                                                        } else {
+                                                            phi_3666_ = _e2825.y;
+                                                        }
+                                                        let _e2839 = phi_3666_;
+                                                        if (_e2823.z > _e2825.z) {
+                                                            phi_3675_ = _e2823.z;
+                                                        } else {
+                                                            phi_3675_ = _e2825.z;
+                                                        }
+                                                        let _e2846 = phi_3675_;
+                                                        let _e2848 = triangles.member[(0u + _e2493)].v2_;
+                                                        if (_e2832 > _e2848.x) {
+                                                            phi_3684_ = _e2832;
+                                                        } else {
+                                                            phi_3684_ = _e2848.x;
+                                                        }
+                                                        let _e2853 = phi_3684_;
+                                                        if (_e2839 > _e2848.y) {
+                                                            phi_3691_ = _e2839;
+                                                        } else {
+                                                            phi_3691_ = _e2848.y;
+                                                        }
+                                                        let _e2858 = phi_3691_;
+                                                        if (_e2846 > _e2848.z) {
+                                                            phi_3698_ = _e2846;
+                                                        } else {
+                                                            phi_3698_ = _e2848.z;
+                                                        }
+                                                        let _e2863 = phi_3698_;
+                                                        let _e2867 = ((_e2811 - _e150) * _e1804);
+                                                        let _e2868 = ((_e2816 - _e152) * _e1814);
+                                                        let _e2869 = ((_e2821 - _e154) * _e1824);
+                                                        let _e2873 = ((_e2853 - _e150) * _e1804);
+                                                        let _e2874 = ((_e2858 - _e152) * _e1814);
+                                                        let _e2875 = ((_e2863 - _e154) * _e1824);
+                                                        if (_e2867 < _e2873) {
+                                                            phi_3715_ = _e2867;
+                                                        } else {
+                                                            phi_3715_ = _e2873;
+                                                        }
+                                                        let _e2878 = phi_3715_;
+                                                        if (_e2868 < _e2874) {
+                                                            phi_3720_ = _e2868;
+                                                        } else {
+                                                            phi_3720_ = _e2874;
+                                                        }
+                                                        let _e2881 = phi_3720_;
+                                                        if (_e2869 < _e2875) {
+                                                            phi_3725_ = _e2869;
+                                                        } else {
+                                                            phi_3725_ = _e2875;
+                                                        }
+                                                        let _e2884 = phi_3725_;
+                                                        if (_e2867 > _e2873) {
+                                                            phi_3733_ = _e2867;
+                                                        } else {
+                                                            phi_3733_ = _e2873;
+                                                        }
+                                                        let _e2890 = phi_3733_;
+                                                        if (_e2868 > _e2874) {
+                                                            phi_3738_ = _e2868;
+                                                        } else {
+                                                            phi_3738_ = _e2874;
+                                                        }
+                                                        let _e2893 = phi_3738_;
+                                                        if (_e2869 > _e2875) {
+                                                            phi_3743_ = _e2869;
+                                                        } else {
+                                                            phi_3743_ = _e2875;
+                                                        }
+                                                        let _e2896 = phi_3743_;
+                                                        let _e2900 = core_intrinsics_maximum_number_nsz_f32_((_e2878 - _e1863), (_e2881 - _e1864));
+                                                        let _e2901 = core_intrinsics_maximum_number_nsz_f32_(_e2900, (_e2884 - _e1865));
+                                                        let _e2902 = core_intrinsics_minimum_number_nsz_f32_((_e2890 + _e1863), (_e2893 + _e1864));
+                                                        let _e2903 = core_intrinsics_minimum_number_nsz_f32_(_e2902, (_e2896 + _e1865));
+                                                        if (_e2901 > -300000000000000000000000000000000000000f) {
+                                                            phi_3755_ = _e2901;
+                                                        } else {
+                                                            phi_3755_ = -300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2906 = phi_3755_;
+                                                        if (_e2903 < 300000000000000000000000000000000000000f) {
+                                                            phi_3760_ = _e2903;
+                                                        } else {
+                                                            phi_3760_ = 300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2909 = phi_3760_;
+                                                        if (_e2777 < _e2906) {
+                                                            phi_3765_ = _e2906;
+                                                        } else {
+                                                            phi_3765_ = _e2777;
+                                                        }
+                                                        let _e2912 = phi_3765_;
+                                                        if (_e2912 > _e2909) {
+                                                            phi_3770_ = _e2909;
+                                                        } else {
+                                                            phi_3770_ = _e2912;
+                                                        }
+                                                        let _e2915 = phi_3770_;
+                                                        phi_3775_ = lt_bvh_triangle_Intersection(_e2915, (_e2618 / _e2677), (_e2639 / _e2677), (_e2906 <= _e2909));
+                                                        phi_3776_ = false;
+                                                    } else {
+                                                        phi_3775_ = lt_bvh_triangle_Intersection();
+                                                        phi_3776_ = true;
+                                                    }
+                                                    let _e2921 = phi_3775_;
+                                                    let _e2923 = phi_3776_;
+                                                    phi_3777_ = _e2921;
+                                                    phi_3778_ = _e2923;
+                                                } else {
+                                                    phi_3777_ = lt_bvh_triangle_Intersection();
+                                                    phi_3778_ = true;
+                                                }
+                                                let _e2925 = phi_3777_;
+                                                let _e2927 = phi_3778_;
+                                                if _e2927 {
+                                                }
+                                                phi_3782_ = _e2925;
+                                                phi_3783_ = _e2927;
+                                            }
+                                            let _e2929 = phi_3782_;
+                                            let _e2931 = phi_3783_;
+                                            phi_3784_ = _e2929;
+                                            phi_3785_ = _e2680;
+                                            phi_3786_ = _e2931;
+                                        } else {
+                                            phi_3784_ = lt_bvh_triangle_Intersection();
+                                            phi_3785_ = true;
+                                            phi_3786_ = false;
+                                        }
+                                        let _e2933 = phi_3784_;
+                                        let _e2935 = phi_3785_;
+                                        let _e2937 = phi_3786_;
+                                        if _e2935 {
+                                            phi_3790_ = true;
+                                        } else {
+                                            phi_3790_ = _e2937;
+                                        }
+                                        let _e2939 = phi_3790_;
+                                        if _e2939 {
+                                            phi_3794_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        } else {
+                                            phi_3794_ = _e2933;
+                                        }
+                                        let _e2941 = phi_3794_;
+                                        if _e2941.is_hit {
+                                            if (_e2941.t > 0f) {
+                                                if (_e2941.t < _e162) {
+                                                    let _e2948 = triangles.member[(0u + _e2493)].i0_;
+                                                    if ((_e2948 & 2147483648u) == 0u) {
+                                                        phi_4013_ = true;
+                                                    } else {
+                                                        if (_e2493 < _e94) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2934 = triangles.member[(0u + _e2470)].i0_;
-                                                        let _e2935 = (_e2934 & 2147483647u);
-                                                        let _e2937 = triangles.member[(0u + _e2470)].i1_;
-                                                        let _e2939 = triangles.member[(0u + _e2470)].i2_;
-                                                        if (_e2935 < _e110) {
+                                                        let _e2957 = triangles.member[(0u + _e2493)].i0_;
+                                                        let _e2958 = (_e2957 & 2147483647u);
+                                                        let _e2960 = triangles.member[(0u + _e2493)].i1_;
+                                                        let _e2962 = triangles.member[(0u + _e2493)].i2_;
+                                                        if (_e2958 < _e110) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2943 = vertices.member[(0u + _e2935)];
-                                                        if (_e2937 < _e110) {
+                                                        let _e2966 = vertices.member[(0u + _e2958)];
+                                                        if (_e2960 < _e110) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2947 = vertices.member[(0u + _e2937)];
-                                                        if (_e2939 < _e110) {
+                                                        let _e2970 = vertices.member[(0u + _e2960)];
+                                                        if (_e2962 < _e110) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2951 = vertices.member[(0u + _e2939)];
-                                                        let _e2952 = array<abi_Vertex, 3>(_e2943, _e2947, _e2951);
-                                                        if (_e2952[0].material < _e113) {
+                                                        let _e2974 = vertices.member[(0u + _e2962)];
+                                                        let _e2975 = array<abi_Vertex, 3>(_e2966, _e2970, _e2974);
+                                                        if (_e2975[0].material < _e113) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2958 = materials.member[(0u + _e2952[0].material)];
-                                                        if ((_e2958.flags & 1u) == 1u) {
-                                                            let _e2963 = ((1f - _e2918.u) - _e2918.v);
-                                                            if (_e2958.cutoff <= 0f) {
-                                                                phi_3991_ = true;
+                                                        let _e2981 = materials.member[(0u + _e2975[0].material)];
+                                                        if ((_e2981.flags & 1u) == 1u) {
+                                                            let _e2986 = ((1f - _e2941.u) - _e2941.v);
+                                                            if (_e2981.cutoff <= 0f) {
+                                                                phi_4011_ = true;
                                                             } else {
-                                                                let _e2990 = (_e2958.base_color.w * ((((f32((_e2952[0].color >> bitcast<u32>(24i))) * _e2963) + (f32((_e2952[1].color >> bitcast<u32>(24i))) * _e2918.u)) + (f32((_e2952[2].color >> bitcast<u32>(24i))) * _e2918.v)) * (1f / 255f)));
-                                                                if (_e2958.alpha_size == 0u) {
-                                                                    phi_3988_ = _e2990;
+                                                                let _e3013 = (_e2981.base_color.w * ((((f32((_e2975[0].color >> bitcast<u32>(24i))) * _e2986) + (f32((_e2975[1].color >> bitcast<u32>(24i))) * _e2941.u)) + (f32((_e2975[2].color >> bitcast<u32>(24i))) * _e2941.v)) * (1f / 255f)));
+                                                                if (_e2981.alpha_size == 0u) {
+                                                                    phi_4008_ = _e3013;
                                                                 } else {
-                                                                    local.offset = _e2958.alpha_offset;
-                                                                    local.size = _e2958.alpha_size;
-                                                                    local.flags = _e2958.flags;
-                                                                    let _e3021 = _lt_shaders_texture_TextureView_quad((&local), (((_e2952[0].u * _e2963) + (_e2952[1].u * _e2918.u)) + (_e2952[2].u * _e2918.v)), (((_e2952[0].v * _e2963) + (_e2952[1].v * _e2918.u)) + (_e2952[2].v * _e2918.v)));
-                                                                    let _e3025 = (_e3021.indices[0] >> bitcast<u32>(2i));
-                                                                    if (_e3025 < _e116) {
+                                                                    local.offset = _e2981.alpha_offset;
+                                                                    local.size = _e2981.alpha_size;
+                                                                    local.flags = _e2981.flags;
+                                                                    let _e3044 = _lt_shaders_texture_TextureView_quad((&local), (((_e2975[0].u * _e2986) + (_e2975[1].u * _e2941.u)) + (_e2975[2].u * _e2941.v)), (((_e2975[0].v * _e2986) + (_e2975[1].v * _e2941.u)) + (_e2975[2].v * _e2941.v)));
+                                                                    let _e3048 = (_e3044.indices[0] >> bitcast<u32>(2i));
+                                                                    if (_e3048 < _e116) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3029 = alpha_texels.member[(0u + _e3025)];
-                                                                    let _e3045 = (_e3021.indices[1] >> bitcast<u32>(2i));
-                                                                    if (_e3045 < _e116) {
+                                                                    let _e3052 = alpha_texels.member[(0u + _e3048)];
+                                                                    let _e3068 = (_e3044.indices[1] >> bitcast<u32>(2i));
+                                                                    if (_e3068 < _e116) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3049 = alpha_texels.member[(0u + _e3045)];
-                                                                    let _e3066 = (_e3021.indices[2] >> bitcast<u32>(2i));
-                                                                    if (_e3066 < _e116) {
+                                                                    let _e3072 = alpha_texels.member[(0u + _e3068)];
+                                                                    let _e3089 = (_e3044.indices[2] >> bitcast<u32>(2i));
+                                                                    if (_e3089 < _e116) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3070 = alpha_texels.member[(0u + _e3066)];
-                                                                    let _e3087 = (_e3021.indices[3] >> bitcast<u32>(2i));
-                                                                    if (_e3087 < _e116) {
+                                                                    let _e3093 = alpha_texels.member[(0u + _e3089)];
+                                                                    let _e3110 = (_e3044.indices[3] >> bitcast<u32>(2i));
+                                                                    if (_e3110 < _e116) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3091 = alpha_texels.member[(0u + _e3087)];
-                                                                    phi_3988_ = (_e2990 * (((((f32(((_e3029 >> bitcast<u32>((((_e3021.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3021.weights.x) + ((f32(((_e3049 >> bitcast<u32>((((_e3021.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3021.weights.y)) + ((f32(((_e3070 >> bitcast<u32>((((_e3021.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3021.weights.z)) + ((f32(((_e3091 >> bitcast<u32>((((_e3021.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3021.weights.w)));
+                                                                    let _e3114 = alpha_texels.member[(0u + _e3110)];
+                                                                    phi_4008_ = (_e3013 * (((((f32(((_e3052 >> bitcast<u32>((((_e3044.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3044.weights.x) + ((f32(((_e3072 >> bitcast<u32>((((_e3044.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3044.weights.y)) + ((f32(((_e3093 >> bitcast<u32>((((_e3044.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3044.weights.z)) + ((f32(((_e3114 >> bitcast<u32>((((_e3044.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3044.weights.w)));
                                                                 }
-                                                                let _e3107 = phi_3988_;
-                                                                phi_3991_ = (_e3107 >= _e2958.cutoff);
+                                                                let _e3130 = phi_4008_;
+                                                                phi_4011_ = (_e3130 >= _e2981.cutoff);
                                                             }
-                                                            let _e3111 = phi_3991_;
-                                                            phi_3992_ = _e3111;
+                                                            let _e3134 = phi_4011_;
+                                                            phi_4012_ = _e3134;
                                                         } else {
-                                                            phi_3992_ = false;
+                                                            phi_4012_ = false;
                                                         }
-                                                        let _e3113 = phi_3992_;
-                                                        phi_3993_ = _e3113;
+                                                        let _e3136 = phi_4012_;
+                                                        phi_4013_ = _e3136;
                                                     }
-                                                    let _e3115 = phi_3993_;
-                                                    if _e3115 {
-                                                        phi_3997_ = false;
+                                                    let _e3138 = phi_4013_;
+                                                    if _e3138 {
+                                                        phi_4017_ = false;
                                                     } else {
-                                                        phi_3997_ = true;
+                                                        phi_4017_ = true;
                                                     }
-                                                    let _e3117 = phi_3997_;
-                                                    phi_3998_ = _e3115;
-                                                    phi_3999_ = _e3115;
-                                                    phi_4000_ = _e3117;
+                                                    let _e3140 = phi_4017_;
+                                                    phi_4018_ = _e3138;
+                                                    phi_4019_ = _e3138;
+                                                    phi_4020_ = _e3140;
                                                 } else {
-                                                    phi_3998_ = bool();
-                                                    phi_3999_ = _e2461;
-                                                    phi_4000_ = true;
+                                                    phi_4018_ = bool();
+                                                    phi_4019_ = _e2484;
+                                                    phi_4020_ = true;
                                                 }
-                                                let _e3119 = phi_3998_;
-                                                let _e3121 = phi_3999_;
-                                                let _e3123 = phi_4000_;
-                                                phi_4001_ = _e3119;
-                                                phi_4002_ = _e3121;
-                                                phi_4003_ = _e3123;
+                                                let _e3142 = phi_4018_;
+                                                let _e3144 = phi_4019_;
+                                                let _e3146 = phi_4020_;
+                                                phi_4021_ = _e3142;
+                                                phi_4022_ = _e3144;
+                                                phi_4023_ = _e3146;
                                             } else {
-                                                phi_4001_ = bool();
-                                                phi_4002_ = _e2461;
-                                                phi_4003_ = true;
+                                                phi_4021_ = bool();
+                                                phi_4022_ = _e2484;
+                                                phi_4023_ = true;
                                             }
-                                            let _e3125 = phi_4001_;
-                                            let _e3127 = phi_4002_;
-                                            let _e3129 = phi_4003_;
-                                            phi_4004_ = _e3125;
-                                            phi_4005_ = _e3127;
-                                            phi_4006_ = _e3129;
+                                            let _e3148 = phi_4021_;
+                                            let _e3150 = phi_4022_;
+                                            let _e3152 = phi_4023_;
+                                            phi_4024_ = _e3148;
+                                            phi_4025_ = _e3150;
+                                            phi_4026_ = _e3152;
                                         } else {
-                                            phi_4004_ = bool();
-                                            phi_4005_ = _e2461;
-                                            phi_4006_ = true;
+                                            phi_4024_ = bool();
+                                            phi_4025_ = _e2484;
+                                            phi_4026_ = true;
                                         }
-                                        let _e3131 = phi_4004_;
-                                        let _e3133 = phi_4005_;
-                                        let _e3135 = phi_4006_;
-                                        if _e3135 {
+                                        let _e3154 = phi_4024_;
+                                        let _e3156 = phi_4025_;
+                                        let _e3158 = phi_4026_;
+                                        if _e3158 {
                                         }
-                                        phi_3204_ = (_e2459 & (_e2459 - 1u));
-                                        phi_3207_ = _e3133;
-                                        phi_4010_ = _e3131;
-                                        phi_4011_ = _e3135;
+                                        phi_3224_ = (_e2482 & (_e2482 - 1u));
+                                        phi_3227_ = _e3156;
+                                        phi_4030_ = _e3154;
+                                        phi_4031_ = _e3158;
                                     }
-                                    let _e3137 = phi_3204_;
-                                    let _e3139 = phi_3207_;
-                                    let _e3141 = phi_4010_;
-                                    let _e3143 = phi_4011_;
-                                    local_17 = _e3141;
+                                    let _e3160 = phi_3224_;
+                                    let _e3162 = phi_3227_;
+                                    let _e3164 = phi_4030_;
+                                    let _e3166 = phi_4031_;
+                                    local_22 = _e3164;
                                     continue;
                                     continuing {
-                                        phi_3203_ = _e3137;
-                                        phi_3206_ = _e3139;
-                                        break if !(_e3143);
+                                        phi_3223_ = _e3160;
+                                        phi_3226_ = _e3162;
+                                        break if !(_e3166);
                                     }
                                 }
-                                let _e3146 = local_9;
-                                if _e3146 {
-                                    let _e3148 = local_1.group_mask;
-                                    if ((_e3148 & 4278190080u) == 0u) {
-                                        let _e3152 = local_1.len;
-                                        if (_e3152 == 0u) {
-                                            phi_4053_ = false;
+                                let _e3169 = local_11;
+                                if _e3169 {
+                                    let _e3171 = local_1.group_mask;
+                                    if ((_e3171 & 4278190080u) == 0u) {
+                                        let _e3175 = local_1.len;
+                                        if (_e3175 == 0u) {
+                                            phi_4073_ = false;
                                         } else {
-                                            let _e3156 = local_1.len;
-                                            local_1.len = (_e3156 - 1u);
-                                            let _e3159 = local_1.len;
-                                            if (_e3159 < 32u) {
+                                            let _e3179 = local_1.len;
+                                            local_1.len = (_e3179 - 1u);
+                                            let _e3182 = local_1.len;
+                                            if (_e3182 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3164 = local_1.first[(0u + _e3159)];
-                                            local_1.group = _e3164;
-                                            let _e3167 = local_1.len;
-                                            if (_e3167 < 32u) {
+                                            let _e3187 = local_1.first[(0u + _e3182)];
+                                            local_1.group = _e3187;
+                                            let _e3190 = local_1.len;
+                                            if (_e3190 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3172 = local_1.mask[(0u + _e3167)];
-                                            local_1.group_mask = _e3172;
-                                            phi_4053_ = true;
+                                            let _e3195 = local_1.mask[(0u + _e3190)];
+                                            local_1.group_mask = _e3195;
+                                            phi_4073_ = true;
                                         }
-                                        let _e3175 = phi_4053_;
-                                        phi_4054_ = _e3175;
+                                        let _e3198 = phi_4073_;
+                                        phi_4074_ = _e3198;
                                     } else {
-                                        phi_4054_ = true;
+                                        phi_4074_ = true;
                                     }
-                                    let _e3177 = phi_4054_;
-                                    if _e3177 {
-                                        let _e3179 = local_1.group_mask;
-                                        let _e3185 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3179)), 32u, (_e3179 == 0u)));
-                                        let _e3189 = local_1.group_mask;
-                                        let _e3203 = local_1.group_mask;
-                                        local_1.group_mask = (_e3203 & ~((1u << bitcast<u32>((_e3185 & 31u)))));
-                                        let _e3206 = local_1.group;
-                                        phi_4085_ = (_e3206 + countOneBits(((_e3189 & ~((4294967295u << bitcast<u32>((((_e3185 - 24u) ^ _e1883) & 31u))))) & 255u)));
+                                    let _e3200 = phi_4074_;
+                                    if _e3200 {
+                                        let _e3202 = local_1.group_mask;
+                                        let _e3208 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3202)), 32u, (_e3202 == 0u)));
+                                        let _e3212 = local_1.group_mask;
+                                        let _e3226 = local_1.group_mask;
+                                        local_1.group_mask = (_e3226 & ~((1u << bitcast<u32>((_e3208 & 31u)))));
+                                        let _e3229 = local_1.group;
+                                        phi_4105_ = (_e3229 + countOneBits(((_e3212 & ~((4294967295u << bitcast<u32>((((_e3208 - 24u) ^ _e1906) & 31u))))) & 255u)));
                                     } else {
-                                        phi_4085_ = 4294967295u;
+                                        phi_4105_ = 4294967295u;
                                     }
-                                    let _e3209 = phi_4085_;
-                                    phi_4086_ = _e3209;
+                                    let _e3232 = phi_4105_;
+                                    phi_4106_ = _e3232;
                                 } else {
-                                    phi_4086_ = u32();
+                                    phi_4106_ = u32();
                                 }
-                                let _e3211 = phi_4086_;
-                                phi_2872_ = _e3211;
-                                let _e3748 = local_16;
-                                phi_2875_ = _e3748;
-                                let _e3751 = local_17;
-                                phi_4087_ = _e3751;
-                                let _e3754 = local_18;
-                                phi_4088_ = _e3754;
-                                phi_4089_ = false;
+                                let _e3234 = phi_4106_;
+                                phi_2892_ = _e3234;
+                                let _e3787 = local_21;
+                                phi_2895_ = _e3787;
+                                let _e3790 = local_22;
+                                phi_4107_ = _e3790;
+                                let _e3793 = local_23;
+                                phi_4108_ = _e3793;
+                                phi_4109_ = false;
                             } else {
-                                phi_2872_ = u32();
-                                phi_2875_ = bool();
-                                phi_4087_ = bool();
-                                phi_4088_ = false;
-                                phi_4089_ = true;
+                                phi_2892_ = u32();
+                                phi_2895_ = bool();
+                                phi_4107_ = bool();
+                                phi_4108_ = false;
+                                phi_4109_ = true;
                             }
-                            let _e3213 = phi_2872_;
-                            let _e3215 = phi_2875_;
-                            let _e3217 = phi_4087_;
-                            let _e3219 = phi_4088_;
-                            let _e3221 = phi_4089_;
-                            local_10 = _e3221;
-                            local_19 = _e3217;
+                            let _e3236 = phi_2892_;
+                            let _e3238 = phi_2895_;
+                            let _e3240 = phi_4107_;
+                            let _e3242 = phi_4108_;
+                            let _e3244 = phi_4109_;
+                            local_12 = _e3244;
+                            local_24 = _e3240;
                             continue;
                             continuing {
-                                phi_2871_ = _e3213;
-                                phi_2874_ = _e3215;
-                                break if !(_e3219);
+                                phi_2891_ = _e3236;
+                                phi_2894_ = _e3238;
+                                break if !(_e3242);
                             }
                         }
-                        let _e3224 = local_10;
-                        if _e3224 {
-                            phi_4093_ = false;
+                        let _e3247 = local_12;
+                        if _e3247 {
+                            phi_4113_ = false;
                         } else {
-                            phi_4093_ = true;
+                            phi_4113_ = true;
                         }
-                        let _e3226 = phi_4093_;
-                        if _e3226 {
-                            let _e3760 = local_19;
-                            phi_4097_ = _e3760;
+                        let _e3249 = phi_4113_;
+                        if _e3249 {
+                            let _e3799 = local_24;
+                            phi_4117_ = _e3799;
                         } else {
-                            let _e3762 = local_20;
-                            phi_4097_ = _e3762;
+                            let _e3801 = local_25;
+                            phi_4117_ = _e3801;
                         }
-                        let _e3228 = phi_4097_;
-                        phi_4098_ = _e3228;
+                        let _e3251 = phi_4117_;
+                        phi_4118_ = _e3251;
                     }
-                    let _e3230 = phi_4098_;
-                    phi_4099_ = _e3230;
-                    phi_4100_ = _e1705;
+                    let _e3253 = phi_4118_;
+                    phi_4119_ = _e3253;
+                    phi_4120_ = _e1728;
                 } else {
-                    phi_4099_ = bool();
-                    phi_4100_ = true;
+                    phi_4119_ = bool();
+                    phi_4120_ = true;
                 }
-                let _e3232 = phi_4099_;
-                let _e3234 = phi_4100_;
-                if _e3234 {
-                    phi_4104_ = false;
+                let _e3255 = phi_4119_;
+                let _e3257 = phi_4120_;
+                if _e3257 {
+                    phi_4124_ = false;
                 } else {
-                    phi_4104_ = _e3232;
+                    phi_4124_ = _e3255;
                 }
-                let _e3236 = phi_4104_;
-                phi_4105_ = _e3236;
+                let _e3259 = phi_4124_;
+                phi_4125_ = _e3259;
             }
-            let _e3238 = phi_4105_;
-            phi_4106_ = _e3238;
+            let _e3261 = phi_4125_;
+            phi_4126_ = _e3261;
         } else {
-            phi_4106_ = false;
+            phi_4126_ = false;
         }
-        let _e3240 = phi_4106_;
-        if _e3240 {
-            phi_4110_ = 0f;
+        let _e3263 = phi_4126_;
+        if _e3263 {
+            phi_4130_ = 0f;
         } else {
-            phi_4110_ = 1f;
+            phi_4130_ = 1f;
         }
-        let _e3242 = phi_4110_;
+        let _e3265 = phi_4130_;
         if (_e129 < _e97) {
         } else {
             return;
         }
-        visibility.member[(0u + _e129)] = _e3242;
-        let _e3248 = p.member.light.number;
-        let _e3249 = (_e3248 * 3u);
-        let _e3250 = (_e3249 / 32u);
-        let _e3251 = (_e3249 % 32u);
-        let _e3253 = p.member.light.mask_words;
+        visibility.member[(0u + _e129)] = _e3265;
+        let _e3271 = p.member.light.number;
+        let _e3272 = (_e3271 * 3u);
+        let _e3273 = (_e3272 / 32u);
+        let _e3274 = (_e3272 % 32u);
+        let _e3276 = p.member.light.mask_words;
         if (_e129 < _e97) {
         } else {
             return;
         }
-        let _e3257 = visibility.member[(0u + _e129)];
-        let _e3259 = ((_e129 * _e3253) + _e3250);
-        if (_e3251 > 29u) {
-            let _e3261 = (_e3259 + 1u);
-            if (_e3261 < _e103) {
+        let _e3280 = visibility.member[(0u + _e129)];
+        let _e3282 = ((_e129 * _e3276) + _e3273);
+        if (_e3274 > 29u) {
+            let _e3284 = (_e3282 + 1u);
+            if (_e3284 < _e103) {
             } else {
                 return;
             }
-            let _e3265 = bits.member[(0u + _e3261)];
-            phi_4151_ = _e3265;
+            let _e3288 = bits.member[(0u + _e3284)];
+            phi_4171_ = _e3288;
         } else {
-            phi_4151_ = 0u;
+            phi_4171_ = 0u;
         }
-        let _e3267 = phi_4151_;
-        if (_e3259 < _e103) {
-        } else {
-            return;
-        }
-        let _e3271 = bits.member[(0u + _e3259)];
-        let _e3274 = (_e3271 >> bitcast<u32>((_e3251 & 31u)));
-        if (_e3251 > 29u) {
-            phi_4170_ = (_e3274 | (_e3267 << bitcast<u32>(((32u - _e3251) & 31u))));
-        } else {
-            phi_4170_ = _e3274;
-        }
-        let _e3282 = phi_4170_;
-        if ((_e3282 & 2u) == 0u) {
-            phi_4178_ = (_e3282 & 1u);
-        } else {
-            phi_4178_ = (_e3282 & 7u);
-        }
-        let _e3288 = phi_4178_;
-        if ((_e3288 & 1u) != 0u) {
-            phi_4186_ = (2u | 1u);
-        } else {
-            phi_4186_ = 2u;
-        }
-        let _e3294 = phi_4186_;
-        if (_e3257 < 0.5f) {
-            phi_4191_ = (_e3294 | 4u);
-        } else {
-            phi_4191_ = _e3294;
-        }
-        let _e3297 = phi_4191_;
-        let _e3299 = ((_e129 * _e3253) + _e3250);
-        if (_e3299 < _e103) {
+        let _e3290 = phi_4171_;
+        if (_e3282 < _e103) {
         } else {
             return;
         }
-        let _e3303 = bits.member[(0u + _e3299)];
-        if (_e3299 < _e103) {
+        let _e3294 = bits.member[(0u + _e3282)];
+        let _e3297 = (_e3294 >> bitcast<u32>((_e3274 & 31u)));
+        if (_e3274 > 29u) {
+            phi_4190_ = (_e3297 | (_e3290 << bitcast<u32>(((32u - _e3274) & 31u))));
+        } else {
+            phi_4190_ = _e3297;
+        }
+        let _e3305 = phi_4190_;
+        if ((_e3305 & 2u) == 0u) {
+            phi_4198_ = (_e3305 & 1u);
+        } else {
+            phi_4198_ = (_e3305 & 7u);
+        }
+        let _e3311 = phi_4198_;
+        if ((_e3311 & 1u) != 0u) {
+            phi_4206_ = (2u | 1u);
+        } else {
+            phi_4206_ = 2u;
+        }
+        let _e3317 = phi_4206_;
+        if (_e3280 < 0.5f) {
+            phi_4211_ = (_e3317 | 4u);
+        } else {
+            phi_4211_ = _e3317;
+        }
+        let _e3320 = phi_4211_;
+        let _e3322 = ((_e129 * _e3276) + _e3273);
+        if (_e3322 < _e103) {
         } else {
             return;
         }
-        bits.member[(0u + _e3299)] = ((_e3303 & ~((7u << bitcast<u32>((_e3251 & 31u))))) | (_e3297 << bitcast<u32>((_e3251 & 31u))));
-        if (_e3251 > 29u) {
-            let _e3317 = (_e3299 + 1u);
-            if (_e3317 < _e103) {
+        let _e3326 = bits.member[(0u + _e3322)];
+        if (_e3322 < _e103) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e3322)] = ((_e3326 & ~((7u << bitcast<u32>((_e3274 & 31u))))) | (_e3320 << bitcast<u32>((_e3274 & 31u))));
+        if (_e3274 > 29u) {
+            let _e3340 = (_e3322 + 1u);
+            if (_e3340 < _e103) {
             } else {
                 return;
             }
-            let _e3321 = bits.member[(0u + _e3317)];
-            let _e3322 = (32u - _e3251);
-            let _e3332 = (_e3299 + 1u);
-            if (_e3332 < _e103) {
+            let _e3344 = bits.member[(0u + _e3340)];
+            let _e3345 = (32u - _e3274);
+            let _e3355 = (_e3322 + 1u);
+            if (_e3355 < _e103) {
             } else {
                 return;
             }
-            bits.member[(0u + _e3332)] = ((_e3321 & ~((7u >> bitcast<u32>((_e3322 & 31u))))) | (_e3297 >> bitcast<u32>((_e3322 & 31u))));
+            bits.member[(0u + _e3355)] = ((_e3344 & ~((7u >> bitcast<u32>((_e3345 & 31u))))) | (_e3320 >> bitcast<u32>((_e3345 & 31u))));
         }
     }
     return;

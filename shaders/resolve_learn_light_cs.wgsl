@@ -284,161 +284,166 @@ fn function_() {
     var phi_768_: vec3<f32>;
     var phi_780_: u32;
     var phi_783_: u32;
-    var phi_852_: f32;
-    var phi_853_: f32;
-    var phi_867_: u32;
-    var phi_890_: f32;
-    var phi_891_: f32;
-    var phi_905_: u32;
-    var phi_928_: f32;
-    var phi_929_: f32;
-    var phi_943_: u32;
-    var phi_1070_: u32;
+    var phi_792_: u32;
+    var phi_795_: u32;
+    var phi_797_: u32;
+    var phi_799_: u32;
+    var phi_872_: f32;
+    var phi_873_: f32;
+    var phi_887_: u32;
+    var phi_910_: f32;
+    var phi_911_: f32;
+    var phi_925_: u32;
+    var phi_948_: f32;
+    var phi_949_: f32;
+    var phi_963_: u32;
     var phi_1110_: u32;
     var phi_1111_: u32;
+    var phi_1115_: u32;
+    var phi_1116_: u32;
     var phi_1117_: u32;
-    var phi_1146_: vec3<f32>;
-    var phi_1147_: vec3<f32>;
-    var phi_1176_: vec3<f32>;
-    var phi_1177_: vec3<f32>;
-    var phi_1206_: vec3<f32>;
-    var phi_1207_: vec3<f32>;
-    var phi_1225_: bool;
-    var phi_1226_: bool;
-    var phi_1230_: f32;
-    var phi_1231_: f32;
-    var phi_1232_: f32;
-    var phi_1233_: f32;
-    var phi_1241_: f32;
-    var phi_1251_: bool;
-    var phi_1252_: bool;
-    var phi_1256_: f32;
-    var phi_1257_: f32;
-    var phi_1258_: f32;
-    var phi_1259_: f32;
-    var phi_1267_: f32;
-    var phi_1277_: bool;
-    var phi_1278_: bool;
-    var phi_1282_: f32;
-    var phi_1283_: f32;
-    var phi_1284_: f32;
-    var phi_1285_: f32;
-    var phi_1293_: f32;
-    var phi_1308_: f32;
-    var phi_1309_: bool;
-    var phi_1310_: f32;
-    var phi_1311_: bool;
-    var phi_1312_: f32;
-    var phi_1313_: bool;
-    var phi_1331_: f32;
-    var phi_1332_: bool;
-    var phi_1333_: bool;
-    var phi_1334_: f32;
-    var phi_1335_: bool;
-    var phi_1336_: bool;
-    var phi_1340_: bool;
-    var phi_1341_: f32;
-    var phi_1342_: bool;
-    var phi_1370_: vec3<f32>;
-    var phi_1371_: vec3<f32>;
-    var phi_1396_: vec3<f32>;
-    var phi_1397_: vec3<f32>;
-    var phi_1422_: vec3<f32>;
-    var phi_1423_: vec3<f32>;
-    var phi_1479_: f32;
-    var phi_1488_: f32;
-    var phi_1497_: f32;
-    var phi_1506_: f32;
-    var phi_1513_: f32;
-    var phi_1520_: f32;
-    var phi_1533_: f32;
-    var phi_1542_: f32;
-    var phi_1551_: f32;
-    var phi_1560_: f32;
-    var phi_1567_: f32;
-    var phi_1574_: f32;
-    var phi_1591_: f32;
-    var phi_1596_: f32;
-    var phi_1601_: f32;
-    var phi_1609_: f32;
-    var phi_1614_: f32;
-    var phi_1619_: f32;
-    var phi_1631_: f32;
-    var phi_1636_: f32;
-    var phi_1641_: f32;
-    var phi_1646_: f32;
-    var phi_1651_: lt_bvh_triangle_Intersection;
-    var phi_1652_: bool;
-    var phi_1653_: lt_bvh_triangle_Intersection;
-    var phi_1654_: bool;
-    var phi_1658_: lt_bvh_triangle_Intersection;
-    var phi_1659_: bool;
-    var phi_1660_: lt_bvh_triangle_Intersection;
-    var phi_1661_: bool;
-    var phi_1662_: bool;
-    var phi_1666_: bool;
-    var phi_1670_: lt_bvh_triangle_Intersection;
-    var phi_1695_: bool;
-    var phi_1696_: bool;
-    var phi_1697_: bool;
-    var phi_1698_: bool;
-    var phi_1699_: bool;
-    var phi_1700_: bool;
-    var phi_1701_: bool;
-    var phi_1702_: bool;
-    var phi_1703_: bool;
-    var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1706_: bool;
-    var phi_1707_: bool;
-    var phi_1708_: bool;
-    var phi_1712_: bool;
-    var phi_1713_: bool;
-    var phi_1714_: bool;
-    var phi_1718_: bool;
-    var phi_1719_: bool;
-    var phi_1071_: u32;
-    var phi_1720_: bool;
-    var phi_1721_: bool;
-    var phi_1722_: bool;
+    var phi_1118_: u32;
+    var phi_1119_: u32;
+    var phi_1120_: u32;
+    var phi_1138_: u32;
+    var phi_1139_: u32;
+    var phi_1140_: u32;
+    var phi_1141_: u32;
+    var phi_1142_: u32;
+    var phi_1143_: u32;
+    var phi_1144_: u32;
+    var phi_1145_: u32;
+    var phi_793_: u32;
+    var phi_796_: u32;
+    var phi_798_: u32;
+    var phi_800_: u32;
+    var phi_1146_: bool;
     var local_2: bool;
-    var phi_1726_: bool;
-    var phi_1727_: bool;
-    var phi_1748_: u32;
-    var phi_1749_: u32;
-    var phi_1753_: u32;
-    var phi_1754_: u32;
-    var phi_1755_: u32;
-    var phi_1756_: u32;
-    var phi_1757_: bool;
-    var phi_1758_: bool;
-    var phi_1759_: bool;
-    var phi_1780_: u32;
-    var phi_1781_: u32;
-    var phi_1782_: u32;
-    var phi_1783_: u32;
-    var phi_1784_: u32;
-    var phi_1785_: u32;
+    var phi_1151_: u32;
+    var local_3: u32;
+    var phi_1190_: u32;
+    var phi_1191_: u32;
+    var phi_1197_: u32;
+    var phi_1226_: vec3<f32>;
+    var phi_1227_: vec3<f32>;
+    var phi_1256_: vec3<f32>;
+    var phi_1257_: vec3<f32>;
+    var phi_1286_: vec3<f32>;
+    var phi_1287_: vec3<f32>;
+    var phi_1305_: bool;
+    var phi_1306_: bool;
+    var phi_1310_: f32;
+    var phi_1311_: f32;
+    var phi_1312_: f32;
+    var phi_1313_: f32;
+    var phi_1321_: f32;
+    var phi_1331_: bool;
+    var phi_1332_: bool;
+    var phi_1336_: f32;
+    var phi_1337_: f32;
+    var phi_1338_: f32;
+    var phi_1339_: f32;
+    var phi_1347_: f32;
+    var phi_1357_: bool;
+    var phi_1358_: bool;
+    var phi_1362_: f32;
+    var phi_1363_: f32;
+    var phi_1364_: f32;
+    var phi_1365_: f32;
+    var phi_1373_: f32;
+    var phi_1388_: f32;
+    var phi_1389_: bool;
+    var phi_1390_: f32;
+    var phi_1391_: bool;
+    var phi_1392_: f32;
+    var phi_1393_: bool;
+    var phi_1411_: f32;
+    var phi_1412_: bool;
+    var phi_1413_: bool;
+    var phi_1414_: f32;
+    var phi_1415_: bool;
+    var phi_1416_: bool;
+    var phi_1420_: bool;
+    var phi_1421_: f32;
+    var phi_1422_: bool;
+    var phi_1450_: vec3<f32>;
+    var phi_1451_: vec3<f32>;
+    var phi_1476_: vec3<f32>;
+    var phi_1477_: vec3<f32>;
+    var phi_1502_: vec3<f32>;
+    var phi_1503_: vec3<f32>;
+    var phi_1559_: f32;
+    var phi_1568_: f32;
+    var phi_1577_: f32;
+    var phi_1586_: f32;
+    var phi_1593_: f32;
+    var phi_1600_: f32;
+    var phi_1613_: f32;
+    var phi_1622_: f32;
+    var phi_1631_: f32;
+    var phi_1640_: f32;
+    var phi_1647_: f32;
+    var phi_1654_: f32;
+    var phi_1671_: f32;
+    var phi_1676_: f32;
+    var phi_1681_: f32;
+    var phi_1689_: f32;
+    var phi_1694_: f32;
+    var phi_1699_: f32;
+    var phi_1711_: f32;
+    var phi_1716_: f32;
+    var phi_1721_: f32;
+    var phi_1726_: f32;
+    var phi_1731_: lt_bvh_triangle_Intersection;
+    var phi_1732_: bool;
+    var phi_1733_: lt_bvh_triangle_Intersection;
+    var phi_1734_: bool;
+    var phi_1738_: lt_bvh_triangle_Intersection;
+    var phi_1739_: bool;
+    var phi_1740_: lt_bvh_triangle_Intersection;
+    var phi_1741_: bool;
+    var phi_1742_: bool;
+    var phi_1746_: bool;
+    var phi_1750_: lt_bvh_triangle_Intersection;
+    var phi_1775_: bool;
+    var phi_1776_: bool;
+    var phi_1777_: bool;
+    var phi_1778_: bool;
+    var phi_1779_: bool;
+    var phi_1780_: bool;
+    var phi_1781_: bool;
+    var phi_1782_: bool;
+    var phi_1783_: bool;
+    var phi_1784_: bool;
+    var phi_1785_: bool;
     var phi_1786_: bool;
     var phi_1787_: bool;
+    var phi_1788_: bool;
+    var phi_1792_: bool;
+    var phi_1793_: bool;
+    var phi_1794_: bool;
+    var phi_1798_: bool;
+    var phi_1799_: bool;
+    var phi_1152_: u32;
+    var phi_1800_: bool;
+    var phi_1801_: bool;
+    var phi_1802_: bool;
+    var local_4: bool;
+    var phi_1806_: bool;
+    var phi_1807_: bool;
     var phi_781_: u32;
     var phi_784_: u32;
-    var phi_1788_: bool;
-    var phi_1789_: bool;
-    var phi_1790_: bool;
-    var local_3: bool;
-    var phi_1794_: bool;
-    var phi_1795_: bool;
-    var phi_1799_: bool;
-    var phi_1803_: bool;
-    var phi_1807_: bool;
     var phi_1808_: bool;
-    var phi_1812_: bool;
+    var phi_1809_: bool;
+    var phi_1810_: bool;
+    var local_5: bool;
+    var phi_1814_: bool;
+    var phi_1815_: bool;
+    var phi_1819_: bool;
+    var phi_1823_: bool;
+    var phi_1827_: bool;
     var phi_1828_: bool;
-    var phi_1829_: bool;
-    var phi_1830_: bool;
-    var phi_1831_: bool;
-    var phi_1835_: bool;
+    var phi_1832_: bool;
     var phi_1848_: bool;
     var phi_1849_: bool;
     var phi_1850_: bool;
@@ -447,183 +452,191 @@ fn function_() {
     var phi_1868_: bool;
     var phi_1869_: bool;
     var phi_1870_: bool;
-    var phi_1874_: bool;
+    var phi_1871_: bool;
     var phi_1875_: bool;
-    var phi_1876_: bool;
-    var phi_1877_: bool;
-    var phi_1878_: bool;
-    var phi_1882_: bool;
-    var phi_1952_: f32;
-    var phi_1959_: f32;
-    var phi_1966_: f32;
-    var phi_1973_: f32;
-    var phi_1980_: f32;
-    var phi_1987_: f32;
-    var phi_2004_: f32;
-    var phi_2009_: f32;
-    var phi_2014_: f32;
-    var phi_2019_: f32;
+    var phi_1888_: bool;
+    var phi_1889_: bool;
+    var phi_1890_: bool;
+    var phi_1894_: bool;
+    var phi_1895_: bool;
+    var phi_1896_: bool;
+    var phi_1897_: bool;
+    var phi_1898_: bool;
+    var phi_1902_: bool;
+    var phi_1972_: f32;
+    var phi_1979_: f32;
+    var phi_1986_: f32;
+    var phi_1993_: f32;
+    var phi_2000_: f32;
+    var phi_2007_: f32;
     var phi_2024_: f32;
-    var phi_2050_: bool;
-    var phi_2051_: bool;
-    var phi_2059_: u32;
-    var phi_2060_: u32;
-    var phi_2071_: vec3<f32>;
-    var phi_2072_: vec3<f32>;
-    var phi_2085_: u32;
-    var phi_2090_: u32;
-    var phi_2095_: u32;
-    var phi_2209_: bool;
-    var phi_2210_: bool;
-    var phi_2241_: u32;
-    var phi_2243_: u32;
-    var phi_2246_: bool;
-    var phi_2326_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2353_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2380_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2386_: u32;
-    var phi_2389_: u32;
-    var phi_2403_: u32;
-    var phi_2413_: u32;
+    var phi_2029_: f32;
+    var phi_2034_: f32;
+    var phi_2039_: f32;
+    var phi_2044_: f32;
+    var phi_2070_: bool;
+    var phi_2071_: bool;
+    var phi_2079_: u32;
+    var phi_2080_: u32;
+    var phi_2091_: vec3<f32>;
+    var phi_2092_: vec3<f32>;
+    var phi_2105_: u32;
+    var phi_2110_: u32;
+    var phi_2115_: u32;
+    var phi_2229_: bool;
+    var phi_2230_: bool;
+    var phi_2261_: u32;
+    var phi_2263_: u32;
+    var phi_2266_: bool;
+    var phi_2346_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2373_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2400_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2406_: u32;
+    var phi_2409_: u32;
     var phi_2423_: u32;
-    var phi_2441_: u32;
-    var phi_2451_: u32;
+    var phi_2433_: u32;
+    var phi_2443_: u32;
     var phi_2461_: u32;
-    var phi_2497_: u32;
-    var phi_2510_: u32;
-    var phi_2515_: u32;
-    var phi_2516_: u32;
+    var phi_2471_: u32;
+    var phi_2481_: u32;
     var phi_2517_: u32;
-    var phi_2387_: u32;
-    var phi_2390_: u32;
-    var local_4: u32;
-    var local_5: u32;
+    var phi_2530_: u32;
+    var phi_2535_: u32;
+    var phi_2536_: u32;
+    var phi_2537_: u32;
+    var phi_2407_: u32;
+    var phi_2410_: u32;
     var local_6: u32;
-    var phi_2575_: u32;
-    var phi_2578_: bool;
-    var phi_2622_: vec3<f32>;
-    var phi_2623_: vec3<f32>;
-    var phi_2652_: vec3<f32>;
-    var phi_2653_: vec3<f32>;
-    var phi_2682_: vec3<f32>;
-    var phi_2683_: vec3<f32>;
-    var phi_2701_: bool;
-    var phi_2702_: bool;
-    var phi_2706_: f32;
-    var phi_2707_: f32;
-    var phi_2708_: f32;
-    var phi_2709_: f32;
-    var phi_2717_: f32;
-    var phi_2727_: bool;
-    var phi_2728_: bool;
-    var phi_2732_: f32;
-    var phi_2733_: f32;
-    var phi_2734_: f32;
-    var phi_2735_: f32;
-    var phi_2743_: f32;
-    var phi_2753_: bool;
-    var phi_2754_: bool;
-    var phi_2758_: f32;
-    var phi_2759_: f32;
-    var phi_2760_: f32;
-    var phi_2761_: f32;
-    var phi_2769_: f32;
-    var phi_2784_: f32;
-    var phi_2785_: bool;
-    var phi_2786_: f32;
-    var phi_2787_: bool;
-    var phi_2788_: f32;
-    var phi_2789_: bool;
-    var phi_2807_: f32;
-    var phi_2808_: bool;
+    var local_7: u32;
+    var local_8: u32;
+    var phi_2595_: u32;
+    var phi_2598_: bool;
+    var phi_2642_: vec3<f32>;
+    var phi_2643_: vec3<f32>;
+    var phi_2672_: vec3<f32>;
+    var phi_2673_: vec3<f32>;
+    var phi_2702_: vec3<f32>;
+    var phi_2703_: vec3<f32>;
+    var phi_2721_: bool;
+    var phi_2722_: bool;
+    var phi_2726_: f32;
+    var phi_2727_: f32;
+    var phi_2728_: f32;
+    var phi_2729_: f32;
+    var phi_2737_: f32;
+    var phi_2747_: bool;
+    var phi_2748_: bool;
+    var phi_2752_: f32;
+    var phi_2753_: f32;
+    var phi_2754_: f32;
+    var phi_2755_: f32;
+    var phi_2763_: f32;
+    var phi_2773_: bool;
+    var phi_2774_: bool;
+    var phi_2778_: f32;
+    var phi_2779_: f32;
+    var phi_2780_: f32;
+    var phi_2781_: f32;
+    var phi_2789_: f32;
+    var phi_2804_: f32;
+    var phi_2805_: bool;
+    var phi_2806_: f32;
+    var phi_2807_: bool;
+    var phi_2808_: f32;
     var phi_2809_: bool;
-    var phi_2810_: f32;
-    var phi_2811_: bool;
-    var phi_2812_: bool;
-    var phi_2816_: bool;
-    var phi_2817_: f32;
-    var phi_2818_: bool;
-    var phi_2846_: vec3<f32>;
-    var phi_2847_: vec3<f32>;
-    var phi_2872_: vec3<f32>;
-    var phi_2873_: vec3<f32>;
-    var phi_2898_: vec3<f32>;
-    var phi_2899_: vec3<f32>;
-    var phi_2955_: f32;
-    var phi_2964_: f32;
-    var phi_2973_: f32;
-    var phi_2982_: f32;
-    var phi_2989_: f32;
-    var phi_2996_: f32;
+    var phi_2827_: f32;
+    var phi_2828_: bool;
+    var phi_2829_: bool;
+    var phi_2830_: f32;
+    var phi_2831_: bool;
+    var phi_2832_: bool;
+    var phi_2836_: bool;
+    var phi_2837_: f32;
+    var phi_2838_: bool;
+    var phi_2866_: vec3<f32>;
+    var phi_2867_: vec3<f32>;
+    var phi_2892_: vec3<f32>;
+    var phi_2893_: vec3<f32>;
+    var phi_2918_: vec3<f32>;
+    var phi_2919_: vec3<f32>;
+    var phi_2975_: f32;
+    var phi_2984_: f32;
+    var phi_2993_: f32;
+    var phi_3002_: f32;
     var phi_3009_: f32;
-    var phi_3018_: f32;
-    var phi_3027_: f32;
-    var phi_3036_: f32;
-    var phi_3043_: f32;
-    var phi_3050_: f32;
-    var phi_3067_: f32;
-    var phi_3072_: f32;
-    var phi_3077_: f32;
-    var phi_3085_: f32;
-    var phi_3090_: f32;
-    var phi_3095_: f32;
-    var phi_3107_: f32;
-    var phi_3112_: f32;
-    var phi_3117_: f32;
-    var phi_3122_: f32;
-    var phi_3127_: lt_bvh_triangle_Intersection;
-    var phi_3128_: bool;
-    var phi_3129_: lt_bvh_triangle_Intersection;
-    var phi_3130_: bool;
-    var phi_3134_: lt_bvh_triangle_Intersection;
-    var phi_3135_: bool;
-    var phi_3136_: lt_bvh_triangle_Intersection;
-    var phi_3137_: bool;
-    var phi_3138_: bool;
-    var phi_3142_: bool;
-    var phi_3146_: lt_bvh_triangle_Intersection;
-    var phi_3166_: bool;
-    var phi_3167_: bool;
-    var phi_3168_: bool;
-    var phi_3169_: bool;
-    var phi_3170_: bool;
-    var phi_3171_: bool;
-    var phi_3172_: bool;
-    var phi_2576_: u32;
-    var phi_2579_: bool;
-    var phi_3176_: bool;
-    var local_7: bool;
-    var phi_3218_: bool;
-    var phi_3219_: bool;
-    var phi_3250_: u32;
-    var phi_3251_: u32;
-    var phi_2244_: u32;
-    var phi_2247_: bool;
-    var phi_3252_: bool;
-    var phi_3253_: bool;
-    var local_8: bool;
-    var phi_3257_: bool;
-    var phi_3261_: bool;
-    var phi_3262_: bool;
-    var phi_3263_: bool;
-    var phi_3264_: bool;
-    var phi_3268_: bool;
-    var phi_3269_: bool;
-    var phi_3270_: bool;
-    var phi_3274_: f32;
-    var phi_3315_: u32;
-    var phi_3334_: u32;
-    var phi_3342_: u32;
-    var phi_3350_: u32;
-    var phi_3355_: u32;
+    var phi_3016_: f32;
+    var phi_3029_: f32;
+    var phi_3038_: f32;
+    var phi_3047_: f32;
+    var phi_3056_: f32;
+    var phi_3063_: f32;
+    var phi_3070_: f32;
+    var phi_3087_: f32;
+    var phi_3092_: f32;
+    var phi_3097_: f32;
+    var phi_3105_: f32;
+    var phi_3110_: f32;
+    var phi_3115_: f32;
+    var phi_3127_: f32;
+    var phi_3132_: f32;
+    var phi_3137_: f32;
+    var phi_3142_: f32;
+    var phi_3147_: lt_bvh_triangle_Intersection;
+    var phi_3148_: bool;
+    var phi_3149_: lt_bvh_triangle_Intersection;
+    var phi_3150_: bool;
+    var phi_3154_: lt_bvh_triangle_Intersection;
+    var phi_3155_: bool;
+    var phi_3156_: lt_bvh_triangle_Intersection;
+    var phi_3157_: bool;
+    var phi_3158_: bool;
+    var phi_3162_: bool;
+    var phi_3166_: lt_bvh_triangle_Intersection;
+    var phi_3186_: bool;
+    var phi_3187_: bool;
+    var phi_3188_: bool;
+    var phi_3189_: bool;
+    var phi_3190_: bool;
+    var phi_3191_: bool;
+    var phi_3192_: bool;
+    var phi_2596_: u32;
+    var phi_2599_: bool;
+    var phi_3196_: bool;
     var local_9: bool;
+    var phi_3238_: bool;
+    var phi_3239_: bool;
+    var phi_3270_: u32;
+    var phi_3271_: u32;
+    var phi_2264_: u32;
+    var phi_2267_: bool;
+    var phi_3272_: bool;
+    var phi_3273_: bool;
     var local_10: bool;
-    var local_11: bool;
+    var phi_3277_: bool;
+    var phi_3281_: bool;
+    var phi_3282_: bool;
+    var phi_3283_: bool;
+    var phi_3284_: bool;
+    var phi_3288_: bool;
+    var phi_3289_: bool;
+    var phi_3290_: bool;
+    var phi_3294_: f32;
+    var phi_3335_: u32;
+    var phi_3354_: u32;
+    var phi_3362_: u32;
+    var phi_3370_: u32;
+    var phi_3375_: u32;
+    var local_11: u32;
     var local_12: bool;
     var local_13: bool;
-    var local_14: bool;
-    var local_15: bool;
+    var local_14: u32;
+    var local_15: u32;
     var local_16: bool;
+    var local_17: bool;
+    var local_18: bool;
+    var local_19: bool;
+    var local_20: bool;
+    var local_21: bool;
 
     let _e69 = id_1;
     let _e76 = arrayLength((&nodes.member));
@@ -966,8 +979,8 @@ fn function_() {
                 }
                 let _e366 = phi_584_;
                 if (_e366.unnamed_1 == 4294967295u) {
-                    phi_1807_ = false;
-                    phi_1808_ = true;
+                    phi_1827_ = false;
+                    phi_1828_ = true;
                 } else {
                     if (0u < _e76) {
                     } else {
@@ -1107,2128 +1120,2175 @@ fn function_() {
                         let _e536 = phi_780_;
                         let _e538 = phi_783_;
                         let _e539 = (_e536 == 0u);
-                        local_3 = _e539;
+                        local_5 = _e539;
                         if _e539 {
                             phi_781_ = u32();
                             phi_784_ = u32();
-                            phi_1788_ = false;
-                            phi_1789_ = false;
-                            phi_1790_ = false;
+                            phi_1808_ = false;
+                            phi_1809_ = false;
+                            phi_1810_ = false;
                         } else {
-                            let _e547 = (_e536 & (_e536 - 1u));
-                            let _e548 = (((_e536 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e536), 32u, (_e536 == 0u))) * 4u);
-                            if (_e548 < _e91) {
-                            } else {
-                                return;
-                            }
-                            let _e552 = rows.member[(0u + _e548)];
-                            let _e553 = (_e548 + 1u);
-                            if (_e553 < _e91) {
-                            } else {
-                                return;
-                            }
-                            let _e557 = rows.member[(0u + _e553)];
-                            let _e558 = (_e548 + 2u);
-                            if (_e558 < _e91) {
-                            } else {
-                                return;
-                            }
-                            let _e562 = rows.member[(0u + _e558)];
-                            let _e563 = (_e548 + 3u);
-                            if (_e563 < _e91) {
-                            } else {
-                                return;
-                            }
-                            let _e567 = rows.member[(0u + _e563)];
-                            let _e568 = lt_bvh_LightNode(_e552, _e557, _e562, _e567);
-                            let _e580 = (_e366.unnamed.positive_exponent - bitcast<f32>(_e568.frame.x));
-                            let _e583 = bitcast<f32>((((_e568.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e580 > 0f) {
-                                if (_e580 < (255f * _e583)) {
-                                    phi_852_ = (_e580 / _e583);
+                            phi_792_ = _e536;
+                            phi_795_ = 0u;
+                            phi_797_ = 0u;
+                            phi_799_ = _e538;
+                            loop {
+                                let _e541 = phi_792_;
+                                let _e543 = phi_795_;
+                                let _e545 = phi_797_;
+                                let _e547 = phi_799_;
+                                local_11 = _e545;
+                                local_3 = _e543;
+                                local_14 = _e541;
+                                local_15 = _e547;
+                                let _e548 = (_e541 == 0u);
+                                local_2 = _e548;
+                                if _e548 {
+                                    phi_793_ = u32();
+                                    phi_796_ = u32();
+                                    phi_798_ = u32();
+                                    phi_800_ = u32();
+                                    phi_1146_ = false;
                                 } else {
-                                    phi_852_ = 255f;
-                                }
-                                let _e589 = phi_852_;
-                                phi_853_ = _e589;
-                            } else {
-                                phi_853_ = 0f;
-                            }
-                            let _e591 = phi_853_;
-                            let _e598 = select(select(u32(_e591), 0u, (_e591 < bitcast<f32>(0u))), 4294967295u, (_e591 > bitcast<f32>(1333788671u)));
-                            if (f32(_e598) < _e591) {
-                                phi_867_ = (_e598 + 1u);
-                            } else {
-                                phi_867_ = _e598;
-                            }
-                            let _e603 = phi_867_;
-                            let _e604 = (_e598 * 16843009u);
-                            let _e605 = (_e603 * 16843009u);
-                            let _e615 = (_e366.unnamed.negative_exponent - bitcast<f32>(_e568.frame.y));
-                            let _e618 = bitcast<f32>((((_e568.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e615 > 0f) {
-                                if (_e615 < (255f * _e618)) {
-                                    phi_890_ = (_e615 / _e618);
-                                } else {
-                                    phi_890_ = 255f;
-                                }
-                                let _e624 = phi_890_;
-                                phi_891_ = _e624;
-                            } else {
-                                phi_891_ = 0f;
-                            }
-                            let _e626 = phi_891_;
-                            let _e633 = select(select(u32(_e626), 0u, (_e626 < bitcast<f32>(0u))), 4294967295u, (_e626 > bitcast<f32>(1333788671u)));
-                            if (f32(_e633) < _e626) {
-                                phi_905_ = (_e633 + 1u);
-                            } else {
-                                phi_905_ = _e633;
-                            }
-                            let _e638 = phi_905_;
-                            let _e639 = (_e633 * 16843009u);
-                            let _e640 = (_e638 * 16843009u);
-                            let _e650 = (_e366.unnamed.min_variance - bitcast<f32>(_e568.frame.z));
-                            let _e653 = bitcast<f32>((((_e568.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e650 > 0f) {
-                                if (_e650 < (255f * _e653)) {
-                                    phi_928_ = (_e650 / _e653);
-                                } else {
-                                    phi_928_ = 255f;
-                                }
-                                let _e659 = phi_928_;
-                                phi_929_ = _e659;
-                            } else {
-                                phi_929_ = 0f;
-                            }
-                            let _e661 = phi_929_;
-                            let _e668 = select(select(u32(_e661), 0u, (_e661 < bitcast<f32>(0u))), 4294967295u, (_e661 > bitcast<f32>(1333788671u)));
-                            if (f32(_e668) < _e661) {
-                                phi_943_ = (_e668 + 1u);
-                            } else {
-                                phi_943_ = _e668;
-                            }
-                            let _e673 = phi_943_;
-                            let _e674 = (_e673 * 16843009u);
-                            let _e807 = (((((((((((_e604 & ~(_e568.x.x)) | (~((_e568.x.x ^ _e604)) & ((_e604 | 2155905152u) - (_e568.x.x & 2139062143u)))) & ((_e568.x.z & ~(_e605)) | (~((_e605 ^ _e568.x.z)) & ((_e568.x.z | 2155905152u) - (_e605 & 2139062143u))))) & ((_e639 & ~(_e568.y.x)) | (~((_e568.y.x ^ _e639)) & ((_e639 | 2155905152u) - (_e568.y.x & 2139062143u))))) & ((_e568.y.z & ~(_e640)) | (~((_e640 ^ _e568.y.z)) & ((_e568.y.z | 2155905152u) - (_e640 & 2139062143u))))) & ((_e568.rest.x & ~(_e674)) | (~((_e674 ^ _e568.rest.x)) & ((_e568.rest.x | 2155905152u) - (_e674 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e604 & ~(_e568.x.y)) | (~((_e568.x.y ^ _e604)) & ((_e604 | 2155905152u) - (_e568.x.y & 2139062143u)))) & ((_e568.x.w & ~(_e605)) | (~((_e605 ^ _e568.x.w)) & ((_e568.x.w | 2155905152u) - (_e605 & 2139062143u))))) & ((_e639 & ~(_e568.y.y)) | (~((_e568.y.y ^ _e639)) & ((_e639 | 2155905152u) - (_e568.y.y & 2139062143u))))) & ((_e568.y.w & ~(_e640)) | (~((_e640 ^ _e568.y.w)) & ((_e568.y.w | 2155905152u) - (_e640 & 2139062143u))))) & ((_e568.rest.y & ~(_e674)) | (~((_e674 ^ _e568.rest.y)) & ((_e568.rest.y | 2155905152u) - (_e674 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                            if ((_e568.frame.w & 16777216u) != 0u) {
-                                phi_1070_ = _e807;
-                                loop {
-                                    let _e813 = phi_1070_;
-                                    let _e814 = (_e813 == 0u);
-                                    local_2 = _e814;
-                                    local_11 = _e814;
-                                    if _e814 {
-                                        phi_1071_ = u32();
-                                        phi_1720_ = false;
-                                        phi_1721_ = false;
-                                        phi_1722_ = false;
-                                    } else {
-                                        let _e817 = select(firstTrailingBit(_e813), 32u, (_e813 == 0u));
-                                        let _e822 = (_e568.rest.z + (_e817 >> bitcast<u32>(2i)));
-                                        if (_e822 < _e91) {
+                                    let _e549 = (_e545 == 0u);
+                                    if _e549 {
+                                        let _e556 = (((_e541 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e541), 32u, (_e541 == 0u))) * 4u);
+                                        if (_e556 < _e91) {
                                         } else {
                                             return;
                                         }
-                                        let _e827 = rows.member[(0u + _e822)][0u];
-                                        let _e831 = rows.member[(0u + _e822)][1u];
-                                        let _e835 = rows.member[(0u + _e822)][2u];
-                                        let _e839 = rows.member[(0u + _e822)][3u];
-                                        if ((_e817 & 2u) == 0u) {
-                                            phi_1110_ = _e831;
-                                            phi_1111_ = _e827;
-                                        } else {
-                                            phi_1110_ = _e839;
-                                            phi_1111_ = _e835;
-                                        }
-                                        let _e843 = phi_1110_;
-                                        let _e845 = phi_1111_;
-                                        if ((_e817 & 1u) == 0u) {
-                                            phi_1117_ = _e845;
-                                        } else {
-                                            phi_1117_ = _e843;
-                                        }
-                                        let _e849 = phi_1117_;
-                                        if (_e849 < _e79) {
+                                        let _e560 = rows.member[(0u + _e556)];
+                                        let _e561 = (_e556 + 1u);
+                                        if (_e561 < _e91) {
                                         } else {
                                             return;
                                         }
-                                        let _e856 = triangles.member[(0u + _e849)].v0_;
-                                        let _e858 = (_e856.x - _e126);
-                                        let _e860 = (_e856.y - _e128);
-                                        let _e862 = (_e856.z - _e130);
-                                        if (_e515 == 0u) {
-                                            phi_1147_ = vec3<f32>(_e860, _e862, _e858);
-                                        } else {
-                                            if (_e515 == 1u) {
-                                                phi_1146_ = vec3<f32>(_e862, _e858, _e860);
-                                            } else {
-                                                phi_1146_ = (_e856 - vec3<f32>(_e126, _e128, _e130));
-                                            }
-                                            let _e870 = phi_1146_;
-                                            phi_1147_ = _e870;
-                                        }
-                                        let _e872 = phi_1147_;
-                                        let _e876 = (_e872.x - (_e526 * _e872.z));
-                                        let _e880 = (_e872.y - (_e529 * _e872.z));
-                                        let _e882 = triangles.member[(0u + _e849)].v1_;
-                                        let _e884 = (_e882.x - _e126);
-                                        let _e886 = (_e882.y - _e128);
-                                        let _e888 = (_e882.z - _e130);
-                                        if (_e515 == 0u) {
-                                            phi_1177_ = vec3<f32>(_e886, _e888, _e884);
-                                        } else {
-                                            if (_e515 == 1u) {
-                                                phi_1176_ = vec3<f32>(_e888, _e884, _e886);
-                                            } else {
-                                                phi_1176_ = (_e882 - vec3<f32>(_e126, _e128, _e130));
-                                            }
-                                            let _e896 = phi_1176_;
-                                            phi_1177_ = _e896;
-                                        }
-                                        let _e898 = phi_1177_;
-                                        let _e902 = (_e898.x - (_e526 * _e898.z));
-                                        let _e906 = (_e898.y - (_e529 * _e898.z));
-                                        let _e908 = triangles.member[(0u + _e849)].v2_;
-                                        let _e910 = (_e908.x - _e126);
-                                        let _e912 = (_e908.y - _e128);
-                                        let _e914 = (_e908.z - _e130);
-                                        if (_e515 == 0u) {
-                                            phi_1207_ = vec3<f32>(_e912, _e914, _e910);
-                                        } else {
-                                            if (_e515 == 1u) {
-                                                phi_1206_ = vec3<f32>(_e914, _e910, _e912);
-                                            } else {
-                                                phi_1206_ = (_e908 - vec3<f32>(_e126, _e128, _e130));
-                                            }
-                                            let _e922 = phi_1206_;
-                                            phi_1207_ = _e922;
-                                        }
-                                        let _e924 = phi_1207_;
-                                        let _e928 = (_e924.x - (_e526 * _e924.z));
-                                        let _e932 = (_e924.y - (_e529 * _e924.z));
-                                        if (_e902 < _e928) {
-                                            phi_1226_ = true;
-                                        } else {
-                                            if (_e902 == _e928) {
-                                                phi_1225_ = (_e906 < _e932);
-                                            } else {
-                                                phi_1225_ = false;
-                                            }
-                                            let _e937 = phi_1225_;
-                                            phi_1226_ = _e937;
-                                        }
-                                        let _e939 = phi_1226_;
-                                        if _e939 {
-                                            phi_1230_ = _e932;
-                                            phi_1231_ = _e928;
-                                            phi_1232_ = _e906;
-                                            phi_1233_ = _e902;
-                                        } else {
-                                            phi_1230_ = _e906;
-                                            phi_1231_ = _e902;
-                                            phi_1232_ = _e932;
-                                            phi_1233_ = _e928;
-                                        }
-                                        let _e941 = phi_1230_;
-                                        let _e943 = phi_1231_;
-                                        let _e945 = phi_1232_;
-                                        let _e947 = phi_1233_;
-                                        let _e950 = ((_e947 * _e941) - (_e945 * _e943));
-                                        if _e939 {
-                                            phi_1241_ = -(_e950);
-                                        } else {
-                                            phi_1241_ = _e950;
-                                        }
-                                        let _e953 = phi_1241_;
-                                        if (_e928 < _e876) {
-                                            phi_1252_ = true;
-                                        } else {
-                                            if (_e928 == _e876) {
-                                                phi_1251_ = (_e932 < _e880);
-                                            } else {
-                                                phi_1251_ = false;
-                                            }
-                                            let _e958 = phi_1251_;
-                                            phi_1252_ = _e958;
-                                        }
-                                        let _e960 = phi_1252_;
-                                        if _e960 {
-                                            phi_1256_ = _e880;
-                                            phi_1257_ = _e876;
-                                            phi_1258_ = _e932;
-                                            phi_1259_ = _e928;
-                                        } else {
-                                            phi_1256_ = _e932;
-                                            phi_1257_ = _e928;
-                                            phi_1258_ = _e880;
-                                            phi_1259_ = _e876;
-                                        }
-                                        let _e962 = phi_1256_;
-                                        let _e964 = phi_1257_;
-                                        let _e966 = phi_1258_;
-                                        let _e968 = phi_1259_;
-                                        let _e971 = ((_e968 * _e962) - (_e966 * _e964));
-                                        if _e960 {
-                                            phi_1267_ = -(_e971);
-                                        } else {
-                                            phi_1267_ = _e971;
-                                        }
-                                        let _e974 = phi_1267_;
-                                        if (_e876 < _e902) {
-                                            phi_1278_ = true;
-                                        } else {
-                                            if (_e876 == _e902) {
-                                                phi_1277_ = (_e880 < _e906);
-                                            } else {
-                                                phi_1277_ = false;
-                                            }
-                                            let _e979 = phi_1277_;
-                                            phi_1278_ = _e979;
-                                        }
-                                        let _e981 = phi_1278_;
-                                        if _e981 {
-                                            phi_1282_ = _e906;
-                                            phi_1283_ = _e902;
-                                            phi_1284_ = _e880;
-                                            phi_1285_ = _e876;
-                                        } else {
-                                            phi_1282_ = _e880;
-                                            phi_1283_ = _e876;
-                                            phi_1284_ = _e906;
-                                            phi_1285_ = _e902;
-                                        }
-                                        let _e983 = phi_1282_;
-                                        let _e985 = phi_1283_;
-                                        let _e987 = phi_1284_;
-                                        let _e989 = phi_1285_;
-                                        let _e992 = ((_e989 * _e983) - (_e987 * _e985));
-                                        if _e981 {
-                                            phi_1293_ = -(_e992);
-                                        } else {
-                                            phi_1293_ = _e992;
-                                        }
-                                        let _e995 = phi_1293_;
-                                        if (_e953 >= 0f) {
-                                            if (_e974 >= 0f) {
-                                                if (_e995 >= 0f) {
-                                                    phi_1308_ = ((_e953 + _e974) + _e995);
-                                                    phi_1309_ = false;
-                                                } else {
-                                                    phi_1308_ = f32();
-                                                    phi_1309_ = true;
-                                                }
-                                                let _e1002 = phi_1308_;
-                                                let _e1004 = phi_1309_;
-                                                phi_1310_ = _e1002;
-                                                phi_1311_ = _e1004;
-                                            } else {
-                                                phi_1310_ = f32();
-                                                phi_1311_ = true;
-                                            }
-                                            let _e1006 = phi_1310_;
-                                            let _e1008 = phi_1311_;
-                                            phi_1312_ = _e1006;
-                                            phi_1313_ = _e1008;
-                                        } else {
-                                            phi_1312_ = f32();
-                                            phi_1313_ = true;
-                                        }
-                                        let _e1010 = phi_1312_;
-                                        let _e1012 = phi_1313_;
-                                        if _e1012 {
-                                            if (_e953 <= 0f) {
-                                                if (_e974 <= 0f) {
-                                                    let _e1015 = (_e995 <= 0f);
-                                                    if _e1015 {
-                                                    }
-                                                    phi_1331_ = ((_e953 + _e974) + _e995);
-                                                    phi_1332_ = false;
-                                                    phi_1333_ = _e1015;
-                                                } else {
-                                                    phi_1331_ = f32();
-                                                    phi_1332_ = true;
-                                                    phi_1333_ = false;
-                                                }
-                                                let _e1019 = phi_1331_;
-                                                let _e1021 = phi_1332_;
-                                                let _e1023 = phi_1333_;
-                                                phi_1334_ = _e1019;
-                                                phi_1335_ = _e1021;
-                                                phi_1336_ = _e1023;
-                                            } else {
-                                                phi_1334_ = f32();
-                                                phi_1335_ = true;
-                                                phi_1336_ = false;
-                                            }
-                                            let _e1025 = phi_1334_;
-                                            let _e1027 = phi_1335_;
-                                            let _e1029 = phi_1336_;
-                                            if _e1027 {
-                                                phi_1340_ = false;
-                                            } else {
-                                                phi_1340_ = _e1029;
-                                            }
-                                            let _e1031 = phi_1340_;
-                                            phi_1341_ = _e1025;
-                                            phi_1342_ = _e1031;
-                                        } else {
-                                            phi_1341_ = _e1010;
-                                            phi_1342_ = true;
-                                        }
-                                        let _e1033 = phi_1341_;
-                                        let _e1035 = phi_1342_;
-                                        if _e1035 {
-                                            let _e1036 = (_e1033 == 0f);
-                                            if _e1036 {
-                                                phi_1658_ = lt_bvh_triangle_Intersection();
-                                                phi_1659_ = false;
-                                            } else {
-                                                let _e1038 = triangles.member[(0u + _e849)].v0_;
-                                                let _e1040 = (_e1038.x - _e126);
-                                                let _e1042 = (_e1038.y - _e128);
-                                                let _e1044 = (_e1038.z - _e130);
-                                                if (_e515 == 0u) {
-                                                    phi_1371_ = vec3<f32>(_e1042, _e1044, _e1040);
-                                                } else {
-                                                    if (_e515 == 1u) {
-                                                        phi_1370_ = vec3<f32>(_e1044, _e1040, _e1042);
-                                                    } else {
-                                                        phi_1370_ = (_e1038 - vec3<f32>(_e126, _e128, _e130));
-                                                    }
-                                                    let _e1052 = phi_1370_;
-                                                    phi_1371_ = _e1052;
-                                                }
-                                                let _e1054 = phi_1371_;
-                                                let _e1056 = triangles.member[(0u + _e849)].v1_;
-                                                let _e1058 = triangles.member[(0u + _e849)].v0_;
-                                                let _e1061 = (_e1056.x - _e1058.x);
-                                                let _e1064 = (_e1056.y - _e1058.y);
-                                                let _e1067 = (_e1056.z - _e1058.z);
-                                                if (_e515 == 0u) {
-                                                    phi_1397_ = vec3<f32>(_e1064, _e1067, _e1061);
-                                                } else {
-                                                    if (_e515 == 1u) {
-                                                        phi_1396_ = vec3<f32>(_e1067, _e1061, _e1064);
-                                                    } else {
-                                                        phi_1396_ = (_e1056 - _e1058);
-                                                    }
-                                                    let _e1074 = phi_1396_;
-                                                    phi_1397_ = _e1074;
-                                                }
-                                                let _e1076 = phi_1397_;
-                                                let _e1078 = triangles.member[(0u + _e849)].v2_;
-                                                let _e1080 = triangles.member[(0u + _e849)].v0_;
-                                                let _e1083 = (_e1078.x - _e1080.x);
-                                                let _e1086 = (_e1078.y - _e1080.y);
-                                                let _e1089 = (_e1078.z - _e1080.z);
-                                                if (_e515 == 0u) {
-                                                    phi_1423_ = vec3<f32>(_e1086, _e1089, _e1083);
-                                                } else {
-                                                    if (_e515 == 1u) {
-                                                        phi_1422_ = vec3<f32>(_e1089, _e1083, _e1086);
-                                                    } else {
-                                                        phi_1422_ = (_e1078 - _e1080);
-                                                    }
-                                                    let _e1096 = phi_1422_;
-                                                    phi_1423_ = _e1096;
-                                                }
-                                                let _e1098 = phi_1423_;
-                                                let _e1105 = ((_e1076.y * _e1098.z) - (_e1076.z * _e1098.y));
-                                                let _e1112 = ((_e1076.z * _e1098.x) - (_e1076.x * _e1098.z));
-                                                let _e1119 = ((_e1076.x * _e1098.y) - (_e1076.y * _e1098.x));
-                                                let _e1133 = (((1f / _e523.z) * (((_e1105 * _e1054.x) + (_e1112 * _e1054.y)) + (_e1119 * _e1054.z))) / (((_e1105 * _e526) + (_e1112 * _e529)) + _e1119));
-                                                if (_e1133 > 0f) {
-                                                    if (_e1133 < _e138) {
-                                                        let _e1137 = triangles.member[(0u + _e849)].v0_;
-                                                        let _e1139 = triangles.member[(0u + _e849)].v1_;
-                                                        if (_e1137.x < _e1139.x) {
-                                                            phi_1479_ = _e1137.x;
-                                                        } else {
-                                                            phi_1479_ = _e1139.x;
-                                                        }
-                                                        let _e1146 = phi_1479_;
-                                                        if (_e1137.y < _e1139.y) {
-                                                            phi_1488_ = _e1137.y;
-                                                        } else {
-                                                            phi_1488_ = _e1139.y;
-                                                        }
-                                                        let _e1153 = phi_1488_;
-                                                        if (_e1137.z < _e1139.z) {
-                                                            phi_1497_ = _e1137.z;
-                                                        } else {
-                                                            phi_1497_ = _e1139.z;
-                                                        }
-                                                        let _e1160 = phi_1497_;
-                                                        let _e1162 = triangles.member[(0u + _e849)].v2_;
-                                                        if (_e1146 < _e1162.x) {
-                                                            phi_1506_ = _e1146;
-                                                        } else {
-                                                            phi_1506_ = _e1162.x;
-                                                        }
-                                                        let _e1167 = phi_1506_;
-                                                        if (_e1153 < _e1162.y) {
-                                                            phi_1513_ = _e1153;
-                                                        } else {
-                                                            phi_1513_ = _e1162.y;
-                                                        }
-                                                        let _e1172 = phi_1513_;
-                                                        if (_e1160 < _e1162.z) {
-                                                            phi_1520_ = _e1160;
-                                                        } else {
-                                                            phi_1520_ = _e1162.z;
-                                                        }
-                                                        let _e1177 = phi_1520_;
-                                                        let _e1179 = triangles.member[(0u + _e849)].v0_;
-                                                        let _e1181 = triangles.member[(0u + _e849)].v1_;
-                                                        if (_e1179.x > _e1181.x) {
-                                                            phi_1533_ = _e1179.x;
-                                                        } else {
-                                                            phi_1533_ = _e1181.x;
-                                                        }
-                                                        let _e1188 = phi_1533_;
-                                                        if (_e1179.y > _e1181.y) {
-                                                            phi_1542_ = _e1179.y;
-                                                        } else {
-                                                            phi_1542_ = _e1181.y;
-                                                        }
-                                                        let _e1195 = phi_1542_;
-                                                        if (_e1179.z > _e1181.z) {
-                                                            phi_1551_ = _e1179.z;
-                                                        } else {
-                                                            phi_1551_ = _e1181.z;
-                                                        }
-                                                        let _e1202 = phi_1551_;
-                                                        let _e1204 = triangles.member[(0u + _e849)].v2_;
-                                                        if (_e1188 > _e1204.x) {
-                                                            phi_1560_ = _e1188;
-                                                        } else {
-                                                            phi_1560_ = _e1204.x;
-                                                        }
-                                                        let _e1209 = phi_1560_;
-                                                        if (_e1195 > _e1204.y) {
-                                                            phi_1567_ = _e1195;
-                                                        } else {
-                                                            phi_1567_ = _e1204.y;
-                                                        }
-                                                        let _e1214 = phi_1567_;
-                                                        if (_e1202 > _e1204.z) {
-                                                            phi_1574_ = _e1202;
-                                                        } else {
-                                                            phi_1574_ = _e1204.z;
-                                                        }
-                                                        let _e1219 = phi_1574_;
-                                                        let _e1223 = ((_e1167 - _e126) * _e444);
-                                                        let _e1224 = ((_e1172 - _e128) * _e454);
-                                                        let _e1225 = ((_e1177 - _e130) * _e464);
-                                                        let _e1229 = ((_e1209 - _e126) * _e444);
-                                                        let _e1230 = ((_e1214 - _e128) * _e454);
-                                                        let _e1231 = ((_e1219 - _e130) * _e464);
-                                                        if (_e1223 < _e1229) {
-                                                            phi_1591_ = _e1223;
-                                                        } else {
-                                                            phi_1591_ = _e1229;
-                                                        }
-                                                        let _e1234 = phi_1591_;
-                                                        if (_e1224 < _e1230) {
-                                                            phi_1596_ = _e1224;
-                                                        } else {
-                                                            phi_1596_ = _e1230;
-                                                        }
-                                                        let _e1237 = phi_1596_;
-                                                        if (_e1225 < _e1231) {
-                                                            phi_1601_ = _e1225;
-                                                        } else {
-                                                            phi_1601_ = _e1231;
-                                                        }
-                                                        let _e1240 = phi_1601_;
-                                                        if (_e1223 > _e1229) {
-                                                            phi_1609_ = _e1223;
-                                                        } else {
-                                                            phi_1609_ = _e1229;
-                                                        }
-                                                        let _e1246 = phi_1609_;
-                                                        if (_e1224 > _e1230) {
-                                                            phi_1614_ = _e1224;
-                                                        } else {
-                                                            phi_1614_ = _e1230;
-                                                        }
-                                                        let _e1249 = phi_1614_;
-                                                        if (_e1225 > _e1231) {
-                                                            phi_1619_ = _e1225;
-                                                        } else {
-                                                            phi_1619_ = _e1231;
-                                                        }
-                                                        let _e1252 = phi_1619_;
-                                                        let _e1256 = core_intrinsics_maximum_number_nsz_f32_((_e1234 - _e499), (_e1237 - _e500));
-                                                        let _e1257 = core_intrinsics_maximum_number_nsz_f32_(_e1256, (_e1240 - _e501));
-                                                        let _e1258 = core_intrinsics_minimum_number_nsz_f32_((_e1246 + _e499), (_e1249 + _e500));
-                                                        let _e1259 = core_intrinsics_minimum_number_nsz_f32_(_e1258, (_e1252 + _e501));
-                                                        if (_e1257 > -300000000000000000000000000000000000000f) {
-                                                            phi_1631_ = _e1257;
-                                                        } else {
-                                                            phi_1631_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1262 = phi_1631_;
-                                                        if (_e1259 < 300000000000000000000000000000000000000f) {
-                                                            phi_1636_ = _e1259;
-                                                        } else {
-                                                            phi_1636_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1265 = phi_1636_;
-                                                        if (_e1133 < _e1262) {
-                                                            phi_1641_ = _e1262;
-                                                        } else {
-                                                            phi_1641_ = _e1133;
-                                                        }
-                                                        let _e1268 = phi_1641_;
-                                                        if (_e1268 > _e1265) {
-                                                            phi_1646_ = _e1265;
-                                                        } else {
-                                                            phi_1646_ = _e1268;
-                                                        }
-                                                        let _e1271 = phi_1646_;
-                                                        phi_1651_ = lt_bvh_triangle_Intersection(_e1271, (_e974 / _e1033), (_e995 / _e1033), (_e1262 <= _e1265));
-                                                        phi_1652_ = false;
-                                                    } else {
-                                                        phi_1651_ = lt_bvh_triangle_Intersection();
-                                                        phi_1652_ = true;
-                                                    }
-                                                    let _e1277 = phi_1651_;
-                                                    let _e1279 = phi_1652_;
-                                                    phi_1653_ = _e1277;
-                                                    phi_1654_ = _e1279;
-                                                } else {
-                                                    phi_1653_ = lt_bvh_triangle_Intersection();
-                                                    phi_1654_ = true;
-                                                }
-                                                let _e1281 = phi_1653_;
-                                                let _e1283 = phi_1654_;
-                                                if _e1283 {
-                                                }
-                                                phi_1658_ = _e1281;
-                                                phi_1659_ = _e1283;
-                                            }
-                                            let _e1285 = phi_1658_;
-                                            let _e1287 = phi_1659_;
-                                            phi_1660_ = _e1285;
-                                            phi_1661_ = _e1036;
-                                            phi_1662_ = _e1287;
-                                        } else {
-                                            phi_1660_ = lt_bvh_triangle_Intersection();
-                                            phi_1661_ = true;
-                                            phi_1662_ = false;
-                                        }
-                                        let _e1289 = phi_1660_;
-                                        let _e1291 = phi_1661_;
-                                        let _e1293 = phi_1662_;
-                                        if _e1291 {
-                                            phi_1666_ = true;
-                                        } else {
-                                            phi_1666_ = _e1293;
-                                        }
-                                        let _e1295 = phi_1666_;
-                                        if _e1295 {
-                                            phi_1670_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                        } else {
-                                            phi_1670_ = _e1289;
-                                        }
-                                        let _e1297 = phi_1670_;
-                                        if _e1297.is_hit {
-                                            if (_e1297.t > 0f) {
-                                                if (_e1297.t < _e138) {
-                                                    let _e1304 = triangles.member[(0u + _e849)].i0_;
-                                                    let _e1306 = ((_e1304 & 2147483648u) == 0u);
-                                                    if _e1306 {
-                                                        phi_1696_ = false;
-                                                        phi_1697_ = false;
-                                                    } else {
-                                                        if true {
-                                                            phi_1695_ = false;
-                                                        } else {
-                                                            phi_1695_ = true;
-                                                        }
-                                                        let _e1308 = phi_1695_;
-                                                        phi_1696_ = _e1308;
-                                                        phi_1697_ = true;
-                                                    }
-                                                    let _e1310 = phi_1696_;
-                                                    let _e1312 = phi_1697_;
-                                                    phi_1698_ = _e1310;
-                                                    phi_1699_ = _e1306;
-                                                    phi_1700_ = _e1312;
-                                                } else {
-                                                    phi_1698_ = true;
-                                                    phi_1699_ = false;
-                                                    phi_1700_ = false;
-                                                }
-                                                let _e1314 = phi_1698_;
-                                                let _e1316 = phi_1699_;
-                                                let _e1318 = phi_1700_;
-                                                phi_1701_ = false;
-                                                phi_1702_ = _e1314;
-                                                phi_1703_ = _e1316;
-                                                phi_1704_ = _e1318;
-                                            } else {
-                                                phi_1701_ = true;
-                                                phi_1702_ = false;
-                                                phi_1703_ = false;
-                                                phi_1704_ = false;
-                                            }
-                                            let _e1320 = phi_1701_;
-                                            let _e1322 = phi_1702_;
-                                            let _e1324 = phi_1703_;
-                                            let _e1326 = phi_1704_;
-                                            phi_1705_ = _e1320;
-                                            phi_1706_ = _e1322;
-                                            phi_1707_ = _e1324;
-                                            phi_1708_ = _e1326;
-                                        } else {
-                                            phi_1705_ = true;
-                                            phi_1706_ = false;
-                                            phi_1707_ = false;
-                                            phi_1708_ = false;
-                                        }
-                                        let _e1328 = phi_1705_;
-                                        let _e1330 = phi_1706_;
-                                        let _e1332 = phi_1707_;
-                                        let _e1334 = phi_1708_;
-                                        if _e1328 {
-                                            phi_1712_ = true;
-                                            phi_1713_ = false;
-                                            phi_1714_ = false;
-                                        } else {
-                                            phi_1712_ = _e1330;
-                                            phi_1713_ = _e1332;
-                                            phi_1714_ = _e1334;
-                                        }
-                                        let _e1336 = phi_1712_;
-                                        let _e1338 = phi_1713_;
-                                        let _e1340 = phi_1714_;
-                                        if _e1336 {
-                                            phi_1718_ = false;
-                                            phi_1719_ = false;
-                                        } else {
-                                            phi_1718_ = _e1338;
-                                            phi_1719_ = _e1340;
-                                        }
-                                        let _e1342 = phi_1718_;
-                                        let _e1344 = phi_1719_;
-                                        phi_1071_ = (_e813 & (_e813 - 1u));
-                                        phi_1720_ = _e1336;
-                                        phi_1721_ = _e1342;
-                                        phi_1722_ = _e1344;
-                                    }
-                                    let _e1346 = phi_1071_;
-                                    let _e1348 = phi_1720_;
-                                    let _e1350 = phi_1721_;
-                                    let _e1352 = phi_1722_;
-                                    local_9 = _e1350;
-                                    local_10 = _e1352;
-                                    continue;
-                                    continuing {
-                                        phi_1070_ = _e1346;
-                                        break if !(_e1348);
-                                    }
-                                }
-                                let _e1355 = local_2;
-                                if _e1355 {
-                                    phi_1726_ = false;
-                                    phi_1727_ = false;
-                                } else {
-                                    let _e3121 = local_9;
-                                    phi_1726_ = _e3121;
-                                    let _e3124 = local_10;
-                                    phi_1727_ = _e3124;
-                                }
-                                let _e1357 = phi_1726_;
-                                let _e1359 = phi_1727_;
-                                phi_1755_ = _e547;
-                                phi_1756_ = _e538;
-                                let _e3133 = local_11;
-                                phi_1757_ = _e3133;
-                                phi_1758_ = _e1357;
-                                phi_1759_ = _e1359;
-                            } else {
-                                if (_e807 == 0u) {
-                                    phi_1753_ = _e547;
-                                    phi_1754_ = _e538;
-                                } else {
-                                    if ((_e547 & 255u) == 0u) {
-                                        phi_1749_ = _e538;
-                                    } else {
-                                        if (_e538 < 32u) {
-                                            if (_e538 < 32u) {
-                                            } else {
-                                                return;
-                                            }
-                                            local_1[(0u + _e538)] = _e547;
-                                            phi_1748_ = (_e538 + 1u);
-                                        } else {
-                                            phi_1748_ = _e538;
-                                        }
-                                        let _e1369 = phi_1748_;
-                                        phi_1749_ = _e1369;
-                                    }
-                                    let _e1371 = phi_1749_;
-                                    phi_1753_ = ((_e568.rest.z << bitcast<u32>(8i)) | _e807);
-                                    phi_1754_ = _e1371;
-                                }
-                                let _e1378 = phi_1753_;
-                                let _e1380 = phi_1754_;
-                                phi_1755_ = _e1378;
-                                phi_1756_ = _e1380;
-                                phi_1757_ = true;
-                                phi_1758_ = false;
-                                phi_1759_ = false;
-                            }
-                            let _e1382 = phi_1755_;
-                            let _e1384 = phi_1756_;
-                            let _e1386 = phi_1757_;
-                            let _e1388 = phi_1758_;
-                            let _e1390 = phi_1759_;
-                            if _e1386 {
-                                if ((_e1382 & 255u) == 0u) {
-                                    if (_e1384 > 0u) {
-                                        let _e1394 = (_e1384 - 1u);
-                                        if (_e1394 < 32u) {
+                                        let _e565 = rows.member[(0u + _e561)];
+                                        let _e566 = (_e556 + 2u);
+                                        if (_e566 < _e91) {
                                         } else {
                                             return;
                                         }
-                                        let _e1398 = local_1[(0u + _e1394)];
-                                        phi_1780_ = _e1398;
-                                        phi_1781_ = _e1394;
+                                        let _e570 = rows.member[(0u + _e566)];
+                                        let _e571 = (_e556 + 3u);
+                                        if (_e571 < _e91) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e575 = rows.member[(0u + _e571)];
+                                        let _e576 = lt_bvh_LightNode(_e560, _e565, _e570, _e575);
+                                        let _e578 = (_e541 & (_e541 - 1u));
+                                        let _e590 = (_e366.unnamed.positive_exponent - bitcast<f32>(_e576.frame.x));
+                                        let _e593 = bitcast<f32>((((_e576.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e590 > 0f) {
+                                            if (_e590 < (255f * _e593)) {
+                                                phi_872_ = (_e590 / _e593);
+                                            } else {
+                                                phi_872_ = 255f;
+                                            }
+                                            let _e599 = phi_872_;
+                                            phi_873_ = _e599;
+                                        } else {
+                                            phi_873_ = 0f;
+                                        }
+                                        let _e601 = phi_873_;
+                                        let _e608 = select(select(u32(_e601), 0u, (_e601 < bitcast<f32>(0u))), 4294967295u, (_e601 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e608) < _e601) {
+                                            phi_887_ = (_e608 + 1u);
+                                        } else {
+                                            phi_887_ = _e608;
+                                        }
+                                        let _e613 = phi_887_;
+                                        let _e614 = (_e608 * 16843009u);
+                                        let _e615 = (_e613 * 16843009u);
+                                        let _e625 = (_e366.unnamed.negative_exponent - bitcast<f32>(_e576.frame.y));
+                                        let _e628 = bitcast<f32>((((_e576.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e625 > 0f) {
+                                            if (_e625 < (255f * _e628)) {
+                                                phi_910_ = (_e625 / _e628);
+                                            } else {
+                                                phi_910_ = 255f;
+                                            }
+                                            let _e634 = phi_910_;
+                                            phi_911_ = _e634;
+                                        } else {
+                                            phi_911_ = 0f;
+                                        }
+                                        let _e636 = phi_911_;
+                                        let _e643 = select(select(u32(_e636), 0u, (_e636 < bitcast<f32>(0u))), 4294967295u, (_e636 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e643) < _e636) {
+                                            phi_925_ = (_e643 + 1u);
+                                        } else {
+                                            phi_925_ = _e643;
+                                        }
+                                        let _e648 = phi_925_;
+                                        let _e649 = (_e643 * 16843009u);
+                                        let _e650 = (_e648 * 16843009u);
+                                        let _e660 = (_e366.unnamed.min_variance - bitcast<f32>(_e576.frame.z));
+                                        let _e663 = bitcast<f32>((((_e576.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e660 > 0f) {
+                                            if (_e660 < (255f * _e663)) {
+                                                phi_948_ = (_e660 / _e663);
+                                            } else {
+                                                phi_948_ = 255f;
+                                            }
+                                            let _e669 = phi_948_;
+                                            phi_949_ = _e669;
+                                        } else {
+                                            phi_949_ = 0f;
+                                        }
+                                        let _e671 = phi_949_;
+                                        let _e678 = select(select(u32(_e671), 0u, (_e671 < bitcast<f32>(0u))), 4294967295u, (_e671 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e678) < _e671) {
+                                            phi_963_ = (_e678 + 1u);
+                                        } else {
+                                            phi_963_ = _e678;
+                                        }
+                                        let _e683 = phi_963_;
+                                        let _e684 = (_e683 * 16843009u);
+                                        let _e817 = (((((((((((_e614 & ~(_e576.x.x)) | (~((_e576.x.x ^ _e614)) & ((_e614 | 2155905152u) - (_e576.x.x & 2139062143u)))) & ((_e576.x.z & ~(_e615)) | (~((_e615 ^ _e576.x.z)) & ((_e576.x.z | 2155905152u) - (_e615 & 2139062143u))))) & ((_e649 & ~(_e576.y.x)) | (~((_e576.y.x ^ _e649)) & ((_e649 | 2155905152u) - (_e576.y.x & 2139062143u))))) & ((_e576.y.z & ~(_e650)) | (~((_e650 ^ _e576.y.z)) & ((_e576.y.z | 2155905152u) - (_e650 & 2139062143u))))) & ((_e576.rest.x & ~(_e684)) | (~((_e684 ^ _e576.rest.x)) & ((_e576.rest.x | 2155905152u) - (_e684 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e614 & ~(_e576.x.y)) | (~((_e576.x.y ^ _e614)) & ((_e614 | 2155905152u) - (_e576.x.y & 2139062143u)))) & ((_e576.x.w & ~(_e615)) | (~((_e615 ^ _e576.x.w)) & ((_e576.x.w | 2155905152u) - (_e615 & 2139062143u))))) & ((_e649 & ~(_e576.y.y)) | (~((_e576.y.y ^ _e649)) & ((_e649 | 2155905152u) - (_e576.y.y & 2139062143u))))) & ((_e576.y.w & ~(_e650)) | (~((_e650 ^ _e576.y.w)) & ((_e576.y.w | 2155905152u) - (_e650 & 2139062143u))))) & ((_e576.rest.y & ~(_e684)) | (~((_e684 ^ _e576.rest.y)) & ((_e576.rest.y | 2155905152u) - (_e684 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                                        if ((_e576.frame.w & 16777216u) != 0u) {
+                                            phi_1117_ = _e578;
+                                            phi_1118_ = _e576.rest.z;
+                                            phi_1119_ = _e817;
+                                            phi_1120_ = _e547;
+                                        } else {
+                                            if (_e817 == 0u) {
+                                                phi_1115_ = _e578;
+                                                phi_1116_ = _e547;
+                                            } else {
+                                                if ((_e578 & 255u) == 0u) {
+                                                    phi_1111_ = _e547;
+                                                } else {
+                                                    if (_e547 < 32u) {
+                                                        if (_e547 < 32u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        local_1[(0u + _e547)] = _e578;
+                                                        phi_1110_ = (_e547 + 1u);
+                                                    } else {
+                                                        phi_1110_ = _e547;
+                                                    }
+                                                    let _e833 = phi_1110_;
+                                                    phi_1111_ = _e833;
+                                                }
+                                                let _e835 = phi_1111_;
+                                                phi_1115_ = ((_e576.rest.z << bitcast<u32>(8i)) | _e817);
+                                                phi_1116_ = _e835;
+                                            }
+                                            let _e842 = phi_1115_;
+                                            let _e844 = phi_1116_;
+                                            phi_1117_ = _e842;
+                                            phi_1118_ = _e543;
+                                            phi_1119_ = _e545;
+                                            phi_1120_ = _e844;
+                                        }
+                                        let _e846 = phi_1117_;
+                                        let _e848 = phi_1118_;
+                                        let _e850 = phi_1119_;
+                                        let _e852 = phi_1120_;
+                                        if ((_e846 & 255u) == 0u) {
+                                            if (_e852 > 0u) {
+                                                let _e856 = (_e852 - 1u);
+                                                if (_e856 < 32u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e860 = local_1[(0u + _e856)];
+                                                phi_1138_ = _e860;
+                                                phi_1139_ = _e856;
+                                            } else {
+                                                phi_1138_ = 0u;
+                                                phi_1139_ = _e852;
+                                            }
+                                            let _e862 = phi_1138_;
+                                            let _e864 = phi_1139_;
+                                            phi_1140_ = _e862;
+                                            phi_1141_ = _e864;
+                                        } else {
+                                            phi_1140_ = _e846;
+                                            phi_1141_ = _e852;
+                                        }
+                                        let _e866 = phi_1140_;
+                                        let _e868 = phi_1141_;
+                                        phi_1142_ = _e866;
+                                        phi_1143_ = _e848;
+                                        phi_1144_ = _e850;
+                                        phi_1145_ = _e868;
                                     } else {
-                                        phi_1780_ = 0u;
-                                        phi_1781_ = _e1384;
+                                        phi_1142_ = u32();
+                                        phi_1143_ = u32();
+                                        phi_1144_ = u32();
+                                        phi_1145_ = u32();
                                     }
-                                    let _e1400 = phi_1780_;
-                                    let _e1402 = phi_1781_;
-                                    phi_1782_ = _e1400;
-                                    phi_1783_ = _e1402;
-                                } else {
-                                    phi_1782_ = _e1382;
-                                    phi_1783_ = _e1384;
+                                    let _e870 = phi_1142_;
+                                    let _e872 = phi_1143_;
+                                    let _e874 = phi_1144_;
+                                    let _e876 = phi_1145_;
+                                    phi_793_ = _e870;
+                                    phi_796_ = _e872;
+                                    phi_798_ = _e874;
+                                    phi_800_ = _e876;
+                                    phi_1146_ = _e549;
                                 }
-                                let _e1404 = phi_1782_;
-                                let _e1406 = phi_1783_;
-                                phi_1784_ = _e1404;
-                                phi_1785_ = _e1406;
-                                phi_1786_ = false;
-                                phi_1787_ = false;
-                            } else {
-                                phi_1784_ = u32();
-                                phi_1785_ = u32();
-                                phi_1786_ = _e1388;
-                                phi_1787_ = _e1390;
+                                let _e878 = phi_793_;
+                                let _e880 = phi_796_;
+                                let _e882 = phi_798_;
+                                let _e884 = phi_800_;
+                                let _e886 = phi_1146_;
+                                continue;
+                                continuing {
+                                    phi_792_ = _e878;
+                                    phi_795_ = _e880;
+                                    phi_797_ = _e882;
+                                    phi_799_ = _e884;
+                                    break if !(_e886);
+                                }
                             }
-                            let _e1408 = phi_1784_;
-                            let _e1410 = phi_1785_;
-                            let _e1412 = phi_1786_;
-                            let _e1414 = phi_1787_;
-                            phi_781_ = _e1408;
-                            phi_784_ = _e1410;
-                            phi_1788_ = _e1386;
-                            phi_1789_ = _e1412;
-                            phi_1790_ = _e1414;
+                            let _e889 = local_2;
+                            if _e889 {
+                            }
+                            let _e3061 = local_11;
+                            phi_1151_ = _e3061;
+                            loop {
+                                let _e891 = phi_1151_;
+                                let _e892 = (_e891 == 0u);
+                                local_4 = _e892;
+                                local_16 = _e892;
+                                if _e892 {
+                                    phi_1152_ = u32();
+                                    phi_1800_ = false;
+                                    phi_1801_ = false;
+                                    phi_1802_ = false;
+                                } else {
+                                    let _e895 = select(firstTrailingBit(_e891), 32u, (_e891 == 0u));
+                                    let _e899 = local_3;
+                                    let _e900 = (_e899 + (_e895 >> bitcast<u32>(2i)));
+                                    if (_e900 < _e91) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e905 = rows.member[(0u + _e900)][0u];
+                                    let _e909 = rows.member[(0u + _e900)][1u];
+                                    let _e913 = rows.member[(0u + _e900)][2u];
+                                    let _e917 = rows.member[(0u + _e900)][3u];
+                                    if ((_e895 & 2u) == 0u) {
+                                        phi_1190_ = _e909;
+                                        phi_1191_ = _e905;
+                                    } else {
+                                        phi_1190_ = _e917;
+                                        phi_1191_ = _e913;
+                                    }
+                                    let _e921 = phi_1190_;
+                                    let _e923 = phi_1191_;
+                                    if ((_e895 & 1u) == 0u) {
+                                        phi_1197_ = _e923;
+                                    } else {
+                                        phi_1197_ = _e921;
+                                    }
+                                    let _e927 = phi_1197_;
+                                    if (_e927 < _e79) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e934 = triangles.member[(0u + _e927)].v0_;
+                                    let _e936 = (_e934.x - _e126);
+                                    let _e938 = (_e934.y - _e128);
+                                    let _e940 = (_e934.z - _e130);
+                                    if (_e515 == 0u) {
+                                        phi_1227_ = vec3<f32>(_e938, _e940, _e936);
+                                    } else {
+                                        if (_e515 == 1u) {
+                                            phi_1226_ = vec3<f32>(_e940, _e936, _e938);
+                                        } else {
+                                            phi_1226_ = (_e934 - vec3<f32>(_e126, _e128, _e130));
+                                        }
+                                        let _e948 = phi_1226_;
+                                        phi_1227_ = _e948;
+                                    }
+                                    let _e950 = phi_1227_;
+                                    let _e954 = (_e950.x - (_e526 * _e950.z));
+                                    let _e958 = (_e950.y - (_e529 * _e950.z));
+                                    let _e960 = triangles.member[(0u + _e927)].v1_;
+                                    let _e962 = (_e960.x - _e126);
+                                    let _e964 = (_e960.y - _e128);
+                                    let _e966 = (_e960.z - _e130);
+                                    if (_e515 == 0u) {
+                                        phi_1257_ = vec3<f32>(_e964, _e966, _e962);
+                                    } else {
+                                        if (_e515 == 1u) {
+                                            phi_1256_ = vec3<f32>(_e966, _e962, _e964);
+                                        } else {
+                                            phi_1256_ = (_e960 - vec3<f32>(_e126, _e128, _e130));
+                                        }
+                                        let _e974 = phi_1256_;
+                                        phi_1257_ = _e974;
+                                    }
+                                    let _e976 = phi_1257_;
+                                    let _e980 = (_e976.x - (_e526 * _e976.z));
+                                    let _e984 = (_e976.y - (_e529 * _e976.z));
+                                    let _e986 = triangles.member[(0u + _e927)].v2_;
+                                    let _e988 = (_e986.x - _e126);
+                                    let _e990 = (_e986.y - _e128);
+                                    let _e992 = (_e986.z - _e130);
+                                    if (_e515 == 0u) {
+                                        phi_1287_ = vec3<f32>(_e990, _e992, _e988);
+                                    } else {
+                                        if (_e515 == 1u) {
+                                            phi_1286_ = vec3<f32>(_e992, _e988, _e990);
+                                        } else {
+                                            phi_1286_ = (_e986 - vec3<f32>(_e126, _e128, _e130));
+                                        }
+                                        let _e1000 = phi_1286_;
+                                        phi_1287_ = _e1000;
+                                    }
+                                    let _e1002 = phi_1287_;
+                                    let _e1006 = (_e1002.x - (_e526 * _e1002.z));
+                                    let _e1010 = (_e1002.y - (_e529 * _e1002.z));
+                                    if (_e980 < _e1006) {
+                                        phi_1306_ = true;
+                                    } else {
+                                        if (_e980 == _e1006) {
+                                            phi_1305_ = (_e984 < _e1010);
+                                        } else {
+                                            phi_1305_ = false;
+                                        }
+                                        let _e1015 = phi_1305_;
+                                        phi_1306_ = _e1015;
+                                    }
+                                    let _e1017 = phi_1306_;
+                                    if _e1017 {
+                                        phi_1310_ = _e1010;
+                                        phi_1311_ = _e1006;
+                                        phi_1312_ = _e984;
+                                        phi_1313_ = _e980;
+                                    } else {
+                                        phi_1310_ = _e984;
+                                        phi_1311_ = _e980;
+                                        phi_1312_ = _e1010;
+                                        phi_1313_ = _e1006;
+                                    }
+                                    let _e1019 = phi_1310_;
+                                    let _e1021 = phi_1311_;
+                                    let _e1023 = phi_1312_;
+                                    let _e1025 = phi_1313_;
+                                    let _e1028 = ((_e1025 * _e1019) - (_e1023 * _e1021));
+                                    if _e1017 {
+                                        phi_1321_ = -(_e1028);
+                                    } else {
+                                        phi_1321_ = _e1028;
+                                    }
+                                    let _e1031 = phi_1321_;
+                                    if (_e1006 < _e954) {
+                                        phi_1332_ = true;
+                                    } else {
+                                        if (_e1006 == _e954) {
+                                            phi_1331_ = (_e1010 < _e958);
+                                        } else {
+                                            phi_1331_ = false;
+                                        }
+                                        let _e1036 = phi_1331_;
+                                        phi_1332_ = _e1036;
+                                    }
+                                    let _e1038 = phi_1332_;
+                                    if _e1038 {
+                                        phi_1336_ = _e958;
+                                        phi_1337_ = _e954;
+                                        phi_1338_ = _e1010;
+                                        phi_1339_ = _e1006;
+                                    } else {
+                                        phi_1336_ = _e1010;
+                                        phi_1337_ = _e1006;
+                                        phi_1338_ = _e958;
+                                        phi_1339_ = _e954;
+                                    }
+                                    let _e1040 = phi_1336_;
+                                    let _e1042 = phi_1337_;
+                                    let _e1044 = phi_1338_;
+                                    let _e1046 = phi_1339_;
+                                    let _e1049 = ((_e1046 * _e1040) - (_e1044 * _e1042));
+                                    if _e1038 {
+                                        phi_1347_ = -(_e1049);
+                                    } else {
+                                        phi_1347_ = _e1049;
+                                    }
+                                    let _e1052 = phi_1347_;
+                                    if (_e954 < _e980) {
+                                        phi_1358_ = true;
+                                    } else {
+                                        if (_e954 == _e980) {
+                                            phi_1357_ = (_e958 < _e984);
+                                        } else {
+                                            phi_1357_ = false;
+                                        }
+                                        let _e1057 = phi_1357_;
+                                        phi_1358_ = _e1057;
+                                    }
+                                    let _e1059 = phi_1358_;
+                                    if _e1059 {
+                                        phi_1362_ = _e984;
+                                        phi_1363_ = _e980;
+                                        phi_1364_ = _e958;
+                                        phi_1365_ = _e954;
+                                    } else {
+                                        phi_1362_ = _e958;
+                                        phi_1363_ = _e954;
+                                        phi_1364_ = _e984;
+                                        phi_1365_ = _e980;
+                                    }
+                                    let _e1061 = phi_1362_;
+                                    let _e1063 = phi_1363_;
+                                    let _e1065 = phi_1364_;
+                                    let _e1067 = phi_1365_;
+                                    let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
+                                    if _e1059 {
+                                        phi_1373_ = -(_e1070);
+                                    } else {
+                                        phi_1373_ = _e1070;
+                                    }
+                                    let _e1073 = phi_1373_;
+                                    if (_e1031 >= 0f) {
+                                        if (_e1052 >= 0f) {
+                                            if (_e1073 >= 0f) {
+                                                phi_1388_ = ((_e1031 + _e1052) + _e1073);
+                                                phi_1389_ = false;
+                                            } else {
+                                                phi_1388_ = f32();
+                                                phi_1389_ = true;
+                                            }
+                                            let _e1080 = phi_1388_;
+                                            let _e1082 = phi_1389_;
+                                            phi_1390_ = _e1080;
+                                            phi_1391_ = _e1082;
+                                        } else {
+                                            phi_1390_ = f32();
+                                            phi_1391_ = true;
+                                        }
+                                        let _e1084 = phi_1390_;
+                                        let _e1086 = phi_1391_;
+                                        phi_1392_ = _e1084;
+                                        phi_1393_ = _e1086;
+                                    } else {
+                                        phi_1392_ = f32();
+                                        phi_1393_ = true;
+                                    }
+                                    let _e1088 = phi_1392_;
+                                    let _e1090 = phi_1393_;
+                                    if _e1090 {
+                                        if (_e1031 <= 0f) {
+                                            if (_e1052 <= 0f) {
+                                                let _e1093 = (_e1073 <= 0f);
+                                                if _e1093 {
+                                                }
+                                                phi_1411_ = ((_e1031 + _e1052) + _e1073);
+                                                phi_1412_ = false;
+                                                phi_1413_ = _e1093;
+                                            } else {
+                                                phi_1411_ = f32();
+                                                phi_1412_ = true;
+                                                phi_1413_ = false;
+                                            }
+                                            let _e1097 = phi_1411_;
+                                            let _e1099 = phi_1412_;
+                                            let _e1101 = phi_1413_;
+                                            phi_1414_ = _e1097;
+                                            phi_1415_ = _e1099;
+                                            phi_1416_ = _e1101;
+                                        } else {
+                                            phi_1414_ = f32();
+                                            phi_1415_ = true;
+                                            phi_1416_ = false;
+                                        }
+                                        let _e1103 = phi_1414_;
+                                        let _e1105 = phi_1415_;
+                                        let _e1107 = phi_1416_;
+                                        if _e1105 {
+                                            phi_1420_ = false;
+                                        } else {
+                                            phi_1420_ = _e1107;
+                                        }
+                                        let _e1109 = phi_1420_;
+                                        phi_1421_ = _e1103;
+                                        phi_1422_ = _e1109;
+                                    } else {
+                                        phi_1421_ = _e1088;
+                                        phi_1422_ = true;
+                                    }
+                                    let _e1111 = phi_1421_;
+                                    let _e1113 = phi_1422_;
+                                    if _e1113 {
+                                        let _e1114 = (_e1111 == 0f);
+                                        if _e1114 {
+                                            phi_1738_ = lt_bvh_triangle_Intersection();
+                                            phi_1739_ = false;
+                                        } else {
+                                            let _e1116 = triangles.member[(0u + _e927)].v0_;
+                                            let _e1118 = (_e1116.x - _e126);
+                                            let _e1120 = (_e1116.y - _e128);
+                                            let _e1122 = (_e1116.z - _e130);
+                                            if (_e515 == 0u) {
+                                                phi_1451_ = vec3<f32>(_e1120, _e1122, _e1118);
+                                            } else {
+                                                if (_e515 == 1u) {
+                                                    phi_1450_ = vec3<f32>(_e1122, _e1118, _e1120);
+                                                } else {
+                                                    phi_1450_ = (_e1116 - vec3<f32>(_e126, _e128, _e130));
+                                                }
+                                                let _e1130 = phi_1450_;
+                                                phi_1451_ = _e1130;
+                                            }
+                                            let _e1132 = phi_1451_;
+                                            let _e1134 = triangles.member[(0u + _e927)].v1_;
+                                            let _e1136 = triangles.member[(0u + _e927)].v0_;
+                                            let _e1139 = (_e1134.x - _e1136.x);
+                                            let _e1142 = (_e1134.y - _e1136.y);
+                                            let _e1145 = (_e1134.z - _e1136.z);
+                                            if (_e515 == 0u) {
+                                                phi_1477_ = vec3<f32>(_e1142, _e1145, _e1139);
+                                            } else {
+                                                if (_e515 == 1u) {
+                                                    phi_1476_ = vec3<f32>(_e1145, _e1139, _e1142);
+                                                } else {
+                                                    phi_1476_ = (_e1134 - _e1136);
+                                                }
+                                                let _e1152 = phi_1476_;
+                                                phi_1477_ = _e1152;
+                                            }
+                                            let _e1154 = phi_1477_;
+                                            let _e1156 = triangles.member[(0u + _e927)].v2_;
+                                            let _e1158 = triangles.member[(0u + _e927)].v0_;
+                                            let _e1161 = (_e1156.x - _e1158.x);
+                                            let _e1164 = (_e1156.y - _e1158.y);
+                                            let _e1167 = (_e1156.z - _e1158.z);
+                                            if (_e515 == 0u) {
+                                                phi_1503_ = vec3<f32>(_e1164, _e1167, _e1161);
+                                            } else {
+                                                if (_e515 == 1u) {
+                                                    phi_1502_ = vec3<f32>(_e1167, _e1161, _e1164);
+                                                } else {
+                                                    phi_1502_ = (_e1156 - _e1158);
+                                                }
+                                                let _e1174 = phi_1502_;
+                                                phi_1503_ = _e1174;
+                                            }
+                                            let _e1176 = phi_1503_;
+                                            let _e1183 = ((_e1154.y * _e1176.z) - (_e1154.z * _e1176.y));
+                                            let _e1190 = ((_e1154.z * _e1176.x) - (_e1154.x * _e1176.z));
+                                            let _e1197 = ((_e1154.x * _e1176.y) - (_e1154.y * _e1176.x));
+                                            let _e1211 = (((1f / _e523.z) * (((_e1183 * _e1132.x) + (_e1190 * _e1132.y)) + (_e1197 * _e1132.z))) / (((_e1183 * _e526) + (_e1190 * _e529)) + _e1197));
+                                            if (_e1211 > 0f) {
+                                                if (_e1211 < _e138) {
+                                                    let _e1215 = triangles.member[(0u + _e927)].v0_;
+                                                    let _e1217 = triangles.member[(0u + _e927)].v1_;
+                                                    if (_e1215.x < _e1217.x) {
+                                                        phi_1559_ = _e1215.x;
+                                                    } else {
+                                                        phi_1559_ = _e1217.x;
+                                                    }
+                                                    let _e1224 = phi_1559_;
+                                                    if (_e1215.y < _e1217.y) {
+                                                        phi_1568_ = _e1215.y;
+                                                    } else {
+                                                        phi_1568_ = _e1217.y;
+                                                    }
+                                                    let _e1231 = phi_1568_;
+                                                    if (_e1215.z < _e1217.z) {
+                                                        phi_1577_ = _e1215.z;
+                                                    } else {
+                                                        phi_1577_ = _e1217.z;
+                                                    }
+                                                    let _e1238 = phi_1577_;
+                                                    let _e1240 = triangles.member[(0u + _e927)].v2_;
+                                                    if (_e1224 < _e1240.x) {
+                                                        phi_1586_ = _e1224;
+                                                    } else {
+                                                        phi_1586_ = _e1240.x;
+                                                    }
+                                                    let _e1245 = phi_1586_;
+                                                    if (_e1231 < _e1240.y) {
+                                                        phi_1593_ = _e1231;
+                                                    } else {
+                                                        phi_1593_ = _e1240.y;
+                                                    }
+                                                    let _e1250 = phi_1593_;
+                                                    if (_e1238 < _e1240.z) {
+                                                        phi_1600_ = _e1238;
+                                                    } else {
+                                                        phi_1600_ = _e1240.z;
+                                                    }
+                                                    let _e1255 = phi_1600_;
+                                                    let _e1257 = triangles.member[(0u + _e927)].v0_;
+                                                    let _e1259 = triangles.member[(0u + _e927)].v1_;
+                                                    if (_e1257.x > _e1259.x) {
+                                                        phi_1613_ = _e1257.x;
+                                                    } else {
+                                                        phi_1613_ = _e1259.x;
+                                                    }
+                                                    let _e1266 = phi_1613_;
+                                                    if (_e1257.y > _e1259.y) {
+                                                        phi_1622_ = _e1257.y;
+                                                    } else {
+                                                        phi_1622_ = _e1259.y;
+                                                    }
+                                                    let _e1273 = phi_1622_;
+                                                    if (_e1257.z > _e1259.z) {
+                                                        phi_1631_ = _e1257.z;
+                                                    } else {
+                                                        phi_1631_ = _e1259.z;
+                                                    }
+                                                    let _e1280 = phi_1631_;
+                                                    let _e1282 = triangles.member[(0u + _e927)].v2_;
+                                                    if (_e1266 > _e1282.x) {
+                                                        phi_1640_ = _e1266;
+                                                    } else {
+                                                        phi_1640_ = _e1282.x;
+                                                    }
+                                                    let _e1287 = phi_1640_;
+                                                    if (_e1273 > _e1282.y) {
+                                                        phi_1647_ = _e1273;
+                                                    } else {
+                                                        phi_1647_ = _e1282.y;
+                                                    }
+                                                    let _e1292 = phi_1647_;
+                                                    if (_e1280 > _e1282.z) {
+                                                        phi_1654_ = _e1280;
+                                                    } else {
+                                                        phi_1654_ = _e1282.z;
+                                                    }
+                                                    let _e1297 = phi_1654_;
+                                                    let _e1301 = ((_e1245 - _e126) * _e444);
+                                                    let _e1302 = ((_e1250 - _e128) * _e454);
+                                                    let _e1303 = ((_e1255 - _e130) * _e464);
+                                                    let _e1307 = ((_e1287 - _e126) * _e444);
+                                                    let _e1308 = ((_e1292 - _e128) * _e454);
+                                                    let _e1309 = ((_e1297 - _e130) * _e464);
+                                                    if (_e1301 < _e1307) {
+                                                        phi_1671_ = _e1301;
+                                                    } else {
+                                                        phi_1671_ = _e1307;
+                                                    }
+                                                    let _e1312 = phi_1671_;
+                                                    if (_e1302 < _e1308) {
+                                                        phi_1676_ = _e1302;
+                                                    } else {
+                                                        phi_1676_ = _e1308;
+                                                    }
+                                                    let _e1315 = phi_1676_;
+                                                    if (_e1303 < _e1309) {
+                                                        phi_1681_ = _e1303;
+                                                    } else {
+                                                        phi_1681_ = _e1309;
+                                                    }
+                                                    let _e1318 = phi_1681_;
+                                                    if (_e1301 > _e1307) {
+                                                        phi_1689_ = _e1301;
+                                                    } else {
+                                                        phi_1689_ = _e1307;
+                                                    }
+                                                    let _e1324 = phi_1689_;
+                                                    if (_e1302 > _e1308) {
+                                                        phi_1694_ = _e1302;
+                                                    } else {
+                                                        phi_1694_ = _e1308;
+                                                    }
+                                                    let _e1327 = phi_1694_;
+                                                    if (_e1303 > _e1309) {
+                                                        phi_1699_ = _e1303;
+                                                    } else {
+                                                        phi_1699_ = _e1309;
+                                                    }
+                                                    let _e1330 = phi_1699_;
+                                                    let _e1334 = core_intrinsics_maximum_number_nsz_f32_((_e1312 - _e499), (_e1315 - _e500));
+                                                    let _e1335 = core_intrinsics_maximum_number_nsz_f32_(_e1334, (_e1318 - _e501));
+                                                    let _e1336 = core_intrinsics_minimum_number_nsz_f32_((_e1324 + _e499), (_e1327 + _e500));
+                                                    let _e1337 = core_intrinsics_minimum_number_nsz_f32_(_e1336, (_e1330 + _e501));
+                                                    if (_e1335 > -300000000000000000000000000000000000000f) {
+                                                        phi_1711_ = _e1335;
+                                                    } else {
+                                                        phi_1711_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1340 = phi_1711_;
+                                                    if (_e1337 < 300000000000000000000000000000000000000f) {
+                                                        phi_1716_ = _e1337;
+                                                    } else {
+                                                        phi_1716_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1343 = phi_1716_;
+                                                    if (_e1211 < _e1340) {
+                                                        phi_1721_ = _e1340;
+                                                    } else {
+                                                        phi_1721_ = _e1211;
+                                                    }
+                                                    let _e1346 = phi_1721_;
+                                                    if (_e1346 > _e1343) {
+                                                        phi_1726_ = _e1343;
+                                                    } else {
+                                                        phi_1726_ = _e1346;
+                                                    }
+                                                    let _e1349 = phi_1726_;
+                                                    phi_1731_ = lt_bvh_triangle_Intersection(_e1349, (_e1052 / _e1111), (_e1073 / _e1111), (_e1340 <= _e1343));
+                                                    phi_1732_ = false;
+                                                } else {
+                                                    phi_1731_ = lt_bvh_triangle_Intersection();
+                                                    phi_1732_ = true;
+                                                }
+                                                let _e1355 = phi_1731_;
+                                                let _e1357 = phi_1732_;
+                                                phi_1733_ = _e1355;
+                                                phi_1734_ = _e1357;
+                                            } else {
+                                                phi_1733_ = lt_bvh_triangle_Intersection();
+                                                phi_1734_ = true;
+                                            }
+                                            let _e1359 = phi_1733_;
+                                            let _e1361 = phi_1734_;
+                                            if _e1361 {
+                                            }
+                                            phi_1738_ = _e1359;
+                                            phi_1739_ = _e1361;
+                                        }
+                                        let _e1363 = phi_1738_;
+                                        let _e1365 = phi_1739_;
+                                        phi_1740_ = _e1363;
+                                        phi_1741_ = _e1114;
+                                        phi_1742_ = _e1365;
+                                    } else {
+                                        phi_1740_ = lt_bvh_triangle_Intersection();
+                                        phi_1741_ = true;
+                                        phi_1742_ = false;
+                                    }
+                                    let _e1367 = phi_1740_;
+                                    let _e1369 = phi_1741_;
+                                    let _e1371 = phi_1742_;
+                                    if _e1369 {
+                                        phi_1746_ = true;
+                                    } else {
+                                        phi_1746_ = _e1371;
+                                    }
+                                    let _e1373 = phi_1746_;
+                                    if _e1373 {
+                                        phi_1750_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_1750_ = _e1367;
+                                    }
+                                    let _e1375 = phi_1750_;
+                                    if _e1375.is_hit {
+                                        if (_e1375.t > 0f) {
+                                            if (_e1375.t < _e138) {
+                                                let _e1382 = triangles.member[(0u + _e927)].i0_;
+                                                let _e1384 = ((_e1382 & 2147483648u) == 0u);
+                                                if _e1384 {
+                                                    phi_1776_ = false;
+                                                    phi_1777_ = false;
+                                                } else {
+                                                    if true {
+                                                        phi_1775_ = false;
+                                                    } else {
+                                                        phi_1775_ = true;
+                                                    }
+                                                    let _e1386 = phi_1775_;
+                                                    phi_1776_ = _e1386;
+                                                    phi_1777_ = true;
+                                                }
+                                                let _e1388 = phi_1776_;
+                                                let _e1390 = phi_1777_;
+                                                phi_1778_ = _e1388;
+                                                phi_1779_ = _e1384;
+                                                phi_1780_ = _e1390;
+                                            } else {
+                                                phi_1778_ = true;
+                                                phi_1779_ = false;
+                                                phi_1780_ = false;
+                                            }
+                                            let _e1392 = phi_1778_;
+                                            let _e1394 = phi_1779_;
+                                            let _e1396 = phi_1780_;
+                                            phi_1781_ = false;
+                                            phi_1782_ = _e1392;
+                                            phi_1783_ = _e1394;
+                                            phi_1784_ = _e1396;
+                                        } else {
+                                            phi_1781_ = true;
+                                            phi_1782_ = false;
+                                            phi_1783_ = false;
+                                            phi_1784_ = false;
+                                        }
+                                        let _e1398 = phi_1781_;
+                                        let _e1400 = phi_1782_;
+                                        let _e1402 = phi_1783_;
+                                        let _e1404 = phi_1784_;
+                                        phi_1785_ = _e1398;
+                                        phi_1786_ = _e1400;
+                                        phi_1787_ = _e1402;
+                                        phi_1788_ = _e1404;
+                                    } else {
+                                        phi_1785_ = true;
+                                        phi_1786_ = false;
+                                        phi_1787_ = false;
+                                        phi_1788_ = false;
+                                    }
+                                    let _e1406 = phi_1785_;
+                                    let _e1408 = phi_1786_;
+                                    let _e1410 = phi_1787_;
+                                    let _e1412 = phi_1788_;
+                                    if _e1406 {
+                                        phi_1792_ = true;
+                                        phi_1793_ = false;
+                                        phi_1794_ = false;
+                                    } else {
+                                        phi_1792_ = _e1408;
+                                        phi_1793_ = _e1410;
+                                        phi_1794_ = _e1412;
+                                    }
+                                    let _e1414 = phi_1792_;
+                                    let _e1416 = phi_1793_;
+                                    let _e1418 = phi_1794_;
+                                    if _e1414 {
+                                        phi_1798_ = false;
+                                        phi_1799_ = false;
+                                    } else {
+                                        phi_1798_ = _e1416;
+                                        phi_1799_ = _e1418;
+                                    }
+                                    let _e1420 = phi_1798_;
+                                    let _e1422 = phi_1799_;
+                                    phi_1152_ = (_e891 & (_e891 - 1u));
+                                    phi_1800_ = _e1414;
+                                    phi_1801_ = _e1420;
+                                    phi_1802_ = _e1422;
+                                }
+                                let _e1424 = phi_1152_;
+                                let _e1426 = phi_1800_;
+                                let _e1428 = phi_1801_;
+                                let _e1430 = phi_1802_;
+                                local_12 = _e1428;
+                                local_13 = _e1430;
+                                continue;
+                                continuing {
+                                    phi_1151_ = _e1424;
+                                    break if !(_e1426);
+                                }
+                            }
+                            let _e1433 = local_4;
+                            if _e1433 {
+                                phi_1806_ = false;
+                                phi_1807_ = false;
+                            } else {
+                                let _e3173 = local_12;
+                                phi_1806_ = _e3173;
+                                let _e3176 = local_13;
+                                phi_1807_ = _e3176;
+                            }
+                            let _e1435 = phi_1806_;
+                            let _e1437 = phi_1807_;
+                            let _e3179 = local_14;
+                            phi_781_ = _e3179;
+                            let _e3182 = local_15;
+                            phi_784_ = _e3182;
+                            let _e3185 = local_16;
+                            phi_1808_ = _e3185;
+                            phi_1809_ = _e1435;
+                            phi_1810_ = _e1437;
                         }
-                        let _e1416 = phi_781_;
-                        let _e1418 = phi_784_;
-                        let _e1420 = phi_1788_;
-                        let _e1422 = phi_1789_;
-                        let _e1424 = phi_1790_;
-                        local_12 = _e1422;
-                        local_13 = _e1424;
+                        let _e1439 = phi_781_;
+                        let _e1441 = phi_784_;
+                        let _e1443 = phi_1808_;
+                        let _e1445 = phi_1809_;
+                        let _e1447 = phi_1810_;
+                        local_17 = _e1445;
+                        local_18 = _e1447;
                         continue;
                         continuing {
-                            phi_780_ = _e1416;
-                            phi_783_ = _e1418;
-                            break if !(_e1420);
+                            phi_780_ = _e1439;
+                            phi_783_ = _e1441;
+                            break if !(_e1443);
                         }
                     }
-                    let _e1427 = local_3;
-                    if _e1427 {
-                        phi_1794_ = false;
-                        phi_1795_ = false;
+                    let _e1450 = local_5;
+                    if _e1450 {
+                        phi_1814_ = false;
+                        phi_1815_ = false;
                     } else {
-                        let _e3152 = local_12;
-                        phi_1794_ = _e3152;
-                        let _e3155 = local_13;
-                        phi_1795_ = _e3155;
+                        let _e3191 = local_17;
+                        phi_1814_ = _e3191;
+                        let _e3194 = local_18;
+                        phi_1815_ = _e3194;
                     }
-                    let _e1429 = phi_1794_;
-                    let _e1431 = phi_1795_;
-                    if _e1429 {
-                        phi_1799_ = false;
+                    let _e1452 = phi_1814_;
+                    let _e1454 = phi_1815_;
+                    if _e1452 {
+                        phi_1819_ = false;
                     } else {
-                        phi_1799_ = _e1431;
+                        phi_1819_ = _e1454;
                     }
-                    let _e1433 = phi_1799_;
-                    if _e1433 {
-                        phi_1803_ = true;
+                    let _e1456 = phi_1819_;
+                    if _e1456 {
+                        phi_1823_ = true;
                     } else {
-                        phi_1803_ = _e1429;
+                        phi_1823_ = _e1452;
                     }
-                    let _e1435 = phi_1803_;
-                    if _e1435 {
+                    let _e1458 = phi_1823_;
+                    if _e1458 {
                     }
-                    phi_1807_ = true;
-                    phi_1808_ = _e1435;
+                    phi_1827_ = true;
+                    phi_1828_ = _e1458;
                 }
-                let _e1437 = phi_1807_;
-                let _e1439 = phi_1808_;
-                if _e1439 {
-                    phi_1812_ = _e1437;
+                let _e1460 = phi_1827_;
+                let _e1462 = phi_1828_;
+                if _e1462 {
+                    phi_1832_ = _e1460;
                 } else {
-                    phi_1812_ = false;
+                    phi_1832_ = false;
                 }
-                let _e1441 = phi_1812_;
-                phi_3269_ = _e1441;
+                let _e1464 = phi_1832_;
+                phi_3289_ = _e1464;
             } else {
-                let _e1442 = abs(_e146);
-                let _e1443 = abs(_e147);
-                let _e1444 = abs(_e148);
+                let _e1465 = abs(_e146);
+                let _e1466 = abs(_e147);
+                let _e1467 = abs(_e148);
                 if (abs(_e126) < 1000000000000000f) {
                     if (abs(_e128) < 1000000000000000f) {
-                        phi_1828_ = (abs(_e130) < 1000000000000000f);
-                        phi_1829_ = false;
+                        phi_1848_ = (abs(_e130) < 1000000000000000f);
+                        phi_1849_ = false;
                     } else {
-                        phi_1828_ = bool();
-                        phi_1829_ = true;
+                        phi_1848_ = bool();
+                        phi_1849_ = true;
                     }
-                    let _e1452 = phi_1828_;
-                    let _e1454 = phi_1829_;
-                    phi_1830_ = _e1452;
-                    phi_1831_ = _e1454;
+                    let _e1475 = phi_1848_;
+                    let _e1477 = phi_1849_;
+                    phi_1850_ = _e1475;
+                    phi_1851_ = _e1477;
                 } else {
-                    phi_1830_ = bool();
-                    phi_1831_ = true;
+                    phi_1850_ = bool();
+                    phi_1851_ = true;
                 }
-                let _e1456 = phi_1830_;
-                let _e1458 = phi_1831_;
-                if _e1458 {
-                    phi_1835_ = false;
+                let _e1479 = phi_1850_;
+                let _e1481 = phi_1851_;
+                if _e1481 {
+                    phi_1855_ = false;
                 } else {
-                    phi_1835_ = _e1456;
+                    phi_1855_ = _e1479;
                 }
-                let _e1460 = phi_1835_;
-                if _e1460 {
-                    if (_e1442 < 1000000000000000f) {
-                        if (_e1443 < 1000000000000000f) {
-                            phi_1848_ = (_e1444 < 1000000000000000f);
-                            phi_1849_ = false;
+                let _e1483 = phi_1855_;
+                if _e1483 {
+                    if (_e1465 < 1000000000000000f) {
+                        if (_e1466 < 1000000000000000f) {
+                            phi_1868_ = (_e1467 < 1000000000000000f);
+                            phi_1869_ = false;
                         } else {
-                            phi_1848_ = bool();
-                            phi_1849_ = true;
+                            phi_1868_ = bool();
+                            phi_1869_ = true;
                         }
-                        let _e1465 = phi_1848_;
-                        let _e1467 = phi_1849_;
-                        phi_1850_ = _e1465;
-                        phi_1851_ = _e1467;
+                        let _e1488 = phi_1868_;
+                        let _e1490 = phi_1869_;
+                        phi_1870_ = _e1488;
+                        phi_1871_ = _e1490;
                     } else {
-                        phi_1850_ = bool();
-                        phi_1851_ = true;
+                        phi_1870_ = bool();
+                        phi_1871_ = true;
                     }
-                    let _e1469 = phi_1850_;
-                    let _e1471 = phi_1851_;
-                    if _e1471 {
-                        phi_1855_ = false;
+                    let _e1492 = phi_1870_;
+                    let _e1494 = phi_1871_;
+                    if _e1494 {
+                        phi_1875_ = false;
                     } else {
-                        phi_1855_ = _e1469;
+                        phi_1875_ = _e1492;
                     }
-                    let _e1473 = phi_1855_;
-                    if _e1473 {
-                        if (_e1442 > 0f) {
-                            phi_1869_ = bool();
-                            phi_1870_ = true;
+                    let _e1496 = phi_1875_;
+                    if _e1496 {
+                        if (_e1465 > 0f) {
+                            phi_1889_ = bool();
+                            phi_1890_ = true;
                         } else {
-                            let _e1475 = (_e1443 > 0f);
-                            if _e1475 {
-                                phi_1868_ = bool();
+                            let _e1498 = (_e1466 > 0f);
+                            if _e1498 {
+                                phi_1888_ = bool();
                             } else {
-                                phi_1868_ = (_e1444 > 0f);
+                                phi_1888_ = (_e1467 > 0f);
                             }
-                            let _e1478 = phi_1868_;
-                            phi_1869_ = _e1478;
-                            phi_1870_ = _e1475;
+                            let _e1501 = phi_1888_;
+                            phi_1889_ = _e1501;
+                            phi_1890_ = _e1498;
                         }
-                        let _e1480 = phi_1869_;
-                        let _e1482 = phi_1870_;
-                        if _e1482 {
-                            phi_1874_ = true;
+                        let _e1503 = phi_1889_;
+                        let _e1505 = phi_1890_;
+                        if _e1505 {
+                            phi_1894_ = true;
                         } else {
-                            phi_1874_ = _e1480;
+                            phi_1894_ = _e1503;
                         }
-                        let _e1484 = phi_1874_;
-                        phi_1875_ = _e1484;
-                        phi_1876_ = false;
+                        let _e1507 = phi_1894_;
+                        phi_1895_ = _e1507;
+                        phi_1896_ = false;
                     } else {
-                        phi_1875_ = bool();
-                        phi_1876_ = true;
+                        phi_1895_ = bool();
+                        phi_1896_ = true;
                     }
-                    let _e1486 = phi_1875_;
-                    let _e1488 = phi_1876_;
-                    phi_1877_ = _e1486;
-                    phi_1878_ = _e1488;
+                    let _e1509 = phi_1895_;
+                    let _e1511 = phi_1896_;
+                    phi_1897_ = _e1509;
+                    phi_1898_ = _e1511;
                 } else {
-                    phi_1877_ = bool();
-                    phi_1878_ = true;
+                    phi_1897_ = bool();
+                    phi_1898_ = true;
                 }
-                let _e1490 = phi_1877_;
-                let _e1492 = phi_1878_;
-                if _e1492 {
-                    phi_1882_ = false;
+                let _e1513 = phi_1897_;
+                let _e1515 = phi_1898_;
+                if _e1515 {
+                    phi_1902_ = false;
                 } else {
-                    phi_1882_ = _e1490;
+                    phi_1902_ = _e1513;
                 }
-                let _e1494 = phi_1882_;
-                if _e1494 {
-                    let _e1495 = (0u >= _e76);
-                    if _e1495 {
-                        phi_3262_ = bool();
+                let _e1517 = phi_1902_;
+                if _e1517 {
+                    let _e1518 = (0u >= _e76);
+                    if _e1518 {
+                        phi_3282_ = bool();
                     } else {
                         if (0u < _e76) {
                         } else {
                             return;
                         }
-                        let _e1501 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1505 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1509 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1513 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1517 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1521 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1525 = nodes.member[(0u + 0u)].frame[3u];
-                        let _e1559 = core_intrinsics_maximum_number_nsz_f32_(abs(_e146), abs(_e147));
-                        let _e1560 = core_intrinsics_maximum_number_nsz_f32_(_e1559, abs(_e148));
-                        let _e1561 = (_e1560 * 0.0000000000009094947f);
-                        if (abs(_e146) < _e1561) {
-                            phi_1952_ = _e1561;
+                        let _e1524 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1528 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1532 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1536 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1540 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1544 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1548 = nodes.member[(0u + 0u)].frame[3u];
+                        let _e1582 = core_intrinsics_maximum_number_nsz_f32_(abs(_e146), abs(_e147));
+                        let _e1583 = core_intrinsics_maximum_number_nsz_f32_(_e1582, abs(_e148));
+                        let _e1584 = (_e1583 * 0.0000000000009094947f);
+                        if (abs(_e146) < _e1584) {
+                            phi_1972_ = _e1584;
                         } else {
-                            phi_1952_ = abs(_e146);
+                            phi_1972_ = abs(_e146);
                         }
-                        let _e1566 = phi_1952_;
+                        let _e1589 = phi_1972_;
                         if (_e146 < 0f) {
-                            phi_1959_ = (-1f / _e1566);
+                            phi_1979_ = (-1f / _e1589);
                         } else {
-                            phi_1959_ = (1f / _e1566);
+                            phi_1979_ = (1f / _e1589);
                         }
-                        let _e1571 = phi_1959_;
-                        if (abs(_e147) < _e1561) {
-                            phi_1966_ = _e1561;
+                        let _e1594 = phi_1979_;
+                        if (abs(_e147) < _e1584) {
+                            phi_1986_ = _e1584;
                         } else {
-                            phi_1966_ = abs(_e147);
+                            phi_1986_ = abs(_e147);
                         }
-                        let _e1576 = phi_1966_;
+                        let _e1599 = phi_1986_;
                         if (_e147 < 0f) {
-                            phi_1973_ = (-1f / _e1576);
+                            phi_1993_ = (-1f / _e1599);
                         } else {
-                            phi_1973_ = (1f / _e1576);
+                            phi_1993_ = (1f / _e1599);
                         }
-                        let _e1581 = phi_1973_;
-                        if (abs(_e148) < _e1561) {
-                            phi_1980_ = _e1561;
+                        let _e1604 = phi_1993_;
+                        if (abs(_e148) < _e1584) {
+                            phi_2000_ = _e1584;
                         } else {
-                            phi_1980_ = abs(_e148);
+                            phi_2000_ = abs(_e148);
                         }
-                        let _e1586 = phi_1980_;
+                        let _e1609 = phi_2000_;
                         if (_e148 < 0f) {
-                            phi_1987_ = (-1f / _e1586);
+                            phi_2007_ = (-1f / _e1609);
                         } else {
-                            phi_1987_ = (1f / _e1586);
+                            phi_2007_ = (1f / _e1609);
                         }
-                        let _e1591 = phi_1987_;
-                        let _e1595 = abs((bitcast<f32>(_e1501) - _e126));
-                        let _e1596 = abs((bitcast<f32>(_e1505) - _e128));
-                        let _e1597 = abs((bitcast<f32>(_e1509) - _e130));
-                        let _e1601 = abs(((bitcast<f32>(_e1513) + (bitcast<f32>((((_e1525 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
-                        let _e1602 = abs(((bitcast<f32>(_e1517) + (bitcast<f32>((((_e1525 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
-                        let _e1603 = abs(((bitcast<f32>(_e1521) + (bitcast<f32>((((_e1525 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
-                        if (_e1595 > _e1601) {
-                            phi_2004_ = _e1595;
+                        let _e1614 = phi_2007_;
+                        let _e1618 = abs((bitcast<f32>(_e1524) - _e126));
+                        let _e1619 = abs((bitcast<f32>(_e1528) - _e128));
+                        let _e1620 = abs((bitcast<f32>(_e1532) - _e130));
+                        let _e1624 = abs(((bitcast<f32>(_e1536) + (bitcast<f32>((((_e1548 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
+                        let _e1625 = abs(((bitcast<f32>(_e1540) + (bitcast<f32>((((_e1548 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
+                        let _e1626 = abs(((bitcast<f32>(_e1544) + (bitcast<f32>((((_e1548 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
+                        if (_e1618 > _e1624) {
+                            phi_2024_ = _e1618;
                         } else {
-                            phi_2004_ = _e1601;
+                            phi_2024_ = _e1624;
                         }
-                        let _e1606 = phi_2004_;
-                        if (_e1596 > _e1602) {
-                            phi_2009_ = _e1596;
+                        let _e1629 = phi_2024_;
+                        if (_e1619 > _e1625) {
+                            phi_2029_ = _e1619;
                         } else {
-                            phi_2009_ = _e1602;
+                            phi_2029_ = _e1625;
                         }
-                        let _e1609 = phi_2009_;
-                        if (_e1597 > _e1603) {
-                            phi_2014_ = _e1597;
+                        let _e1632 = phi_2029_;
+                        if (_e1620 > _e1626) {
+                            phi_2034_ = _e1620;
                         } else {
-                            phi_2014_ = _e1603;
+                            phi_2034_ = _e1626;
                         }
-                        let _e1612 = phi_2014_;
-                        if (_e1606 > _e1609) {
-                            phi_2019_ = _e1606;
+                        let _e1635 = phi_2034_;
+                        if (_e1629 > _e1632) {
+                            phi_2039_ = _e1629;
                         } else {
-                            phi_2019_ = _e1609;
+                            phi_2039_ = _e1632;
                         }
-                        let _e1615 = phi_2019_;
-                        if (_e1615 > _e1612) {
-                            phi_2024_ = _e1615;
+                        let _e1638 = phi_2039_;
+                        if (_e1638 > _e1635) {
+                            phi_2044_ = _e1638;
                         } else {
-                            phi_2024_ = _e1612;
+                            phi_2044_ = _e1635;
                         }
-                        let _e1618 = phi_2024_;
-                        let _e1622 = (_e1618 * 0.0000019073486f);
-                        let _e1623 = (abs(_e1571) * _e1622);
-                        let _e1624 = (abs(_e1581) * _e1622);
-                        let _e1625 = (abs(_e1591) * _e1622);
-                        let _e1629 = (_e1618 * 0.0000009536743f);
-                        let _e1630 = (abs(_e1571) * _e1629);
-                        let _e1631 = (abs(_e1581) * _e1629);
-                        let _e1632 = (abs(_e1591) * _e1629);
-                        let _e1633 = abs(_e146);
-                        let _e1634 = abs(_e147);
-                        let _e1635 = abs(_e148);
-                        if (_e1633 >= _e1634) {
-                            if (_e1633 >= _e1635) {
-                                phi_2050_ = false;
+                        let _e1641 = phi_2044_;
+                        let _e1645 = (_e1641 * 0.0000019073486f);
+                        let _e1646 = (abs(_e1594) * _e1645);
+                        let _e1647 = (abs(_e1604) * _e1645);
+                        let _e1648 = (abs(_e1614) * _e1645);
+                        let _e1652 = (_e1641 * 0.0000009536743f);
+                        let _e1653 = (abs(_e1594) * _e1652);
+                        let _e1654 = (abs(_e1604) * _e1652);
+                        let _e1655 = (abs(_e1614) * _e1652);
+                        let _e1656 = abs(_e146);
+                        let _e1657 = abs(_e147);
+                        let _e1658 = abs(_e148);
+                        if (_e1656 >= _e1657) {
+                            if (_e1656 >= _e1658) {
+                                phi_2070_ = false;
                             } else {
-                                phi_2050_ = true;
+                                phi_2070_ = true;
                             }
-                            let _e1639 = phi_2050_;
-                            phi_2051_ = _e1639;
+                            let _e1662 = phi_2070_;
+                            phi_2071_ = _e1662;
                         } else {
-                            phi_2051_ = true;
+                            phi_2071_ = true;
                         }
-                        let _e1641 = phi_2051_;
-                        if _e1641 {
-                            if (_e1634 >= _e1635) {
-                                phi_2059_ = 1u;
+                        let _e1664 = phi_2071_;
+                        if _e1664 {
+                            if (_e1657 >= _e1658) {
+                                phi_2079_ = 1u;
                             } else {
-                                phi_2059_ = 2u;
+                                phi_2079_ = 2u;
                             }
-                            let _e1644 = phi_2059_;
-                            phi_2060_ = _e1644;
+                            let _e1667 = phi_2079_;
+                            phi_2080_ = _e1667;
                         } else {
-                            phi_2060_ = 0u;
+                            phi_2080_ = 0u;
                         }
-                        let _e1646 = phi_2060_;
-                        if (_e1646 == 0u) {
-                            phi_2072_ = vec3<f32>(_e147, _e148, _e146);
+                        let _e1669 = phi_2080_;
+                        if (_e1669 == 0u) {
+                            phi_2092_ = vec3<f32>(_e147, _e148, _e146);
                         } else {
-                            if (_e1646 == 1u) {
-                                phi_2071_ = vec3<f32>(_e148, _e146, _e147);
+                            if (_e1669 == 1u) {
+                                phi_2091_ = vec3<f32>(_e148, _e146, _e147);
                             } else {
-                                phi_2071_ = _e149;
+                                phi_2091_ = _e149;
                             }
-                            let _e1652 = phi_2071_;
-                            phi_2072_ = _e1652;
+                            let _e1675 = phi_2091_;
+                            phi_2092_ = _e1675;
                         }
-                        let _e1654 = phi_2072_;
-                        let _e1657 = (_e1654.x / _e1654.z);
-                        let _e1660 = (_e1654.y / _e1654.z);
-                        if (_e1571 < 0f) {
-                            phi_2085_ = 0u;
+                        let _e1677 = phi_2092_;
+                        let _e1680 = (_e1677.x / _e1677.z);
+                        let _e1683 = (_e1677.y / _e1677.z);
+                        if (_e1594 < 0f) {
+                            phi_2105_ = 0u;
                         } else {
-                            phi_2085_ = 1u;
+                            phi_2105_ = 1u;
                         }
-                        let _e1665 = phi_2085_;
-                        if (_e1581 < 0f) {
-                            phi_2090_ = 0u;
+                        let _e1688 = phi_2105_;
+                        if (_e1604 < 0f) {
+                            phi_2110_ = 0u;
                         } else {
-                            phi_2090_ = 2u;
+                            phi_2110_ = 2u;
                         }
-                        let _e1668 = phi_2090_;
-                        if (_e1591 < 0f) {
-                            phi_2095_ = 0u;
+                        let _e1691 = phi_2110_;
+                        if (_e1614 < 0f) {
+                            phi_2115_ = 0u;
                         } else {
-                            phi_2095_ = 4u;
+                            phi_2115_ = 4u;
                         }
-                        let _e1671 = phi_2095_;
-                        let _e1673 = ((_e1665 | _e1668) | _e1671);
-                        let _e1674 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1674.first[0], _e1674.first[1], _e1674.first[2], _e1674.first[3], _e1674.first[4], _e1674.first[5], _e1674.first[6], _e1674.first[7], _e1674.first[8], _e1674.first[9], _e1674.first[10], _e1674.first[11], _e1674.first[12], _e1674.first[13], _e1674.first[14], _e1674.first[15], _e1674.first[16], _e1674.first[17], _e1674.first[18], _e1674.first[19], _e1674.first[20], _e1674.first[21], _e1674.first[22], _e1674.first[23], _e1674.first[24], _e1674.first[25], _e1674.first[26], _e1674.first[27], _e1674.first[28], _e1674.first[29], _e1674.first[30], _e1674.first[31]), array<u32, 32>(_e1674.mask[0], _e1674.mask[1], _e1674.mask[2], _e1674.mask[3], _e1674.mask[4], _e1674.mask[5], _e1674.mask[6], _e1674.mask[7], _e1674.mask[8], _e1674.mask[9], _e1674.mask[10], _e1674.mask[11], _e1674.mask[12], _e1674.mask[13], _e1674.mask[14], _e1674.mask[15], _e1674.mask[16], _e1674.mask[17], _e1674.mask[18], _e1674.mask[19], _e1674.mask[20], _e1674.mask[21], _e1674.mask[22], _e1674.mask[23], _e1674.mask[24], _e1674.mask[25], _e1674.mask[26], _e1674.mask[27], _e1674.mask[28], _e1674.mask[29], _e1674.mask[30], _e1674.mask[31]), _e1674.len, _e1674.group, _e1674.group_mask);
-                        let _e1748 = local.group_mask;
-                        if ((_e1748 & 4278190080u) == 0u) {
-                            let _e1752 = local.len;
-                            if (_e1752 == 0u) {
-                                phi_2209_ = false;
+                        let _e1694 = phi_2115_;
+                        let _e1696 = ((_e1688 | _e1691) | _e1694);
+                        let _e1697 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1697.first[0], _e1697.first[1], _e1697.first[2], _e1697.first[3], _e1697.first[4], _e1697.first[5], _e1697.first[6], _e1697.first[7], _e1697.first[8], _e1697.first[9], _e1697.first[10], _e1697.first[11], _e1697.first[12], _e1697.first[13], _e1697.first[14], _e1697.first[15], _e1697.first[16], _e1697.first[17], _e1697.first[18], _e1697.first[19], _e1697.first[20], _e1697.first[21], _e1697.first[22], _e1697.first[23], _e1697.first[24], _e1697.first[25], _e1697.first[26], _e1697.first[27], _e1697.first[28], _e1697.first[29], _e1697.first[30], _e1697.first[31]), array<u32, 32>(_e1697.mask[0], _e1697.mask[1], _e1697.mask[2], _e1697.mask[3], _e1697.mask[4], _e1697.mask[5], _e1697.mask[6], _e1697.mask[7], _e1697.mask[8], _e1697.mask[9], _e1697.mask[10], _e1697.mask[11], _e1697.mask[12], _e1697.mask[13], _e1697.mask[14], _e1697.mask[15], _e1697.mask[16], _e1697.mask[17], _e1697.mask[18], _e1697.mask[19], _e1697.mask[20], _e1697.mask[21], _e1697.mask[22], _e1697.mask[23], _e1697.mask[24], _e1697.mask[25], _e1697.mask[26], _e1697.mask[27], _e1697.mask[28], _e1697.mask[29], _e1697.mask[30], _e1697.mask[31]), _e1697.len, _e1697.group, _e1697.group_mask);
+                        let _e1771 = local.group_mask;
+                        if ((_e1771 & 4278190080u) == 0u) {
+                            let _e1775 = local.len;
+                            if (_e1775 == 0u) {
+                                phi_2229_ = false;
                             } else {
-                                let _e1756 = local.len;
-                                local.len = (_e1756 - 1u);
-                                let _e1759 = local.len;
-                                if (_e1759 < 32u) {
+                                let _e1779 = local.len;
+                                local.len = (_e1779 - 1u);
+                                let _e1782 = local.len;
+                                if (_e1782 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1764 = local.first[(0u + _e1759)];
-                                local.group = _e1764;
-                                let _e1767 = local.len;
-                                if (_e1767 < 32u) {
+                                let _e1787 = local.first[(0u + _e1782)];
+                                local.group = _e1787;
+                                let _e1790 = local.len;
+                                if (_e1790 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1772 = local.mask[(0u + _e1767)];
-                                local.group_mask = _e1772;
-                                phi_2209_ = true;
+                                let _e1795 = local.mask[(0u + _e1790)];
+                                local.group_mask = _e1795;
+                                phi_2229_ = true;
                             }
-                            let _e1775 = phi_2209_;
-                            phi_2210_ = _e1775;
+                            let _e1798 = phi_2229_;
+                            phi_2230_ = _e1798;
                         } else {
-                            phi_2210_ = true;
+                            phi_2230_ = true;
                         }
-                        let _e1777 = phi_2210_;
-                        if _e1777 {
-                            let _e1779 = local.group_mask;
-                            let _e1785 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1779)), 32u, (_e1779 == 0u)));
-                            let _e1789 = local.group_mask;
-                            let _e1803 = local.group_mask;
-                            local.group_mask = (_e1803 & ~((1u << bitcast<u32>((_e1785 & 31u)))));
-                            let _e1806 = local.group;
-                            phi_2241_ = (_e1806 + countOneBits(((_e1789 & ~((4294967295u << bitcast<u32>((((_e1785 - 24u) ^ 7u) & 31u))))) & 255u)));
+                        let _e1800 = phi_2230_;
+                        if _e1800 {
+                            let _e1802 = local.group_mask;
+                            let _e1808 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1802)), 32u, (_e1802 == 0u)));
+                            let _e1812 = local.group_mask;
+                            let _e1826 = local.group_mask;
+                            local.group_mask = (_e1826 & ~((1u << bitcast<u32>((_e1808 & 31u)))));
+                            let _e1829 = local.group;
+                            phi_2261_ = (_e1829 + countOneBits(((_e1812 & ~((4294967295u << bitcast<u32>((((_e1808 - 24u) ^ 7u) & 31u))))) & 255u)));
                         } else {
-                            phi_2241_ = 4294967295u;
+                            phi_2261_ = 4294967295u;
                         }
-                        let _e1809 = phi_2241_;
-                        phi_2243_ = _e1809;
-                        phi_2246_ = false;
+                        let _e1832 = phi_2261_;
+                        phi_2263_ = _e1832;
+                        phi_2266_ = false;
                         loop {
-                            let _e1811 = phi_2243_;
-                            let _e1813 = phi_2246_;
-                            local_16 = _e1813;
-                            if (_e1811 != 4294967295u) {
-                                if (_e1811 < _e76) {
+                            let _e1834 = phi_2263_;
+                            let _e1836 = phi_2266_;
+                            local_21 = _e1836;
+                            if (_e1834 != 4294967295u) {
+                                if (_e1834 < _e76) {
                                 } else {
                                     return;
                                 }
-                                let _e1820 = nodes.member[(0u + _e1811)].frame[3u];
-                                let _e1845 = (bitcast<f32>((((_e1820 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1571);
-                                let _e1846 = (bitcast<f32>((((_e1820 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1581);
-                                let _e1847 = (bitcast<f32>((((_e1820 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1591);
-                                let _e1850 = nodes.member[(0u + _e1811)].frame[0u];
-                                let _e1854 = nodes.member[(0u + _e1811)].frame[1u];
-                                let _e1858 = nodes.member[(0u + _e1811)].frame[2u];
-                                let _e1863 = ((bitcast<f32>(_e1850) - _e126) * _e1571);
-                                let _e1864 = ((bitcast<f32>(_e1854) - _e128) * _e1581);
-                                let _e1865 = ((bitcast<f32>(_e1858) - _e130) * _e1591);
-                                let _e1873 = nodes.member[(0u + _e1811)].x;
-                                if (_e1571 < 0f) {
-                                    let _e1884 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1873.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1890 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1884.unnamed.word, _e1873.w), _e1884.unnamed_1);
-                                    let _e1896 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1890.unnamed, lt_mask_LightPlace(_e1873.x, _e1890.unnamed_1.shift));
-                                    phi_2326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1896.unnamed, lt_mask_LightPlace(_e1896.unnamed_1.word, _e1873.y));
+                                let _e1843 = nodes.member[(0u + _e1834)].frame[3u];
+                                let _e1868 = (bitcast<f32>((((_e1843 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1594);
+                                let _e1869 = (bitcast<f32>((((_e1843 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1604);
+                                let _e1870 = (bitcast<f32>((((_e1843 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1614);
+                                let _e1873 = nodes.member[(0u + _e1834)].frame[0u];
+                                let _e1877 = nodes.member[(0u + _e1834)].frame[1u];
+                                let _e1881 = nodes.member[(0u + _e1834)].frame[2u];
+                                let _e1886 = ((bitcast<f32>(_e1873) - _e126) * _e1594);
+                                let _e1887 = ((bitcast<f32>(_e1877) - _e128) * _e1604);
+                                let _e1888 = ((bitcast<f32>(_e1881) - _e130) * _e1614);
+                                let _e1896 = nodes.member[(0u + _e1834)].x;
+                                if (_e1594 < 0f) {
+                                    let _e1907 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1896.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e1913 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1907.unnamed.word, _e1896.w), _e1907.unnamed_1);
+                                    let _e1919 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1913.unnamed, lt_mask_LightPlace(_e1896.x, _e1913.unnamed_1.shift));
+                                    phi_2346_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1919.unnamed, lt_mask_LightPlace(_e1919.unnamed_1.word, _e1896.y));
                                 } else {
-                                    let _e1912 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1873.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1918 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1912.unnamed.word, _e1873.y), _e1912.unnamed_1);
-                                    let _e1924 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1918.unnamed, lt_mask_LightPlace(_e1873.z, _e1918.unnamed_1.shift));
-                                    phi_2326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1924.unnamed, lt_mask_LightPlace(_e1924.unnamed_1.word, _e1873.w));
+                                    let _e1935 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1896.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e1941 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1935.unnamed.word, _e1896.y), _e1935.unnamed_1);
+                                    let _e1947 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1941.unnamed, lt_mask_LightPlace(_e1896.z, _e1941.unnamed_1.shift));
+                                    phi_2346_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1947.unnamed, lt_mask_LightPlace(_e1947.unnamed_1.word, _e1896.w));
                                 }
-                                let _e1932 = phi_2326_;
-                                let _e1942 = nodes.member[(0u + _e1811)].y;
-                                if (_e1581 < 0f) {
-                                    let _e1953 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1942.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1959 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1953.unnamed.word, _e1942.w), _e1953.unnamed_1);
-                                    let _e1965 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1959.unnamed, lt_mask_LightPlace(_e1942.x, _e1959.unnamed_1.shift));
-                                    phi_2353_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1965.unnamed, lt_mask_LightPlace(_e1965.unnamed_1.word, _e1942.y));
+                                let _e1955 = phi_2346_;
+                                let _e1965 = nodes.member[(0u + _e1834)].y;
+                                if (_e1604 < 0f) {
+                                    let _e1976 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1965.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e1982 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1976.unnamed.word, _e1965.w), _e1976.unnamed_1);
+                                    let _e1988 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1982.unnamed, lt_mask_LightPlace(_e1965.x, _e1982.unnamed_1.shift));
+                                    phi_2373_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1988.unnamed, lt_mask_LightPlace(_e1988.unnamed_1.word, _e1965.y));
                                 } else {
-                                    let _e1981 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1942.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1987 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1981.unnamed.word, _e1942.y), _e1981.unnamed_1);
-                                    let _e1993 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1987.unnamed, lt_mask_LightPlace(_e1942.z, _e1987.unnamed_1.shift));
-                                    phi_2353_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1993.unnamed, lt_mask_LightPlace(_e1993.unnamed_1.word, _e1942.w));
+                                    let _e2004 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1965.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2010 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2004.unnamed.word, _e1965.y), _e2004.unnamed_1);
+                                    let _e2016 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2010.unnamed, lt_mask_LightPlace(_e1965.z, _e2010.unnamed_1.shift));
+                                    phi_2373_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2016.unnamed, lt_mask_LightPlace(_e2016.unnamed_1.word, _e1965.w));
                                 }
-                                let _e2001 = phi_2353_;
-                                let _e2011 = nodes.member[(0u + _e1811)].z;
-                                if (_e1591 < 0f) {
-                                    let _e2022 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2011.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2028 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2022.unnamed.word, _e2011.w), _e2022.unnamed_1);
-                                    let _e2034 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2028.unnamed, lt_mask_LightPlace(_e2011.x, _e2028.unnamed_1.shift));
-                                    phi_2380_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2034.unnamed, lt_mask_LightPlace(_e2034.unnamed_1.word, _e2011.y));
+                                let _e2024 = phi_2373_;
+                                let _e2034 = nodes.member[(0u + _e1834)].z;
+                                if (_e1614 < 0f) {
+                                    let _e2045 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2034.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2051 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2045.unnamed.word, _e2034.w), _e2045.unnamed_1);
+                                    let _e2057 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2051.unnamed, lt_mask_LightPlace(_e2034.x, _e2051.unnamed_1.shift));
+                                    phi_2400_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2057.unnamed, lt_mask_LightPlace(_e2057.unnamed_1.word, _e2034.y));
                                 } else {
-                                    let _e2050 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2011.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2056 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2050.unnamed.word, _e2011.y), _e2050.unnamed_1);
-                                    let _e2062 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2056.unnamed, lt_mask_LightPlace(_e2011.z, _e2056.unnamed_1.shift));
-                                    phi_2380_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2062.unnamed, lt_mask_LightPlace(_e2062.unnamed_1.word, _e2011.w));
+                                    let _e2073 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2034.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2079 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2073.unnamed.word, _e2034.y), _e2073.unnamed_1);
+                                    let _e2085 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2079.unnamed, lt_mask_LightPlace(_e2034.z, _e2079.unnamed_1.shift));
+                                    phi_2400_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2085.unnamed, lt_mask_LightPlace(_e2085.unnamed_1.word, _e2034.w));
                                 }
-                                let _e2070 = phi_2380_;
-                                phi_2386_ = 0u;
-                                phi_2389_ = 0u;
+                                let _e2093 = phi_2400_;
+                                phi_2406_ = 0u;
+                                phi_2409_ = 0u;
                                 loop {
-                                    let _e2080 = phi_2386_;
-                                    let _e2082 = phi_2389_;
-                                    local_4 = _e2082;
-                                    local_5 = _e2082;
-                                    local_6 = _e2082;
-                                    let _e2083 = (_e2080 < 8u);
-                                    if _e2083 {
-                                        let _e2085 = (_e2080 >> bitcast<u32>(2i));
-                                        let _e2086 = (_e2080 & 3u);
-                                        if (_e2085 == 0u) {
-                                            phi_2403_ = _e1932.unnamed.word;
+                                    let _e2103 = phi_2406_;
+                                    let _e2105 = phi_2409_;
+                                    local_6 = _e2105;
+                                    local_7 = _e2105;
+                                    local_8 = _e2105;
+                                    let _e2106 = (_e2103 < 8u);
+                                    if _e2106 {
+                                        let _e2108 = (_e2103 >> bitcast<u32>(2i));
+                                        let _e2109 = (_e2103 & 3u);
+                                        if (_e2108 == 0u) {
+                                            phi_2423_ = _e1955.unnamed.word;
                                         } else {
-                                            phi_2403_ = _e1932.unnamed.shift;
+                                            phi_2423_ = _e1955.unnamed.shift;
                                         }
-                                        let _e2089 = phi_2403_;
-                                        if (_e2085 == 0u) {
-                                            phi_2413_ = _e2001.unnamed.word;
+                                        let _e2112 = phi_2423_;
+                                        if (_e2108 == 0u) {
+                                            phi_2433_ = _e2024.unnamed.word;
                                         } else {
-                                            phi_2413_ = _e2001.unnamed.shift;
+                                            phi_2433_ = _e2024.unnamed.shift;
                                         }
-                                        let _e2098 = phi_2413_;
-                                        if (_e2085 == 0u) {
-                                            phi_2423_ = _e2070.unnamed.word;
+                                        let _e2121 = phi_2433_;
+                                        if (_e2108 == 0u) {
+                                            phi_2443_ = _e2093.unnamed.word;
                                         } else {
-                                            phi_2423_ = _e2070.unnamed.shift;
+                                            phi_2443_ = _e2093.unnamed.shift;
                                         }
-                                        let _e2107 = phi_2423_;
-                                        let _e2120 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2089 >> bitcast<u32>(((_e2086 * 8u) & 31u))) & 255u)) * _e1845) + (_e1863 - _e1623)), ((f32(((_e2098 >> bitcast<u32>(((_e2086 * 8u) & 31u))) & 255u)) * _e1846) + (_e1864 - _e1624)));
-                                        let _e2121 = core_intrinsics_maximum_number_nsz_f32_(_e2120, ((f32(((_e2107 >> bitcast<u32>(((_e2086 * 8u) & 31u))) & 255u)) * _e1847) + (_e1865 - _e1625)));
-                                        if (_e2085 == 0u) {
-                                            phi_2441_ = _e1932.unnamed_1.word;
+                                        let _e2130 = phi_2443_;
+                                        let _e2143 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2112 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1868) + (_e1886 - _e1646)), ((f32(((_e2121 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1869) + (_e1887 - _e1647)));
+                                        let _e2144 = core_intrinsics_maximum_number_nsz_f32_(_e2143, ((f32(((_e2130 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1870) + (_e1888 - _e1648)));
+                                        if (_e2108 == 0u) {
+                                            phi_2461_ = _e1955.unnamed_1.word;
                                         } else {
-                                            phi_2441_ = _e1932.unnamed_1.shift;
+                                            phi_2461_ = _e1955.unnamed_1.shift;
                                         }
-                                        let _e2124 = phi_2441_;
-                                        if (_e2085 == 0u) {
-                                            phi_2451_ = _e2001.unnamed_1.word;
+                                        let _e2147 = phi_2461_;
+                                        if (_e2108 == 0u) {
+                                            phi_2471_ = _e2024.unnamed_1.word;
                                         } else {
-                                            phi_2451_ = _e2001.unnamed_1.shift;
+                                            phi_2471_ = _e2024.unnamed_1.shift;
                                         }
-                                        let _e2133 = phi_2451_;
-                                        if (_e2085 == 0u) {
-                                            phi_2461_ = _e2070.unnamed_1.word;
+                                        let _e2156 = phi_2471_;
+                                        if (_e2108 == 0u) {
+                                            phi_2481_ = _e2093.unnamed_1.word;
                                         } else {
-                                            phi_2461_ = _e2070.unnamed_1.shift;
+                                            phi_2481_ = _e2093.unnamed_1.shift;
                                         }
-                                        let _e2142 = phi_2461_;
-                                        let _e2155 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2124 >> bitcast<u32>(((_e2086 * 8u) & 31u))) & 255u)) * _e1845) + (_e1863 + _e1623)), ((f32(((_e2133 >> bitcast<u32>(((_e2086 * 8u) & 31u))) & 255u)) * _e1846) + (_e1864 + _e1624)));
-                                        let _e2156 = core_intrinsics_minimum_number_nsz_f32_(_e2155, ((f32(((_e2142 >> bitcast<u32>(((_e2086 * 8u) & 31u))) & 255u)) * _e1847) + (_e1865 + _e1625)));
-                                        if (_e2121 <= _e2156) {
-                                            if (_e2121 <= _e138) {
-                                                if (_e2156 >= 0f) {
-                                                    if (_e2085 == 0u) {
-                                                        let _e2163 = nodes.member[(0u + _e1811)].links[2u];
-                                                        phi_2497_ = _e2163;
+                                        let _e2165 = phi_2481_;
+                                        let _e2178 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2147 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1868) + (_e1886 + _e1646)), ((f32(((_e2156 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1869) + (_e1887 + _e1647)));
+                                        let _e2179 = core_intrinsics_minimum_number_nsz_f32_(_e2178, ((f32(((_e2165 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1870) + (_e1888 + _e1648)));
+                                        if (_e2144 <= _e2179) {
+                                            if (_e2144 <= _e138) {
+                                                if (_e2179 >= 0f) {
+                                                    if (_e2108 == 0u) {
+                                                        let _e2186 = nodes.member[(0u + _e1834)].links[2u];
+                                                        phi_2517_ = _e2186;
                                                     } else {
-                                                        let _e2166 = nodes.member[(0u + _e1811)].links[3u];
-                                                        phi_2497_ = _e2166;
+                                                        let _e2189 = nodes.member[(0u + _e1834)].links[3u];
+                                                        phi_2517_ = _e2189;
                                                     }
-                                                    let _e2168 = phi_2497_;
-                                                    let _e2173 = ((_e2168 >> bitcast<u32>(((_e2086 * 8u) & 31u))) & 255u);
-                                                    let _e2174 = (_e2173 & 31u);
-                                                    if (_e2174 >= 24u) {
-                                                        phi_2510_ = (24u + ((_e2174 - 24u) ^ _e1673));
+                                                    let _e2191 = phi_2517_;
+                                                    let _e2196 = ((_e2191 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u);
+                                                    let _e2197 = (_e2196 & 31u);
+                                                    if (_e2197 >= 24u) {
+                                                        phi_2530_ = (24u + ((_e2197 - 24u) ^ _e1696));
                                                     } else {
-                                                        phi_2510_ = _e2174;
+                                                        phi_2530_ = _e2197;
                                                     }
-                                                    let _e2180 = phi_2510_;
-                                                    phi_2515_ = (_e2082 | ((_e2173 >> bitcast<u32>(5i)) << bitcast<u32>((_e2180 & 31u))));
+                                                    let _e2203 = phi_2530_;
+                                                    phi_2535_ = (_e2105 | ((_e2196 >> bitcast<u32>(5i)) << bitcast<u32>((_e2203 & 31u))));
                                                 } else {
-                                                    phi_2515_ = _e2082;
+                                                    phi_2535_ = _e2105;
                                                 }
-                                                let _e2188 = phi_2515_;
-                                                phi_2516_ = _e2188;
+                                                let _e2211 = phi_2535_;
+                                                phi_2536_ = _e2211;
                                             } else {
-                                                phi_2516_ = _e2082;
+                                                phi_2536_ = _e2105;
                                             }
-                                            let _e2190 = phi_2516_;
-                                            phi_2517_ = _e2190;
+                                            let _e2213 = phi_2536_;
+                                            phi_2537_ = _e2213;
                                         } else {
-                                            phi_2517_ = _e2082;
+                                            phi_2537_ = _e2105;
                                         }
-                                        let _e2192 = phi_2517_;
-                                        phi_2387_ = (_e2080 + 1u);
-                                        phi_2390_ = _e2192;
+                                        let _e2215 = phi_2537_;
+                                        phi_2407_ = (_e2103 + 1u);
+                                        phi_2410_ = _e2215;
                                     } else {
-                                        phi_2387_ = u32();
-                                        phi_2390_ = u32();
+                                        phi_2407_ = u32();
+                                        phi_2410_ = u32();
                                     }
-                                    let _e2195 = phi_2387_;
-                                    let _e2197 = phi_2390_;
+                                    let _e2218 = phi_2407_;
+                                    let _e2220 = phi_2410_;
                                     continue;
                                     continuing {
-                                        phi_2386_ = _e2195;
-                                        phi_2389_ = _e2197;
-                                        break if !(_e2083);
+                                        phi_2406_ = _e2218;
+                                        phi_2409_ = _e2220;
+                                        break if !(_e2106);
                                     }
                                 }
-                                let _e2201 = nodes.member[(0u + _e1811)].links[0u];
-                                let _e2205 = nodes.member[(0u + _e1811)].frame[3u];
-                                let _e2209 = local_4;
-                                if ((_e2209 & 4278190080u) == 0u) {
+                                let _e2224 = nodes.member[(0u + _e1834)].links[0u];
+                                let _e2228 = nodes.member[(0u + _e1834)].frame[3u];
+                                let _e2232 = local_6;
+                                if ((_e2232 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e2213 = local.group_mask;
-                                    if ((_e2213 & 4278190080u) == 0u) {
+                                    let _e2236 = local.group_mask;
+                                    if ((_e2236 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2217 = local.len;
-                                        if (_e2217 < 32u) {
-                                            let _e2220 = local.group;
-                                            let _e2222 = local.len;
-                                            if (_e2222 < 32u) {
+                                        let _e2240 = local.len;
+                                        if (_e2240 < 32u) {
+                                            let _e2243 = local.group;
+                                            let _e2245 = local.len;
+                                            if (_e2245 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local.first[(0u + _e2222)] = _e2220;
-                                            let _e2228 = local.group_mask;
-                                            let _e2230 = local.len;
-                                            if (_e2230 < 32u) {
+                                            local.first[(0u + _e2245)] = _e2243;
+                                            let _e2251 = local.group_mask;
+                                            let _e2253 = local.len;
+                                            if (_e2253 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local.mask[(0u + _e2230)] = _e2228;
-                                            let _e2237 = local.len;
-                                            local.len = (_e2237 + 1u);
+                                            local.mask[(0u + _e2253)] = _e2251;
+                                            let _e2260 = local.len;
+                                            local.len = (_e2260 + 1u);
                                         }
                                     }
-                                    local.group = (0u + _e2201);
-                                    let _e2241 = local_5;
-                                    local.group_mask = ((_e2241 & 4278190080u) | (_e2205 >> bitcast<u32>(24i)));
+                                    local.group = (0u + _e2224);
+                                    let _e2264 = local_7;
+                                    local.group_mask = ((_e2264 & 4278190080u) | (_e2228 >> bitcast<u32>(24i)));
                                 }
-                                let _e2246 = local_6;
-                                phi_2575_ = (_e2246 & 16777215u);
-                                phi_2578_ = _e1813;
+                                let _e2269 = local_8;
+                                phi_2595_ = (_e2269 & 16777215u);
+                                phi_2598_ = _e1836;
                                 loop {
-                                    let _e2249 = phi_2575_;
-                                    let _e2251 = phi_2578_;
-                                    local_14 = _e2251;
-                                    let _e2252 = (_e2249 == 0u);
-                                    local_7 = _e2252;
-                                    local_15 = _e2252;
-                                    if _e2252 {
-                                        phi_2576_ = u32();
-                                        phi_2579_ = bool();
-                                        phi_3176_ = false;
+                                    let _e2272 = phi_2595_;
+                                    let _e2274 = phi_2598_;
+                                    local_19 = _e2274;
+                                    let _e2275 = (_e2272 == 0u);
+                                    local_9 = _e2275;
+                                    local_20 = _e2275;
+                                    if _e2275 {
+                                        phi_2596_ = u32();
+                                        phi_2599_ = bool();
+                                        phi_3196_ = false;
                                     } else {
-                                        let _e2255 = nodes.member[(0u + _e1811)].links[1u];
-                                        let _e2260 = ((0u + _e2255) + select(firstTrailingBit(_e2249), 32u, (_e2249 == 0u)));
-                                        if (_e2260 < _e79) {
+                                        let _e2278 = nodes.member[(0u + _e1834)].links[1u];
+                                        let _e2283 = ((0u + _e2278) + select(firstTrailingBit(_e2272), 32u, (_e2272 == 0u)));
+                                        if (_e2283 < _e79) {
                                         } else {
                                             return;
                                         }
-                                        let _e2267 = triangles.member[(0u + _e2260)].v0_;
-                                        let _e2269 = (_e2267.x - _e126);
-                                        let _e2271 = (_e2267.y - _e128);
-                                        let _e2273 = (_e2267.z - _e130);
-                                        if (_e1646 == 0u) {
-                                            phi_2623_ = vec3<f32>(_e2271, _e2273, _e2269);
+                                        let _e2290 = triangles.member[(0u + _e2283)].v0_;
+                                        let _e2292 = (_e2290.x - _e126);
+                                        let _e2294 = (_e2290.y - _e128);
+                                        let _e2296 = (_e2290.z - _e130);
+                                        if (_e1669 == 0u) {
+                                            phi_2643_ = vec3<f32>(_e2294, _e2296, _e2292);
                                         } else {
-                                            if (_e1646 == 1u) {
-                                                phi_2622_ = vec3<f32>(_e2273, _e2269, _e2271);
+                                            if (_e1669 == 1u) {
+                                                phi_2642_ = vec3<f32>(_e2296, _e2292, _e2294);
                                             } else {
-                                                phi_2622_ = (_e2267 - vec3<f32>(_e126, _e128, _e130));
+                                                phi_2642_ = (_e2290 - vec3<f32>(_e126, _e128, _e130));
                                             }
-                                            let _e2281 = phi_2622_;
-                                            phi_2623_ = _e2281;
+                                            let _e2304 = phi_2642_;
+                                            phi_2643_ = _e2304;
                                         }
-                                        let _e2283 = phi_2623_;
-                                        let _e2287 = (_e2283.x - (_e1657 * _e2283.z));
-                                        let _e2291 = (_e2283.y - (_e1660 * _e2283.z));
-                                        let _e2293 = triangles.member[(0u + _e2260)].v1_;
-                                        let _e2295 = (_e2293.x - _e126);
-                                        let _e2297 = (_e2293.y - _e128);
-                                        let _e2299 = (_e2293.z - _e130);
-                                        if (_e1646 == 0u) {
-                                            phi_2653_ = vec3<f32>(_e2297, _e2299, _e2295);
+                                        let _e2306 = phi_2643_;
+                                        let _e2310 = (_e2306.x - (_e1680 * _e2306.z));
+                                        let _e2314 = (_e2306.y - (_e1683 * _e2306.z));
+                                        let _e2316 = triangles.member[(0u + _e2283)].v1_;
+                                        let _e2318 = (_e2316.x - _e126);
+                                        let _e2320 = (_e2316.y - _e128);
+                                        let _e2322 = (_e2316.z - _e130);
+                                        if (_e1669 == 0u) {
+                                            phi_2673_ = vec3<f32>(_e2320, _e2322, _e2318);
                                         } else {
-                                            if (_e1646 == 1u) {
-                                                phi_2652_ = vec3<f32>(_e2299, _e2295, _e2297);
+                                            if (_e1669 == 1u) {
+                                                phi_2672_ = vec3<f32>(_e2322, _e2318, _e2320);
                                             } else {
-                                                phi_2652_ = (_e2293 - vec3<f32>(_e126, _e128, _e130));
+                                                phi_2672_ = (_e2316 - vec3<f32>(_e126, _e128, _e130));
                                             }
-                                            let _e2307 = phi_2652_;
-                                            phi_2653_ = _e2307;
+                                            let _e2330 = phi_2672_;
+                                            phi_2673_ = _e2330;
                                         }
-                                        let _e2309 = phi_2653_;
-                                        let _e2313 = (_e2309.x - (_e1657 * _e2309.z));
-                                        let _e2317 = (_e2309.y - (_e1660 * _e2309.z));
-                                        let _e2319 = triangles.member[(0u + _e2260)].v2_;
-                                        let _e2321 = (_e2319.x - _e126);
-                                        let _e2323 = (_e2319.y - _e128);
-                                        let _e2325 = (_e2319.z - _e130);
-                                        if (_e1646 == 0u) {
-                                            phi_2683_ = vec3<f32>(_e2323, _e2325, _e2321);
+                                        let _e2332 = phi_2673_;
+                                        let _e2336 = (_e2332.x - (_e1680 * _e2332.z));
+                                        let _e2340 = (_e2332.y - (_e1683 * _e2332.z));
+                                        let _e2342 = triangles.member[(0u + _e2283)].v2_;
+                                        let _e2344 = (_e2342.x - _e126);
+                                        let _e2346 = (_e2342.y - _e128);
+                                        let _e2348 = (_e2342.z - _e130);
+                                        if (_e1669 == 0u) {
+                                            phi_2703_ = vec3<f32>(_e2346, _e2348, _e2344);
                                         } else {
-                                            if (_e1646 == 1u) {
-                                                phi_2682_ = vec3<f32>(_e2325, _e2321, _e2323);
+                                            if (_e1669 == 1u) {
+                                                phi_2702_ = vec3<f32>(_e2348, _e2344, _e2346);
                                             } else {
-                                                phi_2682_ = (_e2319 - vec3<f32>(_e126, _e128, _e130));
+                                                phi_2702_ = (_e2342 - vec3<f32>(_e126, _e128, _e130));
                                             }
-                                            let _e2333 = phi_2682_;
-                                            phi_2683_ = _e2333;
+                                            let _e2356 = phi_2702_;
+                                            phi_2703_ = _e2356;
                                         }
-                                        let _e2335 = phi_2683_;
-                                        let _e2339 = (_e2335.x - (_e1657 * _e2335.z));
-                                        let _e2343 = (_e2335.y - (_e1660 * _e2335.z));
-                                        if (_e2313 < _e2339) {
-                                            phi_2702_ = true;
+                                        let _e2358 = phi_2703_;
+                                        let _e2362 = (_e2358.x - (_e1680 * _e2358.z));
+                                        let _e2366 = (_e2358.y - (_e1683 * _e2358.z));
+                                        if (_e2336 < _e2362) {
+                                            phi_2722_ = true;
                                         } else {
-                                            if (_e2313 == _e2339) {
-                                                phi_2701_ = (_e2317 < _e2343);
+                                            if (_e2336 == _e2362) {
+                                                phi_2721_ = (_e2340 < _e2366);
                                             } else {
-                                                phi_2701_ = false;
+                                                phi_2721_ = false;
                                             }
-                                            let _e2348 = phi_2701_;
-                                            phi_2702_ = _e2348;
+                                            let _e2371 = phi_2721_;
+                                            phi_2722_ = _e2371;
                                         }
-                                        let _e2350 = phi_2702_;
-                                        if _e2350 {
-                                            phi_2706_ = _e2343;
-                                            phi_2707_ = _e2339;
-                                            phi_2708_ = _e2317;
-                                            phi_2709_ = _e2313;
+                                        let _e2373 = phi_2722_;
+                                        if _e2373 {
+                                            phi_2726_ = _e2366;
+                                            phi_2727_ = _e2362;
+                                            phi_2728_ = _e2340;
+                                            phi_2729_ = _e2336;
                                         } else {
-                                            phi_2706_ = _e2317;
-                                            phi_2707_ = _e2313;
-                                            phi_2708_ = _e2343;
-                                            phi_2709_ = _e2339;
+                                            phi_2726_ = _e2340;
+                                            phi_2727_ = _e2336;
+                                            phi_2728_ = _e2366;
+                                            phi_2729_ = _e2362;
                                         }
-                                        let _e2352 = phi_2706_;
-                                        let _e2354 = phi_2707_;
-                                        let _e2356 = phi_2708_;
-                                        let _e2358 = phi_2709_;
-                                        let _e2361 = ((_e2358 * _e2352) - (_e2356 * _e2354));
-                                        if _e2350 {
-                                            phi_2717_ = -(_e2361);
+                                        let _e2375 = phi_2726_;
+                                        let _e2377 = phi_2727_;
+                                        let _e2379 = phi_2728_;
+                                        let _e2381 = phi_2729_;
+                                        let _e2384 = ((_e2381 * _e2375) - (_e2379 * _e2377));
+                                        if _e2373 {
+                                            phi_2737_ = -(_e2384);
                                         } else {
-                                            phi_2717_ = _e2361;
+                                            phi_2737_ = _e2384;
                                         }
-                                        let _e2364 = phi_2717_;
-                                        if (_e2339 < _e2287) {
-                                            phi_2728_ = true;
+                                        let _e2387 = phi_2737_;
+                                        if (_e2362 < _e2310) {
+                                            phi_2748_ = true;
                                         } else {
-                                            if (_e2339 == _e2287) {
-                                                phi_2727_ = (_e2343 < _e2291);
+                                            if (_e2362 == _e2310) {
+                                                phi_2747_ = (_e2366 < _e2314);
                                             } else {
-                                                phi_2727_ = false;
+                                                phi_2747_ = false;
                                             }
-                                            let _e2369 = phi_2727_;
-                                            phi_2728_ = _e2369;
+                                            let _e2392 = phi_2747_;
+                                            phi_2748_ = _e2392;
                                         }
-                                        let _e2371 = phi_2728_;
-                                        if _e2371 {
-                                            phi_2732_ = _e2291;
-                                            phi_2733_ = _e2287;
-                                            phi_2734_ = _e2343;
-                                            phi_2735_ = _e2339;
+                                        let _e2394 = phi_2748_;
+                                        if _e2394 {
+                                            phi_2752_ = _e2314;
+                                            phi_2753_ = _e2310;
+                                            phi_2754_ = _e2366;
+                                            phi_2755_ = _e2362;
                                         } else {
-                                            phi_2732_ = _e2343;
-                                            phi_2733_ = _e2339;
-                                            phi_2734_ = _e2291;
-                                            phi_2735_ = _e2287;
+                                            phi_2752_ = _e2366;
+                                            phi_2753_ = _e2362;
+                                            phi_2754_ = _e2314;
+                                            phi_2755_ = _e2310;
                                         }
-                                        let _e2373 = phi_2732_;
-                                        let _e2375 = phi_2733_;
-                                        let _e2377 = phi_2734_;
-                                        let _e2379 = phi_2735_;
-                                        let _e2382 = ((_e2379 * _e2373) - (_e2377 * _e2375));
-                                        if _e2371 {
-                                            phi_2743_ = -(_e2382);
+                                        let _e2396 = phi_2752_;
+                                        let _e2398 = phi_2753_;
+                                        let _e2400 = phi_2754_;
+                                        let _e2402 = phi_2755_;
+                                        let _e2405 = ((_e2402 * _e2396) - (_e2400 * _e2398));
+                                        if _e2394 {
+                                            phi_2763_ = -(_e2405);
                                         } else {
-                                            phi_2743_ = _e2382;
+                                            phi_2763_ = _e2405;
                                         }
-                                        let _e2385 = phi_2743_;
-                                        if (_e2287 < _e2313) {
-                                            phi_2754_ = true;
+                                        let _e2408 = phi_2763_;
+                                        if (_e2310 < _e2336) {
+                                            phi_2774_ = true;
                                         } else {
-                                            if (_e2287 == _e2313) {
-                                                phi_2753_ = (_e2291 < _e2317);
+                                            if (_e2310 == _e2336) {
+                                                phi_2773_ = (_e2314 < _e2340);
                                             } else {
-                                                phi_2753_ = false;
+                                                phi_2773_ = false;
                                             }
-                                            let _e2390 = phi_2753_;
-                                            phi_2754_ = _e2390;
+                                            let _e2413 = phi_2773_;
+                                            phi_2774_ = _e2413;
                                         }
-                                        let _e2392 = phi_2754_;
-                                        if _e2392 {
-                                            phi_2758_ = _e2317;
-                                            phi_2759_ = _e2313;
-                                            phi_2760_ = _e2291;
-                                            phi_2761_ = _e2287;
+                                        let _e2415 = phi_2774_;
+                                        if _e2415 {
+                                            phi_2778_ = _e2340;
+                                            phi_2779_ = _e2336;
+                                            phi_2780_ = _e2314;
+                                            phi_2781_ = _e2310;
                                         } else {
-                                            phi_2758_ = _e2291;
-                                            phi_2759_ = _e2287;
-                                            phi_2760_ = _e2317;
-                                            phi_2761_ = _e2313;
+                                            phi_2778_ = _e2314;
+                                            phi_2779_ = _e2310;
+                                            phi_2780_ = _e2340;
+                                            phi_2781_ = _e2336;
                                         }
-                                        let _e2394 = phi_2758_;
-                                        let _e2396 = phi_2759_;
-                                        let _e2398 = phi_2760_;
-                                        let _e2400 = phi_2761_;
-                                        let _e2403 = ((_e2400 * _e2394) - (_e2398 * _e2396));
-                                        if _e2392 {
-                                            phi_2769_ = -(_e2403);
+                                        let _e2417 = phi_2778_;
+                                        let _e2419 = phi_2779_;
+                                        let _e2421 = phi_2780_;
+                                        let _e2423 = phi_2781_;
+                                        let _e2426 = ((_e2423 * _e2417) - (_e2421 * _e2419));
+                                        if _e2415 {
+                                            phi_2789_ = -(_e2426);
                                         } else {
-                                            phi_2769_ = _e2403;
+                                            phi_2789_ = _e2426;
                                         }
-                                        let _e2406 = phi_2769_;
-                                        if (_e2364 >= 0f) {
-                                            if (_e2385 >= 0f) {
-                                                if (_e2406 >= 0f) {
-                                                    phi_2784_ = ((_e2364 + _e2385) + _e2406);
-                                                    phi_2785_ = false;
+                                        let _e2429 = phi_2789_;
+                                        if (_e2387 >= 0f) {
+                                            if (_e2408 >= 0f) {
+                                                if (_e2429 >= 0f) {
+                                                    phi_2804_ = ((_e2387 + _e2408) + _e2429);
+                                                    phi_2805_ = false;
                                                 } else {
-                                                    phi_2784_ = f32();
-                                                    phi_2785_ = true;
+                                                    phi_2804_ = f32();
+                                                    phi_2805_ = true;
                                                 }
-                                                let _e2413 = phi_2784_;
-                                                let _e2415 = phi_2785_;
-                                                phi_2786_ = _e2413;
-                                                phi_2787_ = _e2415;
+                                                let _e2436 = phi_2804_;
+                                                let _e2438 = phi_2805_;
+                                                phi_2806_ = _e2436;
+                                                phi_2807_ = _e2438;
                                             } else {
-                                                phi_2786_ = f32();
-                                                phi_2787_ = true;
+                                                phi_2806_ = f32();
+                                                phi_2807_ = true;
                                             }
-                                            let _e2417 = phi_2786_;
-                                            let _e2419 = phi_2787_;
-                                            phi_2788_ = _e2417;
-                                            phi_2789_ = _e2419;
+                                            let _e2440 = phi_2806_;
+                                            let _e2442 = phi_2807_;
+                                            phi_2808_ = _e2440;
+                                            phi_2809_ = _e2442;
                                         } else {
-                                            phi_2788_ = f32();
-                                            phi_2789_ = true;
+                                            phi_2808_ = f32();
+                                            phi_2809_ = true;
                                         }
-                                        let _e2421 = phi_2788_;
-                                        let _e2423 = phi_2789_;
-                                        if _e2423 {
-                                            if (_e2364 <= 0f) {
-                                                if (_e2385 <= 0f) {
-                                                    let _e2426 = (_e2406 <= 0f);
-                                                    if _e2426 {
-                                                    }
-                                                    phi_2807_ = ((_e2364 + _e2385) + _e2406);
-                                                    phi_2808_ = false;
-                                                    phi_2809_ = _e2426;
-                                                } else {
-                                                    phi_2807_ = f32();
-                                                    phi_2808_ = true;
-                                                    phi_2809_ = false;
-                                                }
-                                                let _e2430 = phi_2807_;
-                                                let _e2432 = phi_2808_;
-                                                let _e2434 = phi_2809_;
-                                                phi_2810_ = _e2430;
-                                                phi_2811_ = _e2432;
-                                                phi_2812_ = _e2434;
-                                            } else {
-                                                phi_2810_ = f32();
-                                                phi_2811_ = true;
-                                                phi_2812_ = false;
-                                            }
-                                            let _e2436 = phi_2810_;
-                                            let _e2438 = phi_2811_;
-                                            let _e2440 = phi_2812_;
-                                            if _e2438 {
-                                                phi_2816_ = false;
-                                            } else {
-                                                phi_2816_ = _e2440;
-                                            }
-                                            let _e2442 = phi_2816_;
-                                            phi_2817_ = _e2436;
-                                            phi_2818_ = _e2442;
-                                        } else {
-                                            phi_2817_ = _e2421;
-                                            phi_2818_ = true;
-                                        }
-                                        let _e2444 = phi_2817_;
-                                        let _e2446 = phi_2818_;
+                                        let _e2444 = phi_2808_;
+                                        let _e2446 = phi_2809_;
                                         if _e2446 {
-                                            let _e2447 = (_e2444 == 0f);
-                                            if _e2447 {
-                                                phi_3134_ = lt_bvh_triangle_Intersection();
-                                                phi_3135_ = false;
+                                            if (_e2387 <= 0f) {
+                                                if (_e2408 <= 0f) {
+                                                    let _e2449 = (_e2429 <= 0f);
+                                                    if _e2449 {
+                                                    }
+                                                    phi_2827_ = ((_e2387 + _e2408) + _e2429);
+                                                    phi_2828_ = false;
+                                                    phi_2829_ = _e2449;
+                                                } else {
+                                                    phi_2827_ = f32();
+                                                    phi_2828_ = true;
+                                                    phi_2829_ = false;
+                                                }
+                                                let _e2453 = phi_2827_;
+                                                let _e2455 = phi_2828_;
+                                                let _e2457 = phi_2829_;
+                                                phi_2830_ = _e2453;
+                                                phi_2831_ = _e2455;
+                                                phi_2832_ = _e2457;
                                             } else {
-                                                let _e2449 = triangles.member[(0u + _e2260)].v0_;
-                                                let _e2451 = (_e2449.x - _e126);
-                                                let _e2453 = (_e2449.y - _e128);
-                                                let _e2455 = (_e2449.z - _e130);
-                                                if (_e1646 == 0u) {
-                                                    phi_2847_ = vec3<f32>(_e2453, _e2455, _e2451);
-                                                } else {
-                                                    if (_e1646 == 1u) {
-                                                        phi_2846_ = vec3<f32>(_e2455, _e2451, _e2453);
-                                                    } else {
-                                                        phi_2846_ = (_e2449 - vec3<f32>(_e126, _e128, _e130));
-                                                    }
-                                                    let _e2463 = phi_2846_;
-                                                    phi_2847_ = _e2463;
-                                                }
-                                                let _e2465 = phi_2847_;
-                                                let _e2467 = triangles.member[(0u + _e2260)].v1_;
-                                                let _e2469 = triangles.member[(0u + _e2260)].v0_;
-                                                let _e2472 = (_e2467.x - _e2469.x);
-                                                let _e2475 = (_e2467.y - _e2469.y);
-                                                let _e2478 = (_e2467.z - _e2469.z);
-                                                if (_e1646 == 0u) {
-                                                    phi_2873_ = vec3<f32>(_e2475, _e2478, _e2472);
-                                                } else {
-                                                    if (_e1646 == 1u) {
-                                                        phi_2872_ = vec3<f32>(_e2478, _e2472, _e2475);
-                                                    } else {
-                                                        phi_2872_ = (_e2467 - _e2469);
-                                                    }
-                                                    let _e2485 = phi_2872_;
-                                                    phi_2873_ = _e2485;
-                                                }
-                                                let _e2487 = phi_2873_;
-                                                let _e2489 = triangles.member[(0u + _e2260)].v2_;
-                                                let _e2491 = triangles.member[(0u + _e2260)].v0_;
-                                                let _e2494 = (_e2489.x - _e2491.x);
-                                                let _e2497 = (_e2489.y - _e2491.y);
-                                                let _e2500 = (_e2489.z - _e2491.z);
-                                                if (_e1646 == 0u) {
-                                                    phi_2899_ = vec3<f32>(_e2497, _e2500, _e2494);
-                                                } else {
-                                                    if (_e1646 == 1u) {
-                                                        phi_2898_ = vec3<f32>(_e2500, _e2494, _e2497);
-                                                    } else {
-                                                        phi_2898_ = (_e2489 - _e2491);
-                                                    }
-                                                    let _e2507 = phi_2898_;
-                                                    phi_2899_ = _e2507;
-                                                }
-                                                let _e2509 = phi_2899_;
-                                                let _e2516 = ((_e2487.y * _e2509.z) - (_e2487.z * _e2509.y));
-                                                let _e2523 = ((_e2487.z * _e2509.x) - (_e2487.x * _e2509.z));
-                                                let _e2530 = ((_e2487.x * _e2509.y) - (_e2487.y * _e2509.x));
-                                                let _e2544 = (((1f / _e1654.z) * (((_e2516 * _e2465.x) + (_e2523 * _e2465.y)) + (_e2530 * _e2465.z))) / (((_e2516 * _e1657) + (_e2523 * _e1660)) + _e2530));
-                                                if (_e2544 > 0f) {
-                                                    if (_e2544 < _e138) {
-                                                        let _e2548 = triangles.member[(0u + _e2260)].v0_;
-                                                        let _e2550 = triangles.member[(0u + _e2260)].v1_;
-                                                        if (_e2548.x < _e2550.x) {
-                                                            phi_2955_ = _e2548.x;
-                                                        } else {
-                                                            phi_2955_ = _e2550.x;
-                                                        }
-                                                        let _e2557 = phi_2955_;
-                                                        if (_e2548.y < _e2550.y) {
-                                                            phi_2964_ = _e2548.y;
-                                                        } else {
-                                                            phi_2964_ = _e2550.y;
-                                                        }
-                                                        let _e2564 = phi_2964_;
-                                                        if (_e2548.z < _e2550.z) {
-                                                            phi_2973_ = _e2548.z;
-                                                        } else {
-                                                            phi_2973_ = _e2550.z;
-                                                        }
-                                                        let _e2571 = phi_2973_;
-                                                        let _e2573 = triangles.member[(0u + _e2260)].v2_;
-                                                        if (_e2557 < _e2573.x) {
-                                                            phi_2982_ = _e2557;
-                                                        } else {
-                                                            phi_2982_ = _e2573.x;
-                                                        }
-                                                        let _e2578 = phi_2982_;
-                                                        if (_e2564 < _e2573.y) {
-                                                            phi_2989_ = _e2564;
-                                                        } else {
-                                                            phi_2989_ = _e2573.y;
-                                                        }
-                                                        let _e2583 = phi_2989_;
-                                                        if (_e2571 < _e2573.z) {
-                                                            phi_2996_ = _e2571;
-                                                        } else {
-                                                            phi_2996_ = _e2573.z;
-                                                        }
-                                                        let _e2588 = phi_2996_;
-                                                        let _e2590 = triangles.member[(0u + _e2260)].v0_;
-                                                        let _e2592 = triangles.member[(0u + _e2260)].v1_;
-                                                        if (_e2590.x > _e2592.x) {
-                                                            phi_3009_ = _e2590.x;
-                                                        } else {
-                                                            phi_3009_ = _e2592.x;
-                                                        }
-                                                        let _e2599 = phi_3009_;
-                                                        if (_e2590.y > _e2592.y) {
-                                                            phi_3018_ = _e2590.y;
-                                                        } else {
-                                                            phi_3018_ = _e2592.y;
-                                                        }
-                                                        let _e2606 = phi_3018_;
-                                                        if (_e2590.z > _e2592.z) {
-                                                            phi_3027_ = _e2590.z;
-                                                        } else {
-                                                            phi_3027_ = _e2592.z;
-                                                        }
-                                                        let _e2613 = phi_3027_;
-                                                        let _e2615 = triangles.member[(0u + _e2260)].v2_;
-                                                        if (_e2599 > _e2615.x) {
-                                                            phi_3036_ = _e2599;
-                                                        } else {
-                                                            phi_3036_ = _e2615.x;
-                                                        }
-                                                        let _e2620 = phi_3036_;
-                                                        if (_e2606 > _e2615.y) {
-                                                            phi_3043_ = _e2606;
-                                                        } else {
-                                                            phi_3043_ = _e2615.y;
-                                                        }
-                                                        let _e2625 = phi_3043_;
-                                                        if (_e2613 > _e2615.z) {
-                                                            phi_3050_ = _e2613;
-                                                        } else {
-                                                            phi_3050_ = _e2615.z;
-                                                        }
-                                                        let _e2630 = phi_3050_;
-                                                        let _e2634 = ((_e2578 - _e126) * _e1571);
-                                                        let _e2635 = ((_e2583 - _e128) * _e1581);
-                                                        let _e2636 = ((_e2588 - _e130) * _e1591);
-                                                        let _e2640 = ((_e2620 - _e126) * _e1571);
-                                                        let _e2641 = ((_e2625 - _e128) * _e1581);
-                                                        let _e2642 = ((_e2630 - _e130) * _e1591);
-                                                        if (_e2634 < _e2640) {
-                                                            phi_3067_ = _e2634;
-                                                        } else {
-                                                            phi_3067_ = _e2640;
-                                                        }
-                                                        let _e2645 = phi_3067_;
-                                                        if (_e2635 < _e2641) {
-                                                            phi_3072_ = _e2635;
-                                                        } else {
-                                                            phi_3072_ = _e2641;
-                                                        }
-                                                        let _e2648 = phi_3072_;
-                                                        if (_e2636 < _e2642) {
-                                                            phi_3077_ = _e2636;
-                                                        } else {
-                                                            phi_3077_ = _e2642;
-                                                        }
-                                                        let _e2651 = phi_3077_;
-                                                        if (_e2634 > _e2640) {
-                                                            phi_3085_ = _e2634;
-                                                        } else {
-                                                            phi_3085_ = _e2640;
-                                                        }
-                                                        let _e2657 = phi_3085_;
-                                                        if (_e2635 > _e2641) {
-                                                            phi_3090_ = _e2635;
-                                                        } else {
-                                                            phi_3090_ = _e2641;
-                                                        }
-                                                        let _e2660 = phi_3090_;
-                                                        if (_e2636 > _e2642) {
-                                                            phi_3095_ = _e2636;
-                                                        } else {
-                                                            phi_3095_ = _e2642;
-                                                        }
-                                                        let _e2663 = phi_3095_;
-                                                        let _e2667 = core_intrinsics_maximum_number_nsz_f32_((_e2645 - _e1630), (_e2648 - _e1631));
-                                                        let _e2668 = core_intrinsics_maximum_number_nsz_f32_(_e2667, (_e2651 - _e1632));
-                                                        let _e2669 = core_intrinsics_minimum_number_nsz_f32_((_e2657 + _e1630), (_e2660 + _e1631));
-                                                        let _e2670 = core_intrinsics_minimum_number_nsz_f32_(_e2669, (_e2663 + _e1632));
-                                                        if (_e2668 > -300000000000000000000000000000000000000f) {
-                                                            phi_3107_ = _e2668;
-                                                        } else {
-                                                            phi_3107_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2673 = phi_3107_;
-                                                        if (_e2670 < 300000000000000000000000000000000000000f) {
-                                                            phi_3112_ = _e2670;
-                                                        } else {
-                                                            phi_3112_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2676 = phi_3112_;
-                                                        if (_e2544 < _e2673) {
-                                                            phi_3117_ = _e2673;
-                                                        } else {
-                                                            phi_3117_ = _e2544;
-                                                        }
-                                                        let _e2679 = phi_3117_;
-                                                        if (_e2679 > _e2676) {
-                                                            phi_3122_ = _e2676;
-                                                        } else {
-                                                            phi_3122_ = _e2679;
-                                                        }
-                                                        let _e2682 = phi_3122_;
-                                                        phi_3127_ = lt_bvh_triangle_Intersection(_e2682, (_e2385 / _e2444), (_e2406 / _e2444), (_e2673 <= _e2676));
-                                                        phi_3128_ = false;
-                                                    } else {
-                                                        phi_3127_ = lt_bvh_triangle_Intersection();
-                                                        phi_3128_ = true;
-                                                    }
-                                                    let _e2688 = phi_3127_;
-                                                    let _e2690 = phi_3128_;
-                                                    phi_3129_ = _e2688;
-                                                    phi_3130_ = _e2690;
-                                                } else {
-                                                    phi_3129_ = lt_bvh_triangle_Intersection();
-                                                    phi_3130_ = true;
-                                                }
-                                                let _e2692 = phi_3129_;
-                                                let _e2694 = phi_3130_;
-                                                if _e2694 {
-                                                }
-                                                phi_3134_ = _e2692;
-                                                phi_3135_ = _e2694;
+                                                phi_2830_ = f32();
+                                                phi_2831_ = true;
+                                                phi_2832_ = false;
                                             }
-                                            let _e2696 = phi_3134_;
-                                            let _e2698 = phi_3135_;
-                                            phi_3136_ = _e2696;
-                                            phi_3137_ = _e2447;
-                                            phi_3138_ = _e2698;
-                                        } else {
-                                            phi_3136_ = lt_bvh_triangle_Intersection();
-                                            phi_3137_ = true;
-                                            phi_3138_ = false;
-                                        }
-                                        let _e2700 = phi_3136_;
-                                        let _e2702 = phi_3137_;
-                                        let _e2704 = phi_3138_;
-                                        if _e2702 {
-                                            phi_3142_ = true;
-                                        } else {
-                                            phi_3142_ = _e2704;
-                                        }
-                                        let _e2706 = phi_3142_;
-                                        if _e2706 {
-                                            phi_3146_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                        } else {
-                                            phi_3146_ = _e2700;
-                                        }
-                                        let _e2708 = phi_3146_;
-                                        if _e2708.is_hit {
-                                            if (_e2708.t > 0f) {
-                                                if (_e2708.t < _e138) {
-                                                    if true {
-                                                        phi_3166_ = false;
-                                                    } else {
-                                                        phi_3166_ = true;
-                                                    }
-                                                    let _e2717 = phi_3166_;
-                                                    phi_3167_ = true;
-                                                    phi_3168_ = _e2717;
-                                                } else {
-                                                    phi_3167_ = _e2251;
-                                                    phi_3168_ = true;
-                                                }
-                                                let _e2719 = phi_3167_;
-                                                let _e2721 = phi_3168_;
-                                                phi_3169_ = _e2719;
-                                                phi_3170_ = _e2721;
+                                            let _e2459 = phi_2830_;
+                                            let _e2461 = phi_2831_;
+                                            let _e2463 = phi_2832_;
+                                            if _e2461 {
+                                                phi_2836_ = false;
                                             } else {
-                                                phi_3169_ = _e2251;
-                                                phi_3170_ = true;
+                                                phi_2836_ = _e2463;
                                             }
-                                            let _e2723 = phi_3169_;
-                                            let _e2725 = phi_3170_;
-                                            phi_3171_ = _e2723;
-                                            phi_3172_ = _e2725;
+                                            let _e2465 = phi_2836_;
+                                            phi_2837_ = _e2459;
+                                            phi_2838_ = _e2465;
                                         } else {
-                                            phi_3171_ = _e2251;
-                                            phi_3172_ = true;
+                                            phi_2837_ = _e2444;
+                                            phi_2838_ = true;
                                         }
-                                        let _e2727 = phi_3171_;
-                                        let _e2729 = phi_3172_;
+                                        let _e2467 = phi_2837_;
+                                        let _e2469 = phi_2838_;
+                                        if _e2469 {
+                                            let _e2470 = (_e2467 == 0f);
+                                            if _e2470 {
+                                                phi_3154_ = lt_bvh_triangle_Intersection();
+                                                phi_3155_ = false;
+                                            } else {
+                                                let _e2472 = triangles.member[(0u + _e2283)].v0_;
+                                                let _e2474 = (_e2472.x - _e126);
+                                                let _e2476 = (_e2472.y - _e128);
+                                                let _e2478 = (_e2472.z - _e130);
+                                                if (_e1669 == 0u) {
+                                                    phi_2867_ = vec3<f32>(_e2476, _e2478, _e2474);
+                                                } else {
+                                                    if (_e1669 == 1u) {
+                                                        phi_2866_ = vec3<f32>(_e2478, _e2474, _e2476);
+                                                    } else {
+                                                        phi_2866_ = (_e2472 - vec3<f32>(_e126, _e128, _e130));
+                                                    }
+                                                    let _e2486 = phi_2866_;
+                                                    phi_2867_ = _e2486;
+                                                }
+                                                let _e2488 = phi_2867_;
+                                                let _e2490 = triangles.member[(0u + _e2283)].v1_;
+                                                let _e2492 = triangles.member[(0u + _e2283)].v0_;
+                                                let _e2495 = (_e2490.x - _e2492.x);
+                                                let _e2498 = (_e2490.y - _e2492.y);
+                                                let _e2501 = (_e2490.z - _e2492.z);
+                                                if (_e1669 == 0u) {
+                                                    phi_2893_ = vec3<f32>(_e2498, _e2501, _e2495);
+                                                } else {
+                                                    if (_e1669 == 1u) {
+                                                        phi_2892_ = vec3<f32>(_e2501, _e2495, _e2498);
+                                                    } else {
+                                                        phi_2892_ = (_e2490 - _e2492);
+                                                    }
+                                                    let _e2508 = phi_2892_;
+                                                    phi_2893_ = _e2508;
+                                                }
+                                                let _e2510 = phi_2893_;
+                                                let _e2512 = triangles.member[(0u + _e2283)].v2_;
+                                                let _e2514 = triangles.member[(0u + _e2283)].v0_;
+                                                let _e2517 = (_e2512.x - _e2514.x);
+                                                let _e2520 = (_e2512.y - _e2514.y);
+                                                let _e2523 = (_e2512.z - _e2514.z);
+                                                if (_e1669 == 0u) {
+                                                    phi_2919_ = vec3<f32>(_e2520, _e2523, _e2517);
+                                                } else {
+                                                    if (_e1669 == 1u) {
+                                                        phi_2918_ = vec3<f32>(_e2523, _e2517, _e2520);
+                                                    } else {
+                                                        phi_2918_ = (_e2512 - _e2514);
+                                                    }
+                                                    let _e2530 = phi_2918_;
+                                                    phi_2919_ = _e2530;
+                                                }
+                                                let _e2532 = phi_2919_;
+                                                let _e2539 = ((_e2510.y * _e2532.z) - (_e2510.z * _e2532.y));
+                                                let _e2546 = ((_e2510.z * _e2532.x) - (_e2510.x * _e2532.z));
+                                                let _e2553 = ((_e2510.x * _e2532.y) - (_e2510.y * _e2532.x));
+                                                let _e2567 = (((1f / _e1677.z) * (((_e2539 * _e2488.x) + (_e2546 * _e2488.y)) + (_e2553 * _e2488.z))) / (((_e2539 * _e1680) + (_e2546 * _e1683)) + _e2553));
+                                                if (_e2567 > 0f) {
+                                                    if (_e2567 < _e138) {
+                                                        let _e2571 = triangles.member[(0u + _e2283)].v0_;
+                                                        let _e2573 = triangles.member[(0u + _e2283)].v1_;
+                                                        if (_e2571.x < _e2573.x) {
+                                                            phi_2975_ = _e2571.x;
+                                                        } else {
+                                                            phi_2975_ = _e2573.x;
+                                                        }
+                                                        let _e2580 = phi_2975_;
+                                                        if (_e2571.y < _e2573.y) {
+                                                            phi_2984_ = _e2571.y;
+                                                        } else {
+                                                            phi_2984_ = _e2573.y;
+                                                        }
+                                                        let _e2587 = phi_2984_;
+                                                        if (_e2571.z < _e2573.z) {
+                                                            phi_2993_ = _e2571.z;
+                                                        } else {
+                                                            phi_2993_ = _e2573.z;
+                                                        }
+                                                        let _e2594 = phi_2993_;
+                                                        let _e2596 = triangles.member[(0u + _e2283)].v2_;
+                                                        if (_e2580 < _e2596.x) {
+                                                            phi_3002_ = _e2580;
+                                                        } else {
+                                                            phi_3002_ = _e2596.x;
+                                                        }
+                                                        let _e2601 = phi_3002_;
+                                                        if (_e2587 < _e2596.y) {
+                                                            phi_3009_ = _e2587;
+                                                        } else {
+                                                            phi_3009_ = _e2596.y;
+                                                        }
+                                                        let _e2606 = phi_3009_;
+                                                        if (_e2594 < _e2596.z) {
+                                                            phi_3016_ = _e2594;
+                                                        } else {
+                                                            phi_3016_ = _e2596.z;
+                                                        }
+                                                        let _e2611 = phi_3016_;
+                                                        let _e2613 = triangles.member[(0u + _e2283)].v0_;
+                                                        let _e2615 = triangles.member[(0u + _e2283)].v1_;
+                                                        if (_e2613.x > _e2615.x) {
+                                                            phi_3029_ = _e2613.x;
+                                                        } else {
+                                                            phi_3029_ = _e2615.x;
+                                                        }
+                                                        let _e2622 = phi_3029_;
+                                                        if (_e2613.y > _e2615.y) {
+                                                            phi_3038_ = _e2613.y;
+                                                        } else {
+                                                            phi_3038_ = _e2615.y;
+                                                        }
+                                                        let _e2629 = phi_3038_;
+                                                        if (_e2613.z > _e2615.z) {
+                                                            phi_3047_ = _e2613.z;
+                                                        } else {
+                                                            phi_3047_ = _e2615.z;
+                                                        }
+                                                        let _e2636 = phi_3047_;
+                                                        let _e2638 = triangles.member[(0u + _e2283)].v2_;
+                                                        if (_e2622 > _e2638.x) {
+                                                            phi_3056_ = _e2622;
+                                                        } else {
+                                                            phi_3056_ = _e2638.x;
+                                                        }
+                                                        let _e2643 = phi_3056_;
+                                                        if (_e2629 > _e2638.y) {
+                                                            phi_3063_ = _e2629;
+                                                        } else {
+                                                            phi_3063_ = _e2638.y;
+                                                        }
+                                                        let _e2648 = phi_3063_;
+                                                        if (_e2636 > _e2638.z) {
+                                                            phi_3070_ = _e2636;
+                                                        } else {
+                                                            phi_3070_ = _e2638.z;
+                                                        }
+                                                        let _e2653 = phi_3070_;
+                                                        let _e2657 = ((_e2601 - _e126) * _e1594);
+                                                        let _e2658 = ((_e2606 - _e128) * _e1604);
+                                                        let _e2659 = ((_e2611 - _e130) * _e1614);
+                                                        let _e2663 = ((_e2643 - _e126) * _e1594);
+                                                        let _e2664 = ((_e2648 - _e128) * _e1604);
+                                                        let _e2665 = ((_e2653 - _e130) * _e1614);
+                                                        if (_e2657 < _e2663) {
+                                                            phi_3087_ = _e2657;
+                                                        } else {
+                                                            phi_3087_ = _e2663;
+                                                        }
+                                                        let _e2668 = phi_3087_;
+                                                        if (_e2658 < _e2664) {
+                                                            phi_3092_ = _e2658;
+                                                        } else {
+                                                            phi_3092_ = _e2664;
+                                                        }
+                                                        let _e2671 = phi_3092_;
+                                                        if (_e2659 < _e2665) {
+                                                            phi_3097_ = _e2659;
+                                                        } else {
+                                                            phi_3097_ = _e2665;
+                                                        }
+                                                        let _e2674 = phi_3097_;
+                                                        if (_e2657 > _e2663) {
+                                                            phi_3105_ = _e2657;
+                                                        } else {
+                                                            phi_3105_ = _e2663;
+                                                        }
+                                                        let _e2680 = phi_3105_;
+                                                        if (_e2658 > _e2664) {
+                                                            phi_3110_ = _e2658;
+                                                        } else {
+                                                            phi_3110_ = _e2664;
+                                                        }
+                                                        let _e2683 = phi_3110_;
+                                                        if (_e2659 > _e2665) {
+                                                            phi_3115_ = _e2659;
+                                                        } else {
+                                                            phi_3115_ = _e2665;
+                                                        }
+                                                        let _e2686 = phi_3115_;
+                                                        let _e2690 = core_intrinsics_maximum_number_nsz_f32_((_e2668 - _e1653), (_e2671 - _e1654));
+                                                        let _e2691 = core_intrinsics_maximum_number_nsz_f32_(_e2690, (_e2674 - _e1655));
+                                                        let _e2692 = core_intrinsics_minimum_number_nsz_f32_((_e2680 + _e1653), (_e2683 + _e1654));
+                                                        let _e2693 = core_intrinsics_minimum_number_nsz_f32_(_e2692, (_e2686 + _e1655));
+                                                        if (_e2691 > -300000000000000000000000000000000000000f) {
+                                                            phi_3127_ = _e2691;
+                                                        } else {
+                                                            phi_3127_ = -300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2696 = phi_3127_;
+                                                        if (_e2693 < 300000000000000000000000000000000000000f) {
+                                                            phi_3132_ = _e2693;
+                                                        } else {
+                                                            phi_3132_ = 300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2699 = phi_3132_;
+                                                        if (_e2567 < _e2696) {
+                                                            phi_3137_ = _e2696;
+                                                        } else {
+                                                            phi_3137_ = _e2567;
+                                                        }
+                                                        let _e2702 = phi_3137_;
+                                                        if (_e2702 > _e2699) {
+                                                            phi_3142_ = _e2699;
+                                                        } else {
+                                                            phi_3142_ = _e2702;
+                                                        }
+                                                        let _e2705 = phi_3142_;
+                                                        phi_3147_ = lt_bvh_triangle_Intersection(_e2705, (_e2408 / _e2467), (_e2429 / _e2467), (_e2696 <= _e2699));
+                                                        phi_3148_ = false;
+                                                    } else {
+                                                        phi_3147_ = lt_bvh_triangle_Intersection();
+                                                        phi_3148_ = true;
+                                                    }
+                                                    let _e2711 = phi_3147_;
+                                                    let _e2713 = phi_3148_;
+                                                    phi_3149_ = _e2711;
+                                                    phi_3150_ = _e2713;
+                                                } else {
+                                                    phi_3149_ = lt_bvh_triangle_Intersection();
+                                                    phi_3150_ = true;
+                                                }
+                                                let _e2715 = phi_3149_;
+                                                let _e2717 = phi_3150_;
+                                                if _e2717 {
+                                                }
+                                                phi_3154_ = _e2715;
+                                                phi_3155_ = _e2717;
+                                            }
+                                            let _e2719 = phi_3154_;
+                                            let _e2721 = phi_3155_;
+                                            phi_3156_ = _e2719;
+                                            phi_3157_ = _e2470;
+                                            phi_3158_ = _e2721;
+                                        } else {
+                                            phi_3156_ = lt_bvh_triangle_Intersection();
+                                            phi_3157_ = true;
+                                            phi_3158_ = false;
+                                        }
+                                        let _e2723 = phi_3156_;
+                                        let _e2725 = phi_3157_;
+                                        let _e2727 = phi_3158_;
+                                        if _e2725 {
+                                            phi_3162_ = true;
+                                        } else {
+                                            phi_3162_ = _e2727;
+                                        }
+                                        let _e2729 = phi_3162_;
                                         if _e2729 {
+                                            phi_3166_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        } else {
+                                            phi_3166_ = _e2723;
                                         }
-                                        phi_2576_ = (_e2249 & (_e2249 - 1u));
-                                        phi_2579_ = _e2727;
-                                        phi_3176_ = _e2729;
+                                        let _e2731 = phi_3166_;
+                                        if _e2731.is_hit {
+                                            if (_e2731.t > 0f) {
+                                                if (_e2731.t < _e138) {
+                                                    if true {
+                                                        phi_3186_ = false;
+                                                    } else {
+                                                        phi_3186_ = true;
+                                                    }
+                                                    let _e2740 = phi_3186_;
+                                                    phi_3187_ = true;
+                                                    phi_3188_ = _e2740;
+                                                } else {
+                                                    phi_3187_ = _e2274;
+                                                    phi_3188_ = true;
+                                                }
+                                                let _e2742 = phi_3187_;
+                                                let _e2744 = phi_3188_;
+                                                phi_3189_ = _e2742;
+                                                phi_3190_ = _e2744;
+                                            } else {
+                                                phi_3189_ = _e2274;
+                                                phi_3190_ = true;
+                                            }
+                                            let _e2746 = phi_3189_;
+                                            let _e2748 = phi_3190_;
+                                            phi_3191_ = _e2746;
+                                            phi_3192_ = _e2748;
+                                        } else {
+                                            phi_3191_ = _e2274;
+                                            phi_3192_ = true;
+                                        }
+                                        let _e2750 = phi_3191_;
+                                        let _e2752 = phi_3192_;
+                                        if _e2752 {
+                                        }
+                                        phi_2596_ = (_e2272 & (_e2272 - 1u));
+                                        phi_2599_ = _e2750;
+                                        phi_3196_ = _e2752;
                                     }
-                                    let _e2731 = phi_2576_;
-                                    let _e2733 = phi_2579_;
-                                    let _e2735 = phi_3176_;
+                                    let _e2754 = phi_2596_;
+                                    let _e2756 = phi_2599_;
+                                    let _e2758 = phi_3196_;
                                     continue;
                                     continuing {
-                                        phi_2575_ = _e2731;
-                                        phi_2578_ = _e2733;
-                                        break if !(_e2735);
+                                        phi_2595_ = _e2754;
+                                        phi_2598_ = _e2756;
+                                        break if !(_e2758);
                                     }
                                 }
-                                let _e2738 = local_7;
-                                if _e2738 {
-                                    let _e2740 = local.group_mask;
-                                    if ((_e2740 & 4278190080u) == 0u) {
-                                        let _e2744 = local.len;
-                                        if (_e2744 == 0u) {
-                                            phi_3218_ = false;
+                                let _e2761 = local_9;
+                                if _e2761 {
+                                    let _e2763 = local.group_mask;
+                                    if ((_e2763 & 4278190080u) == 0u) {
+                                        let _e2767 = local.len;
+                                        if (_e2767 == 0u) {
+                                            phi_3238_ = false;
                                         } else {
-                                            let _e2748 = local.len;
-                                            local.len = (_e2748 - 1u);
-                                            let _e2751 = local.len;
-                                            if (_e2751 < 32u) {
+                                            let _e2771 = local.len;
+                                            local.len = (_e2771 - 1u);
+                                            let _e2774 = local.len;
+                                            if (_e2774 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e2756 = local.first[(0u + _e2751)];
-                                            local.group = _e2756;
-                                            let _e2759 = local.len;
-                                            if (_e2759 < 32u) {
+                                            let _e2779 = local.first[(0u + _e2774)];
+                                            local.group = _e2779;
+                                            let _e2782 = local.len;
+                                            if (_e2782 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e2764 = local.mask[(0u + _e2759)];
-                                            local.group_mask = _e2764;
-                                            phi_3218_ = true;
+                                            let _e2787 = local.mask[(0u + _e2782)];
+                                            local.group_mask = _e2787;
+                                            phi_3238_ = true;
                                         }
-                                        let _e2767 = phi_3218_;
-                                        phi_3219_ = _e2767;
+                                        let _e2790 = phi_3238_;
+                                        phi_3239_ = _e2790;
                                     } else {
-                                        phi_3219_ = true;
+                                        phi_3239_ = true;
                                     }
-                                    let _e2769 = phi_3219_;
-                                    if _e2769 {
-                                        let _e2771 = local.group_mask;
-                                        let _e2777 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2771)), 32u, (_e2771 == 0u)));
-                                        let _e2781 = local.group_mask;
-                                        let _e2795 = local.group_mask;
-                                        local.group_mask = (_e2795 & ~((1u << bitcast<u32>((_e2777 & 31u)))));
-                                        let _e2798 = local.group;
-                                        phi_3250_ = (_e2798 + countOneBits(((_e2781 & ~((4294967295u << bitcast<u32>((((_e2777 - 24u) ^ _e1673) & 31u))))) & 255u)));
+                                    let _e2792 = phi_3239_;
+                                    if _e2792 {
+                                        let _e2794 = local.group_mask;
+                                        let _e2800 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2794)), 32u, (_e2794 == 0u)));
+                                        let _e2804 = local.group_mask;
+                                        let _e2818 = local.group_mask;
+                                        local.group_mask = (_e2818 & ~((1u << bitcast<u32>((_e2800 & 31u)))));
+                                        let _e2821 = local.group;
+                                        phi_3270_ = (_e2821 + countOneBits(((_e2804 & ~((4294967295u << bitcast<u32>((((_e2800 - 24u) ^ _e1696) & 31u))))) & 255u)));
                                     } else {
-                                        phi_3250_ = 4294967295u;
+                                        phi_3270_ = 4294967295u;
                                     }
-                                    let _e2801 = phi_3250_;
-                                    phi_3251_ = _e2801;
+                                    let _e2824 = phi_3270_;
+                                    phi_3271_ = _e2824;
                                 } else {
-                                    phi_3251_ = u32();
+                                    phi_3271_ = u32();
                                 }
-                                let _e2803 = phi_3251_;
-                                phi_2244_ = _e2803;
-                                let _e3327 = local_14;
-                                phi_2247_ = _e3327;
-                                let _e3330 = local_15;
-                                phi_3252_ = _e3330;
-                                phi_3253_ = false;
+                                let _e2826 = phi_3271_;
+                                phi_2264_ = _e2826;
+                                let _e3366 = local_19;
+                                phi_2267_ = _e3366;
+                                let _e3369 = local_20;
+                                phi_3272_ = _e3369;
+                                phi_3273_ = false;
                             } else {
-                                phi_2244_ = u32();
-                                phi_2247_ = bool();
-                                phi_3252_ = false;
-                                phi_3253_ = true;
+                                phi_2264_ = u32();
+                                phi_2267_ = bool();
+                                phi_3272_ = false;
+                                phi_3273_ = true;
                             }
-                            let _e2805 = phi_2244_;
-                            let _e2807 = phi_2247_;
-                            let _e2809 = phi_3252_;
-                            let _e2811 = phi_3253_;
-                            local_8 = _e2811;
+                            let _e2828 = phi_2264_;
+                            let _e2830 = phi_2267_;
+                            let _e2832 = phi_3272_;
+                            let _e2834 = phi_3273_;
+                            local_10 = _e2834;
                             continue;
                             continuing {
-                                phi_2243_ = _e2805;
-                                phi_2246_ = _e2807;
-                                break if !(_e2809);
+                                phi_2263_ = _e2828;
+                                phi_2266_ = _e2830;
+                                break if !(_e2832);
                             }
                         }
-                        let _e2814 = local_8;
-                        if _e2814 {
-                            phi_3257_ = false;
+                        let _e2837 = local_10;
+                        if _e2837 {
+                            phi_3277_ = false;
                         } else {
-                            phi_3257_ = true;
+                            phi_3277_ = true;
                         }
-                        let _e2816 = phi_3257_;
-                        if _e2816 {
-                            phi_3261_ = true;
+                        let _e2839 = phi_3277_;
+                        if _e2839 {
+                            phi_3281_ = true;
                         } else {
-                            let _e3336 = local_16;
-                            phi_3261_ = _e3336;
+                            let _e3375 = local_21;
+                            phi_3281_ = _e3375;
                         }
-                        let _e2818 = phi_3261_;
-                        phi_3262_ = _e2818;
+                        let _e2841 = phi_3281_;
+                        phi_3282_ = _e2841;
                     }
-                    let _e2820 = phi_3262_;
-                    phi_3263_ = _e2820;
-                    phi_3264_ = _e1495;
+                    let _e2843 = phi_3282_;
+                    phi_3283_ = _e2843;
+                    phi_3284_ = _e1518;
                 } else {
-                    phi_3263_ = bool();
-                    phi_3264_ = true;
+                    phi_3283_ = bool();
+                    phi_3284_ = true;
                 }
-                let _e2822 = phi_3263_;
-                let _e2824 = phi_3264_;
-                if _e2824 {
-                    phi_3268_ = false;
+                let _e2845 = phi_3283_;
+                let _e2847 = phi_3284_;
+                if _e2847 {
+                    phi_3288_ = false;
                 } else {
-                    phi_3268_ = _e2822;
+                    phi_3288_ = _e2845;
                 }
-                let _e2826 = phi_3268_;
-                phi_3269_ = _e2826;
+                let _e2849 = phi_3288_;
+                phi_3289_ = _e2849;
             }
-            let _e2828 = phi_3269_;
-            phi_3270_ = _e2828;
+            let _e2851 = phi_3289_;
+            phi_3290_ = _e2851;
         } else {
-            phi_3270_ = false;
+            phi_3290_ = false;
         }
-        let _e2830 = phi_3270_;
-        if _e2830 {
-            phi_3274_ = 0f;
+        let _e2853 = phi_3290_;
+        if _e2853 {
+            phi_3294_ = 0f;
         } else {
-            phi_3274_ = 1f;
+            phi_3294_ = 1f;
         }
-        let _e2832 = phi_3274_;
+        let _e2855 = phi_3294_;
         if (_e105 < _e82) {
         } else {
             return;
         }
-        visibility.member[(0u + _e105)] = _e2832;
-        let _e2838 = p.member.light.number;
-        let _e2839 = (_e2838 * 3u);
-        let _e2840 = (_e2839 / 32u);
-        let _e2841 = (_e2839 % 32u);
-        let _e2843 = p.member.light.mask_words;
+        visibility.member[(0u + _e105)] = _e2855;
+        let _e2861 = p.member.light.number;
+        let _e2862 = (_e2861 * 3u);
+        let _e2863 = (_e2862 / 32u);
+        let _e2864 = (_e2862 % 32u);
+        let _e2866 = p.member.light.mask_words;
         if (_e105 < _e82) {
         } else {
             return;
         }
-        let _e2847 = visibility.member[(0u + _e105)];
-        let _e2849 = ((_e105 * _e2843) + _e2840);
-        if (_e2841 > 29u) {
-            let _e2851 = (_e2849 + 1u);
-            if (_e2851 < _e88) {
+        let _e2870 = visibility.member[(0u + _e105)];
+        let _e2872 = ((_e105 * _e2866) + _e2863);
+        if (_e2864 > 29u) {
+            let _e2874 = (_e2872 + 1u);
+            if (_e2874 < _e88) {
             } else {
                 return;
             }
-            let _e2855 = bits.member[(0u + _e2851)];
-            phi_3315_ = _e2855;
+            let _e2878 = bits.member[(0u + _e2874)];
+            phi_3335_ = _e2878;
         } else {
-            phi_3315_ = 0u;
+            phi_3335_ = 0u;
         }
-        let _e2857 = phi_3315_;
-        if (_e2849 < _e88) {
-        } else {
-            return;
-        }
-        let _e2861 = bits.member[(0u + _e2849)];
-        let _e2864 = (_e2861 >> bitcast<u32>((_e2841 & 31u)));
-        if (_e2841 > 29u) {
-            phi_3334_ = (_e2864 | (_e2857 << bitcast<u32>(((32u - _e2841) & 31u))));
-        } else {
-            phi_3334_ = _e2864;
-        }
-        let _e2872 = phi_3334_;
-        if ((_e2872 & 2u) == 0u) {
-            phi_3342_ = (_e2872 & 1u);
-        } else {
-            phi_3342_ = (_e2872 & 7u);
-        }
-        let _e2878 = phi_3342_;
-        if ((_e2878 & 1u) != 0u) {
-            phi_3350_ = (2u | 1u);
-        } else {
-            phi_3350_ = 2u;
-        }
-        let _e2884 = phi_3350_;
-        if (_e2847 < 0.5f) {
-            phi_3355_ = (_e2884 | 4u);
-        } else {
-            phi_3355_ = _e2884;
-        }
-        let _e2887 = phi_3355_;
-        let _e2889 = ((_e105 * _e2843) + _e2840);
-        if (_e2889 < _e88) {
+        let _e2880 = phi_3335_;
+        if (_e2872 < _e88) {
         } else {
             return;
         }
-        let _e2893 = bits.member[(0u + _e2889)];
-        if (_e2889 < _e88) {
+        let _e2884 = bits.member[(0u + _e2872)];
+        let _e2887 = (_e2884 >> bitcast<u32>((_e2864 & 31u)));
+        if (_e2864 > 29u) {
+            phi_3354_ = (_e2887 | (_e2880 << bitcast<u32>(((32u - _e2864) & 31u))));
+        } else {
+            phi_3354_ = _e2887;
+        }
+        let _e2895 = phi_3354_;
+        if ((_e2895 & 2u) == 0u) {
+            phi_3362_ = (_e2895 & 1u);
+        } else {
+            phi_3362_ = (_e2895 & 7u);
+        }
+        let _e2901 = phi_3362_;
+        if ((_e2901 & 1u) != 0u) {
+            phi_3370_ = (2u | 1u);
+        } else {
+            phi_3370_ = 2u;
+        }
+        let _e2907 = phi_3370_;
+        if (_e2870 < 0.5f) {
+            phi_3375_ = (_e2907 | 4u);
+        } else {
+            phi_3375_ = _e2907;
+        }
+        let _e2910 = phi_3375_;
+        let _e2912 = ((_e105 * _e2866) + _e2863);
+        if (_e2912 < _e88) {
         } else {
             return;
         }
-        bits.member[(0u + _e2889)] = ((_e2893 & ~((7u << bitcast<u32>((_e2841 & 31u))))) | (_e2887 << bitcast<u32>((_e2841 & 31u))));
-        if (_e2841 > 29u) {
-            let _e2907 = (_e2889 + 1u);
-            if (_e2907 < _e88) {
+        let _e2916 = bits.member[(0u + _e2912)];
+        if (_e2912 < _e88) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e2912)] = ((_e2916 & ~((7u << bitcast<u32>((_e2864 & 31u))))) | (_e2910 << bitcast<u32>((_e2864 & 31u))));
+        if (_e2864 > 29u) {
+            let _e2930 = (_e2912 + 1u);
+            if (_e2930 < _e88) {
             } else {
                 return;
             }
-            let _e2911 = bits.member[(0u + _e2907)];
-            let _e2912 = (32u - _e2841);
-            let _e2922 = (_e2889 + 1u);
-            if (_e2922 < _e88) {
+            let _e2934 = bits.member[(0u + _e2930)];
+            let _e2935 = (32u - _e2864);
+            let _e2945 = (_e2912 + 1u);
+            if (_e2945 < _e88) {
             } else {
                 return;
             }
-            bits.member[(0u + _e2922)] = ((_e2911 & ~((7u >> bitcast<u32>((_e2912 & 31u))))) | (_e2887 >> bitcast<u32>((_e2912 & 31u))));
+            bits.member[(0u + _e2945)] = ((_e2934 & ~((7u >> bitcast<u32>((_e2935 & 31u))))) | (_e2910 >> bitcast<u32>((_e2935 & 31u))));
         }
     }
     return;

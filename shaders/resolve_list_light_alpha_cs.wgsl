@@ -684,164 +684,169 @@ fn function_() {
     var phi_1188_: vec3<f32>;
     var phi_1200_: u32;
     var phi_1203_: u32;
-    var phi_1272_: f32;
-    var phi_1273_: f32;
-    var phi_1287_: u32;
-    var phi_1310_: f32;
-    var phi_1311_: f32;
-    var phi_1325_: u32;
-    var phi_1348_: f32;
-    var phi_1349_: f32;
-    var phi_1363_: u32;
-    var phi_1490_: u32;
+    var phi_1212_: u32;
+    var phi_1215_: u32;
+    var phi_1217_: u32;
+    var phi_1219_: u32;
+    var phi_1292_: f32;
+    var phi_1293_: f32;
+    var phi_1307_: u32;
+    var phi_1330_: f32;
+    var phi_1331_: f32;
+    var phi_1345_: u32;
+    var phi_1368_: f32;
+    var phi_1369_: f32;
+    var phi_1383_: u32;
     var phi_1530_: u32;
     var phi_1531_: u32;
+    var phi_1535_: u32;
+    var phi_1536_: u32;
     var phi_1537_: u32;
-    var phi_1566_: vec3<f32>;
-    var phi_1567_: vec3<f32>;
-    var phi_1596_: vec3<f32>;
-    var phi_1597_: vec3<f32>;
-    var phi_1626_: vec3<f32>;
-    var phi_1627_: vec3<f32>;
-    var phi_1645_: bool;
-    var phi_1646_: bool;
-    var phi_1650_: f32;
-    var phi_1651_: f32;
-    var phi_1652_: f32;
-    var phi_1653_: f32;
-    var phi_1661_: f32;
-    var phi_1671_: bool;
-    var phi_1672_: bool;
-    var phi_1676_: f32;
-    var phi_1677_: f32;
-    var phi_1678_: f32;
-    var phi_1679_: f32;
-    var phi_1687_: f32;
-    var phi_1697_: bool;
-    var phi_1698_: bool;
-    var phi_1702_: f32;
-    var phi_1703_: f32;
-    var phi_1704_: f32;
-    var phi_1705_: f32;
-    var phi_1713_: f32;
-    var phi_1728_: f32;
-    var phi_1729_: bool;
-    var phi_1730_: f32;
-    var phi_1731_: bool;
-    var phi_1732_: f32;
-    var phi_1733_: bool;
-    var phi_1751_: f32;
-    var phi_1752_: bool;
-    var phi_1753_: bool;
-    var phi_1754_: f32;
-    var phi_1755_: bool;
-    var phi_1756_: bool;
-    var phi_1760_: bool;
-    var phi_1761_: f32;
-    var phi_1762_: bool;
-    var phi_1790_: vec3<f32>;
-    var phi_1791_: vec3<f32>;
-    var phi_1816_: vec3<f32>;
-    var phi_1817_: vec3<f32>;
-    var phi_1842_: vec3<f32>;
-    var phi_1843_: vec3<f32>;
-    var phi_1899_: f32;
-    var phi_1908_: f32;
-    var phi_1917_: f32;
-    var phi_1926_: f32;
-    var phi_1933_: f32;
-    var phi_1940_: f32;
-    var phi_1953_: f32;
-    var phi_1962_: f32;
-    var phi_1971_: f32;
-    var phi_1980_: f32;
-    var phi_1987_: f32;
-    var phi_1994_: f32;
-    var phi_2011_: f32;
-    var phi_2016_: f32;
-    var phi_2021_: f32;
-    var phi_2029_: f32;
-    var phi_2034_: f32;
-    var phi_2039_: f32;
-    var phi_2051_: f32;
-    var phi_2056_: f32;
-    var phi_2061_: f32;
-    var phi_2066_: f32;
-    var phi_2071_: lt_bvh_triangle_Intersection;
-    var phi_2072_: bool;
-    var phi_2073_: lt_bvh_triangle_Intersection;
-    var phi_2074_: bool;
-    var phi_2078_: lt_bvh_triangle_Intersection;
-    var phi_2079_: bool;
-    var phi_2080_: lt_bvh_triangle_Intersection;
-    var phi_2081_: bool;
-    var phi_2082_: bool;
-    var phi_2086_: bool;
-    var phi_2090_: lt_bvh_triangle_Intersection;
-    var phi_2304_: f32;
-    var phi_2307_: bool;
-    var phi_2308_: bool;
-    var phi_2312_: bool;
-    var phi_2313_: bool;
-    var phi_2314_: bool;
-    var phi_2315_: bool;
-    var phi_2316_: bool;
-    var phi_2317_: bool;
-    var phi_2318_: bool;
-    var phi_2319_: bool;
-    var phi_2320_: bool;
-    var phi_2321_: bool;
-    var phi_2322_: bool;
-    var phi_2323_: bool;
-    var phi_2324_: bool;
-    var phi_2325_: bool;
-    var phi_2329_: bool;
-    var phi_2330_: bool;
-    var phi_2331_: bool;
-    var phi_2335_: bool;
-    var phi_2336_: bool;
-    var phi_1491_: u32;
-    var phi_2337_: bool;
-    var phi_2338_: bool;
-    var phi_2339_: bool;
+    var phi_1538_: u32;
+    var phi_1539_: u32;
+    var phi_1540_: u32;
+    var phi_1558_: u32;
+    var phi_1559_: u32;
+    var phi_1560_: u32;
+    var phi_1561_: u32;
+    var phi_1562_: u32;
+    var phi_1563_: u32;
+    var phi_1564_: u32;
+    var phi_1565_: u32;
+    var phi_1213_: u32;
+    var phi_1216_: u32;
+    var phi_1218_: u32;
+    var phi_1220_: u32;
+    var phi_1566_: bool;
     var local_4: bool;
-    var phi_2343_: bool;
-    var phi_2344_: bool;
-    var phi_2365_: u32;
-    var phi_2366_: u32;
-    var phi_2370_: u32;
-    var phi_2371_: u32;
-    var phi_2372_: u32;
-    var phi_2373_: u32;
-    var phi_2374_: bool;
-    var phi_2375_: bool;
-    var phi_2376_: bool;
-    var phi_2397_: u32;
-    var phi_2398_: u32;
-    var phi_2399_: u32;
-    var phi_2400_: u32;
-    var phi_2401_: u32;
-    var phi_2402_: u32;
+    var phi_1571_: u32;
+    var local_5: u32;
+    var phi_1610_: u32;
+    var phi_1611_: u32;
+    var phi_1617_: u32;
+    var phi_1646_: vec3<f32>;
+    var phi_1647_: vec3<f32>;
+    var phi_1676_: vec3<f32>;
+    var phi_1677_: vec3<f32>;
+    var phi_1706_: vec3<f32>;
+    var phi_1707_: vec3<f32>;
+    var phi_1725_: bool;
+    var phi_1726_: bool;
+    var phi_1730_: f32;
+    var phi_1731_: f32;
+    var phi_1732_: f32;
+    var phi_1733_: f32;
+    var phi_1741_: f32;
+    var phi_1751_: bool;
+    var phi_1752_: bool;
+    var phi_1756_: f32;
+    var phi_1757_: f32;
+    var phi_1758_: f32;
+    var phi_1759_: f32;
+    var phi_1767_: f32;
+    var phi_1777_: bool;
+    var phi_1778_: bool;
+    var phi_1782_: f32;
+    var phi_1783_: f32;
+    var phi_1784_: f32;
+    var phi_1785_: f32;
+    var phi_1793_: f32;
+    var phi_1808_: f32;
+    var phi_1809_: bool;
+    var phi_1810_: f32;
+    var phi_1811_: bool;
+    var phi_1812_: f32;
+    var phi_1813_: bool;
+    var phi_1831_: f32;
+    var phi_1832_: bool;
+    var phi_1833_: bool;
+    var phi_1834_: f32;
+    var phi_1835_: bool;
+    var phi_1836_: bool;
+    var phi_1840_: bool;
+    var phi_1841_: f32;
+    var phi_1842_: bool;
+    var phi_1870_: vec3<f32>;
+    var phi_1871_: vec3<f32>;
+    var phi_1896_: vec3<f32>;
+    var phi_1897_: vec3<f32>;
+    var phi_1922_: vec3<f32>;
+    var phi_1923_: vec3<f32>;
+    var phi_1979_: f32;
+    var phi_1988_: f32;
+    var phi_1997_: f32;
+    var phi_2006_: f32;
+    var phi_2013_: f32;
+    var phi_2020_: f32;
+    var phi_2033_: f32;
+    var phi_2042_: f32;
+    var phi_2051_: f32;
+    var phi_2060_: f32;
+    var phi_2067_: f32;
+    var phi_2074_: f32;
+    var phi_2091_: f32;
+    var phi_2096_: f32;
+    var phi_2101_: f32;
+    var phi_2109_: f32;
+    var phi_2114_: f32;
+    var phi_2119_: f32;
+    var phi_2131_: f32;
+    var phi_2136_: f32;
+    var phi_2141_: f32;
+    var phi_2146_: f32;
+    var phi_2151_: lt_bvh_triangle_Intersection;
+    var phi_2152_: bool;
+    var phi_2153_: lt_bvh_triangle_Intersection;
+    var phi_2154_: bool;
+    var phi_2158_: lt_bvh_triangle_Intersection;
+    var phi_2159_: bool;
+    var phi_2160_: lt_bvh_triangle_Intersection;
+    var phi_2161_: bool;
+    var phi_2162_: bool;
+    var phi_2166_: bool;
+    var phi_2170_: lt_bvh_triangle_Intersection;
+    var phi_2384_: f32;
+    var phi_2387_: bool;
+    var phi_2388_: bool;
+    var phi_2392_: bool;
+    var phi_2393_: bool;
+    var phi_2394_: bool;
+    var phi_2395_: bool;
+    var phi_2396_: bool;
+    var phi_2397_: bool;
+    var phi_2398_: bool;
+    var phi_2399_: bool;
+    var phi_2400_: bool;
+    var phi_2401_: bool;
+    var phi_2402_: bool;
     var phi_2403_: bool;
     var phi_2404_: bool;
+    var phi_2405_: bool;
+    var phi_2409_: bool;
+    var phi_2410_: bool;
+    var phi_2411_: bool;
+    var phi_2415_: bool;
+    var phi_2416_: bool;
+    var phi_1572_: u32;
+    var phi_2417_: bool;
+    var phi_2418_: bool;
+    var phi_2419_: bool;
+    var local_6: bool;
+    var phi_2423_: bool;
+    var phi_2424_: bool;
     var phi_1201_: u32;
     var phi_1204_: u32;
-    var phi_2405_: bool;
-    var phi_2406_: bool;
-    var phi_2407_: bool;
-    var local_5: bool;
-    var phi_2411_: bool;
-    var phi_2412_: bool;
-    var phi_2416_: bool;
-    var phi_2420_: bool;
-    var phi_2424_: bool;
     var phi_2425_: bool;
-    var phi_2429_: bool;
+    var phi_2426_: bool;
+    var phi_2427_: bool;
+    var local_7: bool;
+    var phi_2431_: bool;
+    var phi_2432_: bool;
+    var phi_2436_: bool;
+    var phi_2440_: bool;
+    var phi_2444_: bool;
     var phi_2445_: bool;
-    var phi_2446_: bool;
-    var phi_2447_: bool;
-    var phi_2448_: bool;
-    var phi_2452_: bool;
+    var phi_2449_: bool;
     var phi_2465_: bool;
     var phi_2466_: bool;
     var phi_2467_: bool;
@@ -850,189 +855,197 @@ fn function_() {
     var phi_2485_: bool;
     var phi_2486_: bool;
     var phi_2487_: bool;
-    var phi_2491_: bool;
+    var phi_2488_: bool;
     var phi_2492_: bool;
-    var phi_2493_: bool;
-    var phi_2494_: bool;
-    var phi_2495_: bool;
-    var phi_2499_: bool;
-    var phi_2569_: f32;
-    var phi_2576_: f32;
-    var phi_2583_: f32;
-    var phi_2590_: f32;
-    var phi_2597_: f32;
-    var phi_2604_: f32;
-    var phi_2621_: f32;
-    var phi_2626_: f32;
-    var phi_2631_: f32;
-    var phi_2636_: f32;
+    var phi_2505_: bool;
+    var phi_2506_: bool;
+    var phi_2507_: bool;
+    var phi_2511_: bool;
+    var phi_2512_: bool;
+    var phi_2513_: bool;
+    var phi_2514_: bool;
+    var phi_2515_: bool;
+    var phi_2519_: bool;
+    var phi_2589_: f32;
+    var phi_2596_: f32;
+    var phi_2603_: f32;
+    var phi_2610_: f32;
+    var phi_2617_: f32;
+    var phi_2624_: f32;
     var phi_2641_: f32;
-    var phi_2667_: bool;
-    var phi_2668_: bool;
-    var phi_2676_: u32;
-    var phi_2677_: u32;
-    var phi_2688_: vec3<f32>;
-    var phi_2689_: vec3<f32>;
-    var phi_2702_: u32;
-    var phi_2707_: u32;
-    var phi_2712_: u32;
-    var phi_2826_: bool;
-    var phi_2827_: bool;
-    var phi_2858_: u32;
-    var phi_2860_: u32;
-    var phi_2863_: bool;
-    var phi_2943_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2970_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2997_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3003_: u32;
-    var phi_3006_: u32;
-    var phi_3020_: u32;
-    var phi_3030_: u32;
+    var phi_2646_: f32;
+    var phi_2651_: f32;
+    var phi_2656_: f32;
+    var phi_2661_: f32;
+    var phi_2687_: bool;
+    var phi_2688_: bool;
+    var phi_2696_: u32;
+    var phi_2697_: u32;
+    var phi_2708_: vec3<f32>;
+    var phi_2709_: vec3<f32>;
+    var phi_2722_: u32;
+    var phi_2727_: u32;
+    var phi_2732_: u32;
+    var phi_2846_: bool;
+    var phi_2847_: bool;
+    var phi_2878_: u32;
+    var phi_2880_: u32;
+    var phi_2883_: bool;
+    var phi_2963_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2990_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3017_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3023_: u32;
+    var phi_3026_: u32;
     var phi_3040_: u32;
-    var phi_3058_: u32;
-    var phi_3068_: u32;
+    var phi_3050_: u32;
+    var phi_3060_: u32;
     var phi_3078_: u32;
-    var phi_3114_: u32;
-    var phi_3127_: u32;
-    var phi_3132_: u32;
-    var phi_3133_: u32;
+    var phi_3088_: u32;
+    var phi_3098_: u32;
     var phi_3134_: u32;
-    var phi_3004_: u32;
-    var phi_3007_: u32;
-    var local_6: u32;
-    var local_7: u32;
+    var phi_3147_: u32;
+    var phi_3152_: u32;
+    var phi_3153_: u32;
+    var phi_3154_: u32;
+    var phi_3024_: u32;
+    var phi_3027_: u32;
     var local_8: u32;
-    var phi_3192_: u32;
-    var phi_3195_: bool;
-    var phi_3239_: vec3<f32>;
-    var phi_3240_: vec3<f32>;
-    var phi_3269_: vec3<f32>;
-    var phi_3270_: vec3<f32>;
-    var phi_3299_: vec3<f32>;
-    var phi_3300_: vec3<f32>;
-    var phi_3318_: bool;
-    var phi_3319_: bool;
-    var phi_3323_: f32;
-    var phi_3324_: f32;
-    var phi_3325_: f32;
-    var phi_3326_: f32;
-    var phi_3334_: f32;
-    var phi_3344_: bool;
-    var phi_3345_: bool;
-    var phi_3349_: f32;
-    var phi_3350_: f32;
-    var phi_3351_: f32;
-    var phi_3352_: f32;
-    var phi_3360_: f32;
-    var phi_3370_: bool;
-    var phi_3371_: bool;
-    var phi_3375_: f32;
-    var phi_3376_: f32;
-    var phi_3377_: f32;
-    var phi_3378_: f32;
-    var phi_3386_: f32;
-    var phi_3401_: f32;
-    var phi_3402_: bool;
-    var phi_3403_: f32;
-    var phi_3404_: bool;
-    var phi_3405_: f32;
-    var phi_3406_: bool;
-    var phi_3424_: f32;
-    var phi_3425_: bool;
+    var local_9: u32;
+    var local_10: u32;
+    var phi_3212_: u32;
+    var phi_3215_: bool;
+    var phi_3259_: vec3<f32>;
+    var phi_3260_: vec3<f32>;
+    var phi_3289_: vec3<f32>;
+    var phi_3290_: vec3<f32>;
+    var phi_3319_: vec3<f32>;
+    var phi_3320_: vec3<f32>;
+    var phi_3338_: bool;
+    var phi_3339_: bool;
+    var phi_3343_: f32;
+    var phi_3344_: f32;
+    var phi_3345_: f32;
+    var phi_3346_: f32;
+    var phi_3354_: f32;
+    var phi_3364_: bool;
+    var phi_3365_: bool;
+    var phi_3369_: f32;
+    var phi_3370_: f32;
+    var phi_3371_: f32;
+    var phi_3372_: f32;
+    var phi_3380_: f32;
+    var phi_3390_: bool;
+    var phi_3391_: bool;
+    var phi_3395_: f32;
+    var phi_3396_: f32;
+    var phi_3397_: f32;
+    var phi_3398_: f32;
+    var phi_3406_: f32;
+    var phi_3421_: f32;
+    var phi_3422_: bool;
+    var phi_3423_: f32;
+    var phi_3424_: bool;
+    var phi_3425_: f32;
     var phi_3426_: bool;
-    var phi_3427_: f32;
-    var phi_3428_: bool;
-    var phi_3429_: bool;
-    var phi_3433_: bool;
-    var phi_3434_: f32;
-    var phi_3435_: bool;
-    var phi_3463_: vec3<f32>;
-    var phi_3464_: vec3<f32>;
-    var phi_3489_: vec3<f32>;
-    var phi_3490_: vec3<f32>;
-    var phi_3515_: vec3<f32>;
-    var phi_3516_: vec3<f32>;
-    var phi_3572_: f32;
-    var phi_3581_: f32;
-    var phi_3590_: f32;
-    var phi_3599_: f32;
-    var phi_3606_: f32;
-    var phi_3613_: f32;
+    var phi_3444_: f32;
+    var phi_3445_: bool;
+    var phi_3446_: bool;
+    var phi_3447_: f32;
+    var phi_3448_: bool;
+    var phi_3449_: bool;
+    var phi_3453_: bool;
+    var phi_3454_: f32;
+    var phi_3455_: bool;
+    var phi_3483_: vec3<f32>;
+    var phi_3484_: vec3<f32>;
+    var phi_3509_: vec3<f32>;
+    var phi_3510_: vec3<f32>;
+    var phi_3535_: vec3<f32>;
+    var phi_3536_: vec3<f32>;
+    var phi_3592_: f32;
+    var phi_3601_: f32;
+    var phi_3610_: f32;
+    var phi_3619_: f32;
     var phi_3626_: f32;
-    var phi_3635_: f32;
-    var phi_3644_: f32;
-    var phi_3653_: f32;
-    var phi_3660_: f32;
-    var phi_3667_: f32;
-    var phi_3684_: f32;
-    var phi_3689_: f32;
-    var phi_3694_: f32;
-    var phi_3702_: f32;
-    var phi_3707_: f32;
-    var phi_3712_: f32;
-    var phi_3724_: f32;
-    var phi_3729_: f32;
-    var phi_3734_: f32;
-    var phi_3739_: f32;
-    var phi_3744_: lt_bvh_triangle_Intersection;
-    var phi_3745_: bool;
-    var phi_3746_: lt_bvh_triangle_Intersection;
-    var phi_3747_: bool;
-    var phi_3751_: lt_bvh_triangle_Intersection;
-    var phi_3752_: bool;
-    var phi_3753_: lt_bvh_triangle_Intersection;
-    var phi_3754_: bool;
-    var phi_3755_: bool;
-    var phi_3759_: bool;
-    var phi_3763_: lt_bvh_triangle_Intersection;
-    var phi_3977_: f32;
-    var phi_3980_: bool;
-    var phi_3981_: bool;
-    var phi_3982_: bool;
-    var phi_3986_: bool;
-    var phi_3987_: bool;
-    var phi_3988_: bool;
-    var phi_3989_: bool;
-    var phi_3990_: bool;
-    var phi_3991_: bool;
-    var phi_3992_: bool;
-    var phi_3993_: bool;
-    var phi_3994_: bool;
-    var phi_3995_: bool;
-    var phi_3193_: u32;
-    var phi_3196_: bool;
-    var phi_3999_: bool;
+    var phi_3633_: f32;
+    var phi_3646_: f32;
+    var phi_3655_: f32;
+    var phi_3664_: f32;
+    var phi_3673_: f32;
+    var phi_3680_: f32;
+    var phi_3687_: f32;
+    var phi_3704_: f32;
+    var phi_3709_: f32;
+    var phi_3714_: f32;
+    var phi_3722_: f32;
+    var phi_3727_: f32;
+    var phi_3732_: f32;
+    var phi_3744_: f32;
+    var phi_3749_: f32;
+    var phi_3754_: f32;
+    var phi_3759_: f32;
+    var phi_3764_: lt_bvh_triangle_Intersection;
+    var phi_3765_: bool;
+    var phi_3766_: lt_bvh_triangle_Intersection;
+    var phi_3767_: bool;
+    var phi_3771_: lt_bvh_triangle_Intersection;
+    var phi_3772_: bool;
+    var phi_3773_: lt_bvh_triangle_Intersection;
+    var phi_3774_: bool;
+    var phi_3775_: bool;
+    var phi_3779_: bool;
+    var phi_3783_: lt_bvh_triangle_Intersection;
+    var phi_3997_: f32;
     var phi_4000_: bool;
-    var local_9: bool;
-    var phi_4042_: bool;
-    var phi_4043_: bool;
-    var phi_4074_: u32;
-    var phi_4075_: u32;
-    var phi_2861_: u32;
-    var phi_2864_: bool;
-    var phi_4076_: bool;
-    var phi_4077_: bool;
-    var phi_4078_: bool;
-    var local_10: bool;
-    var phi_4082_: bool;
-    var phi_4086_: bool;
-    var phi_4087_: bool;
-    var phi_4088_: bool;
-    var phi_4089_: bool;
-    var phi_4093_: bool;
-    var phi_4094_: bool;
-    var phi_4095_: bool;
-    var phi_4099_: f32;
+    var phi_4001_: bool;
+    var phi_4002_: bool;
+    var phi_4006_: bool;
+    var phi_4007_: bool;
+    var phi_4008_: bool;
+    var phi_4009_: bool;
+    var phi_4010_: bool;
+    var phi_4011_: bool;
+    var phi_4012_: bool;
+    var phi_4013_: bool;
+    var phi_4014_: bool;
+    var phi_4015_: bool;
+    var phi_3213_: u32;
+    var phi_3216_: bool;
+    var phi_4019_: bool;
+    var phi_4020_: bool;
     var local_11: bool;
+    var phi_4062_: bool;
+    var phi_4063_: bool;
+    var phi_4094_: u32;
+    var phi_4095_: u32;
+    var phi_2881_: u32;
+    var phi_2884_: bool;
+    var phi_4096_: bool;
+    var phi_4097_: bool;
+    var phi_4098_: bool;
     var local_12: bool;
-    var local_13: bool;
+    var phi_4102_: bool;
+    var phi_4106_: bool;
+    var phi_4107_: bool;
+    var phi_4108_: bool;
+    var phi_4109_: bool;
+    var phi_4113_: bool;
+    var phi_4114_: bool;
+    var phi_4115_: bool;
+    var phi_4119_: f32;
+    var local_13: u32;
     var local_14: bool;
     var local_15: bool;
-    var local_16: bool;
-    var local_17: bool;
+    var local_16: u32;
+    var local_17: u32;
     var local_18: bool;
     var local_19: bool;
     var local_20: bool;
+    var local_21: bool;
+    var local_22: bool;
+    var local_23: bool;
+    var local_24: bool;
+    var local_25: bool;
 
     let _e82 = id_1;
     let _e89 = arrayLength((&nodes.member));
@@ -1376,8 +1389,8 @@ fn function_() {
                 }
                 let _e385 = phi_1004_;
                 if (_e385.unnamed_1 == 4294967295u) {
-                    phi_2424_ = false;
-                    phi_2425_ = true;
+                    phi_2444_ = false;
+                    phi_2445_ = true;
                 } else {
                     if (0u < _e89) {
                     } else {
@@ -1517,2230 +1530,2277 @@ fn function_() {
                         let _e555 = phi_1200_;
                         let _e557 = phi_1203_;
                         let _e558 = (_e555 == 0u);
-                        local_5 = _e558;
+                        local_7 = _e558;
                         if _e558 {
                             phi_1201_ = u32();
                             phi_1204_ = u32();
-                            phi_2405_ = false;
-                            phi_2406_ = false;
-                            phi_2407_ = false;
+                            phi_2425_ = false;
+                            phi_2426_ = false;
+                            phi_2427_ = false;
                         } else {
-                            let _e566 = (_e555 & (_e555 - 1u));
-                            let _e567 = (((_e555 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e555), 32u, (_e555 == 0u))) * 4u);
-                            if (_e567 < _e101) {
-                            } else {
-                                return;
-                            }
-                            let _e571 = rows.member[(0u + _e567)];
-                            let _e572 = (_e567 + 1u);
-                            if (_e572 < _e101) {
-                            } else {
-                                return;
-                            }
-                            let _e576 = rows.member[(0u + _e572)];
-                            let _e577 = (_e567 + 2u);
-                            if (_e577 < _e101) {
-                            } else {
-                                return;
-                            }
-                            let _e581 = rows.member[(0u + _e577)];
-                            let _e582 = (_e567 + 3u);
-                            if (_e582 < _e101) {
-                            } else {
-                                return;
-                            }
-                            let _e586 = rows.member[(0u + _e582)];
-                            let _e587 = lt_bvh_LightNode(_e571, _e576, _e581, _e586);
-                            let _e599 = (_e385.unnamed.positive_exponent - bitcast<f32>(_e587.frame.x));
-                            let _e602 = bitcast<f32>((((_e587.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e599 > 0f) {
-                                if (_e599 < (255f * _e602)) {
-                                    phi_1272_ = (_e599 / _e602);
+                            phi_1212_ = _e555;
+                            phi_1215_ = 0u;
+                            phi_1217_ = 0u;
+                            phi_1219_ = _e557;
+                            loop {
+                                let _e560 = phi_1212_;
+                                let _e562 = phi_1215_;
+                                let _e564 = phi_1217_;
+                                let _e566 = phi_1219_;
+                                local_13 = _e564;
+                                local_5 = _e562;
+                                local_16 = _e560;
+                                local_17 = _e566;
+                                let _e567 = (_e560 == 0u);
+                                local_4 = _e567;
+                                if _e567 {
+                                    phi_1213_ = u32();
+                                    phi_1216_ = u32();
+                                    phi_1218_ = u32();
+                                    phi_1220_ = u32();
+                                    phi_1566_ = false;
                                 } else {
-                                    phi_1272_ = 255f;
-                                }
-                                let _e608 = phi_1272_;
-                                phi_1273_ = _e608;
-                            } else {
-                                phi_1273_ = 0f;
-                            }
-                            let _e610 = phi_1273_;
-                            let _e617 = select(select(u32(_e610), 0u, (_e610 < bitcast<f32>(0u))), 4294967295u, (_e610 > bitcast<f32>(1333788671u)));
-                            if (f32(_e617) < _e610) {
-                                phi_1287_ = (_e617 + 1u);
-                            } else {
-                                phi_1287_ = _e617;
-                            }
-                            let _e622 = phi_1287_;
-                            let _e623 = (_e617 * 16843009u);
-                            let _e624 = (_e622 * 16843009u);
-                            let _e634 = (_e385.unnamed.negative_exponent - bitcast<f32>(_e587.frame.y));
-                            let _e637 = bitcast<f32>((((_e587.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e634 > 0f) {
-                                if (_e634 < (255f * _e637)) {
-                                    phi_1310_ = (_e634 / _e637);
-                                } else {
-                                    phi_1310_ = 255f;
-                                }
-                                let _e643 = phi_1310_;
-                                phi_1311_ = _e643;
-                            } else {
-                                phi_1311_ = 0f;
-                            }
-                            let _e645 = phi_1311_;
-                            let _e652 = select(select(u32(_e645), 0u, (_e645 < bitcast<f32>(0u))), 4294967295u, (_e645 > bitcast<f32>(1333788671u)));
-                            if (f32(_e652) < _e645) {
-                                phi_1325_ = (_e652 + 1u);
-                            } else {
-                                phi_1325_ = _e652;
-                            }
-                            let _e657 = phi_1325_;
-                            let _e658 = (_e652 * 16843009u);
-                            let _e659 = (_e657 * 16843009u);
-                            let _e669 = (_e385.unnamed.min_variance - bitcast<f32>(_e587.frame.z));
-                            let _e672 = bitcast<f32>((((_e587.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e669 > 0f) {
-                                if (_e669 < (255f * _e672)) {
-                                    phi_1348_ = (_e669 / _e672);
-                                } else {
-                                    phi_1348_ = 255f;
-                                }
-                                let _e678 = phi_1348_;
-                                phi_1349_ = _e678;
-                            } else {
-                                phi_1349_ = 0f;
-                            }
-                            let _e680 = phi_1349_;
-                            let _e687 = select(select(u32(_e680), 0u, (_e680 < bitcast<f32>(0u))), 4294967295u, (_e680 > bitcast<f32>(1333788671u)));
-                            if (f32(_e687) < _e680) {
-                                phi_1363_ = (_e687 + 1u);
-                            } else {
-                                phi_1363_ = _e687;
-                            }
-                            let _e692 = phi_1363_;
-                            let _e693 = (_e692 * 16843009u);
-                            let _e826 = (((((((((((_e623 & ~(_e587.x.x)) | (~((_e587.x.x ^ _e623)) & ((_e623 | 2155905152u) - (_e587.x.x & 2139062143u)))) & ((_e587.x.z & ~(_e624)) | (~((_e624 ^ _e587.x.z)) & ((_e587.x.z | 2155905152u) - (_e624 & 2139062143u))))) & ((_e658 & ~(_e587.y.x)) | (~((_e587.y.x ^ _e658)) & ((_e658 | 2155905152u) - (_e587.y.x & 2139062143u))))) & ((_e587.y.z & ~(_e659)) | (~((_e659 ^ _e587.y.z)) & ((_e587.y.z | 2155905152u) - (_e659 & 2139062143u))))) & ((_e587.rest.x & ~(_e693)) | (~((_e693 ^ _e587.rest.x)) & ((_e587.rest.x | 2155905152u) - (_e693 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e623 & ~(_e587.x.y)) | (~((_e587.x.y ^ _e623)) & ((_e623 | 2155905152u) - (_e587.x.y & 2139062143u)))) & ((_e587.x.w & ~(_e624)) | (~((_e624 ^ _e587.x.w)) & ((_e587.x.w | 2155905152u) - (_e624 & 2139062143u))))) & ((_e658 & ~(_e587.y.y)) | (~((_e587.y.y ^ _e658)) & ((_e658 | 2155905152u) - (_e587.y.y & 2139062143u))))) & ((_e587.y.w & ~(_e659)) | (~((_e659 ^ _e587.y.w)) & ((_e587.y.w | 2155905152u) - (_e659 & 2139062143u))))) & ((_e587.rest.y & ~(_e693)) | (~((_e693 ^ _e587.rest.y)) & ((_e587.rest.y | 2155905152u) - (_e693 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                            if ((_e587.frame.w & 16777216u) != 0u) {
-                                phi_1490_ = _e826;
-                                loop {
-                                    let _e832 = phi_1490_;
-                                    let _e833 = (_e832 == 0u);
-                                    local_4 = _e833;
-                                    local_13 = _e833;
-                                    if _e833 {
-                                        phi_1491_ = u32();
-                                        phi_2337_ = false;
-                                        phi_2338_ = false;
-                                        phi_2339_ = false;
+                                    let _e568 = (_e564 == 0u);
+                                    if _e568 {
+                                        let _e575 = (((_e560 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e560), 32u, (_e560 == 0u))) * 4u);
+                                        if (_e575 < _e101) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e579 = rows.member[(0u + _e575)];
+                                        let _e580 = (_e575 + 1u);
+                                        if (_e580 < _e101) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e584 = rows.member[(0u + _e580)];
+                                        let _e585 = (_e575 + 2u);
+                                        if (_e585 < _e101) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e589 = rows.member[(0u + _e585)];
+                                        let _e590 = (_e575 + 3u);
+                                        if (_e590 < _e101) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e594 = rows.member[(0u + _e590)];
+                                        let _e595 = lt_bvh_LightNode(_e579, _e584, _e589, _e594);
+                                        let _e597 = (_e560 & (_e560 - 1u));
+                                        let _e609 = (_e385.unnamed.positive_exponent - bitcast<f32>(_e595.frame.x));
+                                        let _e612 = bitcast<f32>((((_e595.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e609 > 0f) {
+                                            if (_e609 < (255f * _e612)) {
+                                                phi_1292_ = (_e609 / _e612);
+                                            } else {
+                                                phi_1292_ = 255f;
+                                            }
+                                            let _e618 = phi_1292_;
+                                            phi_1293_ = _e618;
+                                        } else {
+                                            phi_1293_ = 0f;
+                                        }
+                                        let _e620 = phi_1293_;
+                                        let _e627 = select(select(u32(_e620), 0u, (_e620 < bitcast<f32>(0u))), 4294967295u, (_e620 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e627) < _e620) {
+                                            phi_1307_ = (_e627 + 1u);
+                                        } else {
+                                            phi_1307_ = _e627;
+                                        }
+                                        let _e632 = phi_1307_;
+                                        let _e633 = (_e627 * 16843009u);
+                                        let _e634 = (_e632 * 16843009u);
+                                        let _e644 = (_e385.unnamed.negative_exponent - bitcast<f32>(_e595.frame.y));
+                                        let _e647 = bitcast<f32>((((_e595.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e644 > 0f) {
+                                            if (_e644 < (255f * _e647)) {
+                                                phi_1330_ = (_e644 / _e647);
+                                            } else {
+                                                phi_1330_ = 255f;
+                                            }
+                                            let _e653 = phi_1330_;
+                                            phi_1331_ = _e653;
+                                        } else {
+                                            phi_1331_ = 0f;
+                                        }
+                                        let _e655 = phi_1331_;
+                                        let _e662 = select(select(u32(_e655), 0u, (_e655 < bitcast<f32>(0u))), 4294967295u, (_e655 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e662) < _e655) {
+                                            phi_1345_ = (_e662 + 1u);
+                                        } else {
+                                            phi_1345_ = _e662;
+                                        }
+                                        let _e667 = phi_1345_;
+                                        let _e668 = (_e662 * 16843009u);
+                                        let _e669 = (_e667 * 16843009u);
+                                        let _e679 = (_e385.unnamed.min_variance - bitcast<f32>(_e595.frame.z));
+                                        let _e682 = bitcast<f32>((((_e595.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e679 > 0f) {
+                                            if (_e679 < (255f * _e682)) {
+                                                phi_1368_ = (_e679 / _e682);
+                                            } else {
+                                                phi_1368_ = 255f;
+                                            }
+                                            let _e688 = phi_1368_;
+                                            phi_1369_ = _e688;
+                                        } else {
+                                            phi_1369_ = 0f;
+                                        }
+                                        let _e690 = phi_1369_;
+                                        let _e697 = select(select(u32(_e690), 0u, (_e690 < bitcast<f32>(0u))), 4294967295u, (_e690 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e697) < _e690) {
+                                            phi_1383_ = (_e697 + 1u);
+                                        } else {
+                                            phi_1383_ = _e697;
+                                        }
+                                        let _e702 = phi_1383_;
+                                        let _e703 = (_e702 * 16843009u);
+                                        let _e836 = (((((((((((_e633 & ~(_e595.x.x)) | (~((_e595.x.x ^ _e633)) & ((_e633 | 2155905152u) - (_e595.x.x & 2139062143u)))) & ((_e595.x.z & ~(_e634)) | (~((_e634 ^ _e595.x.z)) & ((_e595.x.z | 2155905152u) - (_e634 & 2139062143u))))) & ((_e668 & ~(_e595.y.x)) | (~((_e595.y.x ^ _e668)) & ((_e668 | 2155905152u) - (_e595.y.x & 2139062143u))))) & ((_e595.y.z & ~(_e669)) | (~((_e669 ^ _e595.y.z)) & ((_e595.y.z | 2155905152u) - (_e669 & 2139062143u))))) & ((_e595.rest.x & ~(_e703)) | (~((_e703 ^ _e595.rest.x)) & ((_e595.rest.x | 2155905152u) - (_e703 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e633 & ~(_e595.x.y)) | (~((_e595.x.y ^ _e633)) & ((_e633 | 2155905152u) - (_e595.x.y & 2139062143u)))) & ((_e595.x.w & ~(_e634)) | (~((_e634 ^ _e595.x.w)) & ((_e595.x.w | 2155905152u) - (_e634 & 2139062143u))))) & ((_e668 & ~(_e595.y.y)) | (~((_e595.y.y ^ _e668)) & ((_e668 | 2155905152u) - (_e595.y.y & 2139062143u))))) & ((_e595.y.w & ~(_e669)) | (~((_e669 ^ _e595.y.w)) & ((_e595.y.w | 2155905152u) - (_e669 & 2139062143u))))) & ((_e595.rest.y & ~(_e703)) | (~((_e703 ^ _e595.rest.y)) & ((_e595.rest.y | 2155905152u) - (_e703 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                                        if ((_e595.frame.w & 16777216u) != 0u) {
+                                            phi_1537_ = _e597;
+                                            phi_1538_ = _e595.rest.z;
+                                            phi_1539_ = _e836;
+                                            phi_1540_ = _e566;
+                                        } else {
+                                            if (_e836 == 0u) {
+                                                phi_1535_ = _e597;
+                                                phi_1536_ = _e566;
+                                            } else {
+                                                if ((_e597 & 255u) == 0u) {
+                                                    phi_1531_ = _e566;
+                                                } else {
+                                                    if (_e566 < 32u) {
+                                                        if (_e566 < 32u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        local_3[(0u + _e566)] = _e597;
+                                                        phi_1530_ = (_e566 + 1u);
+                                                    } else {
+                                                        phi_1530_ = _e566;
+                                                    }
+                                                    let _e852 = phi_1530_;
+                                                    phi_1531_ = _e852;
+                                                }
+                                                let _e854 = phi_1531_;
+                                                phi_1535_ = ((_e595.rest.z << bitcast<u32>(8i)) | _e836);
+                                                phi_1536_ = _e854;
+                                            }
+                                            let _e861 = phi_1535_;
+                                            let _e863 = phi_1536_;
+                                            phi_1537_ = _e861;
+                                            phi_1538_ = _e562;
+                                            phi_1539_ = _e564;
+                                            phi_1540_ = _e863;
+                                        }
+                                        let _e865 = phi_1537_;
+                                        let _e867 = phi_1538_;
+                                        let _e869 = phi_1539_;
+                                        let _e871 = phi_1540_;
+                                        if ((_e865 & 255u) == 0u) {
+                                            if (_e871 > 0u) {
+                                                let _e875 = (_e871 - 1u);
+                                                if (_e875 < 32u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e879 = local_3[(0u + _e875)];
+                                                phi_1558_ = _e879;
+                                                phi_1559_ = _e875;
+                                            } else {
+                                                phi_1558_ = 0u;
+                                                phi_1559_ = _e871;
+                                            }
+                                            let _e881 = phi_1558_;
+                                            let _e883 = phi_1559_;
+                                            phi_1560_ = _e881;
+                                            phi_1561_ = _e883;
+                                        } else {
+                                            phi_1560_ = _e865;
+                                            phi_1561_ = _e871;
+                                        }
+                                        let _e885 = phi_1560_;
+                                        let _e887 = phi_1561_;
+                                        phi_1562_ = _e885;
+                                        phi_1563_ = _e867;
+                                        phi_1564_ = _e869;
+                                        phi_1565_ = _e887;
                                     } else {
-                                        let _e836 = select(firstTrailingBit(_e832), 32u, (_e832 == 0u));
-                                        let _e841 = (_e587.rest.z + (_e836 >> bitcast<u32>(2i)));
-                                        if (_e841 < _e101) {
+                                        phi_1562_ = u32();
+                                        phi_1563_ = u32();
+                                        phi_1564_ = u32();
+                                        phi_1565_ = u32();
+                                    }
+                                    let _e889 = phi_1562_;
+                                    let _e891 = phi_1563_;
+                                    let _e893 = phi_1564_;
+                                    let _e895 = phi_1565_;
+                                    phi_1213_ = _e889;
+                                    phi_1216_ = _e891;
+                                    phi_1218_ = _e893;
+                                    phi_1220_ = _e895;
+                                    phi_1566_ = _e568;
+                                }
+                                let _e897 = phi_1213_;
+                                let _e899 = phi_1216_;
+                                let _e901 = phi_1218_;
+                                let _e903 = phi_1220_;
+                                let _e905 = phi_1566_;
+                                continue;
+                                continuing {
+                                    phi_1212_ = _e897;
+                                    phi_1215_ = _e899;
+                                    phi_1217_ = _e901;
+                                    phi_1219_ = _e903;
+                                    break if !(_e905);
+                                }
+                            }
+                            let _e908 = local_4;
+                            if _e908 {
+                            }
+                            let _e3376 = local_13;
+                            phi_1571_ = _e3376;
+                            loop {
+                                let _e910 = phi_1571_;
+                                let _e911 = (_e910 == 0u);
+                                local_6 = _e911;
+                                local_18 = _e911;
+                                if _e911 {
+                                    phi_1572_ = u32();
+                                    phi_2417_ = false;
+                                    phi_2418_ = false;
+                                    phi_2419_ = false;
+                                } else {
+                                    let _e914 = select(firstTrailingBit(_e910), 32u, (_e910 == 0u));
+                                    let _e918 = local_5;
+                                    let _e919 = (_e918 + (_e914 >> bitcast<u32>(2i)));
+                                    if (_e919 < _e101) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e924 = rows.member[(0u + _e919)][0u];
+                                    let _e928 = rows.member[(0u + _e919)][1u];
+                                    let _e932 = rows.member[(0u + _e919)][2u];
+                                    let _e936 = rows.member[(0u + _e919)][3u];
+                                    if ((_e914 & 2u) == 0u) {
+                                        phi_1610_ = _e928;
+                                        phi_1611_ = _e924;
+                                    } else {
+                                        phi_1610_ = _e936;
+                                        phi_1611_ = _e932;
+                                    }
+                                    let _e940 = phi_1610_;
+                                    let _e942 = phi_1611_;
+                                    if ((_e914 & 1u) == 0u) {
+                                        phi_1617_ = _e942;
+                                    } else {
+                                        phi_1617_ = _e940;
+                                    }
+                                    let _e946 = phi_1617_;
+                                    if (_e946 < _e92) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e953 = triangles.member[(0u + _e946)].v0_;
+                                    let _e955 = (_e953.x - _e145);
+                                    let _e957 = (_e953.y - _e147);
+                                    let _e959 = (_e953.z - _e149);
+                                    if (_e534 == 0u) {
+                                        phi_1647_ = vec3<f32>(_e957, _e959, _e955);
+                                    } else {
+                                        if (_e534 == 1u) {
+                                            phi_1646_ = vec3<f32>(_e959, _e955, _e957);
                                         } else {
-                                            return;
+                                            phi_1646_ = (_e953 - vec3<f32>(_e145, _e147, _e149));
                                         }
-                                        let _e846 = rows.member[(0u + _e841)][0u];
-                                        let _e850 = rows.member[(0u + _e841)][1u];
-                                        let _e854 = rows.member[(0u + _e841)][2u];
-                                        let _e858 = rows.member[(0u + _e841)][3u];
-                                        if ((_e836 & 2u) == 0u) {
-                                            phi_1530_ = _e850;
-                                            phi_1531_ = _e846;
+                                        let _e967 = phi_1646_;
+                                        phi_1647_ = _e967;
+                                    }
+                                    let _e969 = phi_1647_;
+                                    let _e973 = (_e969.x - (_e545 * _e969.z));
+                                    let _e977 = (_e969.y - (_e548 * _e969.z));
+                                    let _e979 = triangles.member[(0u + _e946)].v1_;
+                                    let _e981 = (_e979.x - _e145);
+                                    let _e983 = (_e979.y - _e147);
+                                    let _e985 = (_e979.z - _e149);
+                                    if (_e534 == 0u) {
+                                        phi_1677_ = vec3<f32>(_e983, _e985, _e981);
+                                    } else {
+                                        if (_e534 == 1u) {
+                                            phi_1676_ = vec3<f32>(_e985, _e981, _e983);
                                         } else {
-                                            phi_1530_ = _e858;
-                                            phi_1531_ = _e854;
+                                            phi_1676_ = (_e979 - vec3<f32>(_e145, _e147, _e149));
                                         }
-                                        let _e862 = phi_1530_;
-                                        let _e864 = phi_1531_;
-                                        if ((_e836 & 1u) == 0u) {
-                                            phi_1537_ = _e864;
+                                        let _e993 = phi_1676_;
+                                        phi_1677_ = _e993;
+                                    }
+                                    let _e995 = phi_1677_;
+                                    let _e999 = (_e995.x - (_e545 * _e995.z));
+                                    let _e1003 = (_e995.y - (_e548 * _e995.z));
+                                    let _e1005 = triangles.member[(0u + _e946)].v2_;
+                                    let _e1007 = (_e1005.x - _e145);
+                                    let _e1009 = (_e1005.y - _e147);
+                                    let _e1011 = (_e1005.z - _e149);
+                                    if (_e534 == 0u) {
+                                        phi_1707_ = vec3<f32>(_e1009, _e1011, _e1007);
+                                    } else {
+                                        if (_e534 == 1u) {
+                                            phi_1706_ = vec3<f32>(_e1011, _e1007, _e1009);
                                         } else {
-                                            phi_1537_ = _e862;
+                                            phi_1706_ = (_e1005 - vec3<f32>(_e145, _e147, _e149));
                                         }
-                                        let _e868 = phi_1537_;
-                                        if (_e868 < _e92) {
+                                        let _e1019 = phi_1706_;
+                                        phi_1707_ = _e1019;
+                                    }
+                                    let _e1021 = phi_1707_;
+                                    let _e1025 = (_e1021.x - (_e545 * _e1021.z));
+                                    let _e1029 = (_e1021.y - (_e548 * _e1021.z));
+                                    if (_e999 < _e1025) {
+                                        phi_1726_ = true;
+                                    } else {
+                                        if (_e999 == _e1025) {
+                                            phi_1725_ = (_e1003 < _e1029);
                                         } else {
-                                            return;
+                                            phi_1725_ = false;
                                         }
-                                        let _e875 = triangles.member[(0u + _e868)].v0_;
-                                        let _e877 = (_e875.x - _e145);
-                                        let _e879 = (_e875.y - _e147);
-                                        let _e881 = (_e875.z - _e149);
-                                        if (_e534 == 0u) {
-                                            phi_1567_ = vec3<f32>(_e879, _e881, _e877);
+                                        let _e1034 = phi_1725_;
+                                        phi_1726_ = _e1034;
+                                    }
+                                    let _e1036 = phi_1726_;
+                                    if _e1036 {
+                                        phi_1730_ = _e1029;
+                                        phi_1731_ = _e1025;
+                                        phi_1732_ = _e1003;
+                                        phi_1733_ = _e999;
+                                    } else {
+                                        phi_1730_ = _e1003;
+                                        phi_1731_ = _e999;
+                                        phi_1732_ = _e1029;
+                                        phi_1733_ = _e1025;
+                                    }
+                                    let _e1038 = phi_1730_;
+                                    let _e1040 = phi_1731_;
+                                    let _e1042 = phi_1732_;
+                                    let _e1044 = phi_1733_;
+                                    let _e1047 = ((_e1044 * _e1038) - (_e1042 * _e1040));
+                                    if _e1036 {
+                                        phi_1741_ = -(_e1047);
+                                    } else {
+                                        phi_1741_ = _e1047;
+                                    }
+                                    let _e1050 = phi_1741_;
+                                    if (_e1025 < _e973) {
+                                        phi_1752_ = true;
+                                    } else {
+                                        if (_e1025 == _e973) {
+                                            phi_1751_ = (_e1029 < _e977);
                                         } else {
-                                            if (_e534 == 1u) {
-                                                phi_1566_ = vec3<f32>(_e881, _e877, _e879);
+                                            phi_1751_ = false;
+                                        }
+                                        let _e1055 = phi_1751_;
+                                        phi_1752_ = _e1055;
+                                    }
+                                    let _e1057 = phi_1752_;
+                                    if _e1057 {
+                                        phi_1756_ = _e977;
+                                        phi_1757_ = _e973;
+                                        phi_1758_ = _e1029;
+                                        phi_1759_ = _e1025;
+                                    } else {
+                                        phi_1756_ = _e1029;
+                                        phi_1757_ = _e1025;
+                                        phi_1758_ = _e977;
+                                        phi_1759_ = _e973;
+                                    }
+                                    let _e1059 = phi_1756_;
+                                    let _e1061 = phi_1757_;
+                                    let _e1063 = phi_1758_;
+                                    let _e1065 = phi_1759_;
+                                    let _e1068 = ((_e1065 * _e1059) - (_e1063 * _e1061));
+                                    if _e1057 {
+                                        phi_1767_ = -(_e1068);
+                                    } else {
+                                        phi_1767_ = _e1068;
+                                    }
+                                    let _e1071 = phi_1767_;
+                                    if (_e973 < _e999) {
+                                        phi_1778_ = true;
+                                    } else {
+                                        if (_e973 == _e999) {
+                                            phi_1777_ = (_e977 < _e1003);
+                                        } else {
+                                            phi_1777_ = false;
+                                        }
+                                        let _e1076 = phi_1777_;
+                                        phi_1778_ = _e1076;
+                                    }
+                                    let _e1078 = phi_1778_;
+                                    if _e1078 {
+                                        phi_1782_ = _e1003;
+                                        phi_1783_ = _e999;
+                                        phi_1784_ = _e977;
+                                        phi_1785_ = _e973;
+                                    } else {
+                                        phi_1782_ = _e977;
+                                        phi_1783_ = _e973;
+                                        phi_1784_ = _e1003;
+                                        phi_1785_ = _e999;
+                                    }
+                                    let _e1080 = phi_1782_;
+                                    let _e1082 = phi_1783_;
+                                    let _e1084 = phi_1784_;
+                                    let _e1086 = phi_1785_;
+                                    let _e1089 = ((_e1086 * _e1080) - (_e1084 * _e1082));
+                                    if _e1078 {
+                                        phi_1793_ = -(_e1089);
+                                    } else {
+                                        phi_1793_ = _e1089;
+                                    }
+                                    let _e1092 = phi_1793_;
+                                    if (_e1050 >= 0f) {
+                                        if (_e1071 >= 0f) {
+                                            if (_e1092 >= 0f) {
+                                                phi_1808_ = ((_e1050 + _e1071) + _e1092);
+                                                phi_1809_ = false;
                                             } else {
-                                                phi_1566_ = (_e875 - vec3<f32>(_e145, _e147, _e149));
+                                                phi_1808_ = f32();
+                                                phi_1809_ = true;
                                             }
-                                            let _e889 = phi_1566_;
-                                            phi_1567_ = _e889;
-                                        }
-                                        let _e891 = phi_1567_;
-                                        let _e895 = (_e891.x - (_e545 * _e891.z));
-                                        let _e899 = (_e891.y - (_e548 * _e891.z));
-                                        let _e901 = triangles.member[(0u + _e868)].v1_;
-                                        let _e903 = (_e901.x - _e145);
-                                        let _e905 = (_e901.y - _e147);
-                                        let _e907 = (_e901.z - _e149);
-                                        if (_e534 == 0u) {
-                                            phi_1597_ = vec3<f32>(_e905, _e907, _e903);
+                                            let _e1099 = phi_1808_;
+                                            let _e1101 = phi_1809_;
+                                            phi_1810_ = _e1099;
+                                            phi_1811_ = _e1101;
                                         } else {
-                                            if (_e534 == 1u) {
-                                                phi_1596_ = vec3<f32>(_e907, _e903, _e905);
-                                            } else {
-                                                phi_1596_ = (_e901 - vec3<f32>(_e145, _e147, _e149));
-                                            }
-                                            let _e915 = phi_1596_;
-                                            phi_1597_ = _e915;
+                                            phi_1810_ = f32();
+                                            phi_1811_ = true;
                                         }
-                                        let _e917 = phi_1597_;
-                                        let _e921 = (_e917.x - (_e545 * _e917.z));
-                                        let _e925 = (_e917.y - (_e548 * _e917.z));
-                                        let _e927 = triangles.member[(0u + _e868)].v2_;
-                                        let _e929 = (_e927.x - _e145);
-                                        let _e931 = (_e927.y - _e147);
-                                        let _e933 = (_e927.z - _e149);
-                                        if (_e534 == 0u) {
-                                            phi_1627_ = vec3<f32>(_e931, _e933, _e929);
-                                        } else {
-                                            if (_e534 == 1u) {
-                                                phi_1626_ = vec3<f32>(_e933, _e929, _e931);
-                                            } else {
-                                                phi_1626_ = (_e927 - vec3<f32>(_e145, _e147, _e149));
-                                            }
-                                            let _e941 = phi_1626_;
-                                            phi_1627_ = _e941;
-                                        }
-                                        let _e943 = phi_1627_;
-                                        let _e947 = (_e943.x - (_e545 * _e943.z));
-                                        let _e951 = (_e943.y - (_e548 * _e943.z));
-                                        if (_e921 < _e947) {
-                                            phi_1646_ = true;
-                                        } else {
-                                            if (_e921 == _e947) {
-                                                phi_1645_ = (_e925 < _e951);
-                                            } else {
-                                                phi_1645_ = false;
-                                            }
-                                            let _e956 = phi_1645_;
-                                            phi_1646_ = _e956;
-                                        }
-                                        let _e958 = phi_1646_;
-                                        if _e958 {
-                                            phi_1650_ = _e951;
-                                            phi_1651_ = _e947;
-                                            phi_1652_ = _e925;
-                                            phi_1653_ = _e921;
-                                        } else {
-                                            phi_1650_ = _e925;
-                                            phi_1651_ = _e921;
-                                            phi_1652_ = _e951;
-                                            phi_1653_ = _e947;
-                                        }
-                                        let _e960 = phi_1650_;
-                                        let _e962 = phi_1651_;
-                                        let _e964 = phi_1652_;
-                                        let _e966 = phi_1653_;
-                                        let _e969 = ((_e966 * _e960) - (_e964 * _e962));
-                                        if _e958 {
-                                            phi_1661_ = -(_e969);
-                                        } else {
-                                            phi_1661_ = _e969;
-                                        }
-                                        let _e972 = phi_1661_;
-                                        if (_e947 < _e895) {
-                                            phi_1672_ = true;
-                                        } else {
-                                            if (_e947 == _e895) {
-                                                phi_1671_ = (_e951 < _e899);
-                                            } else {
-                                                phi_1671_ = false;
-                                            }
-                                            let _e977 = phi_1671_;
-                                            phi_1672_ = _e977;
-                                        }
-                                        let _e979 = phi_1672_;
-                                        if _e979 {
-                                            phi_1676_ = _e899;
-                                            phi_1677_ = _e895;
-                                            phi_1678_ = _e951;
-                                            phi_1679_ = _e947;
-                                        } else {
-                                            phi_1676_ = _e951;
-                                            phi_1677_ = _e947;
-                                            phi_1678_ = _e899;
-                                            phi_1679_ = _e895;
-                                        }
-                                        let _e981 = phi_1676_;
-                                        let _e983 = phi_1677_;
-                                        let _e985 = phi_1678_;
-                                        let _e987 = phi_1679_;
-                                        let _e990 = ((_e987 * _e981) - (_e985 * _e983));
-                                        if _e979 {
-                                            phi_1687_ = -(_e990);
-                                        } else {
-                                            phi_1687_ = _e990;
-                                        }
-                                        let _e993 = phi_1687_;
-                                        if (_e895 < _e921) {
-                                            phi_1698_ = true;
-                                        } else {
-                                            if (_e895 == _e921) {
-                                                phi_1697_ = (_e899 < _e925);
-                                            } else {
-                                                phi_1697_ = false;
-                                            }
-                                            let _e998 = phi_1697_;
-                                            phi_1698_ = _e998;
-                                        }
-                                        let _e1000 = phi_1698_;
-                                        if _e1000 {
-                                            phi_1702_ = _e925;
-                                            phi_1703_ = _e921;
-                                            phi_1704_ = _e899;
-                                            phi_1705_ = _e895;
-                                        } else {
-                                            phi_1702_ = _e899;
-                                            phi_1703_ = _e895;
-                                            phi_1704_ = _e925;
-                                            phi_1705_ = _e921;
-                                        }
-                                        let _e1002 = phi_1702_;
-                                        let _e1004 = phi_1703_;
-                                        let _e1006 = phi_1704_;
-                                        let _e1008 = phi_1705_;
-                                        let _e1011 = ((_e1008 * _e1002) - (_e1006 * _e1004));
-                                        if _e1000 {
-                                            phi_1713_ = -(_e1011);
-                                        } else {
-                                            phi_1713_ = _e1011;
-                                        }
-                                        let _e1014 = phi_1713_;
-                                        if (_e972 >= 0f) {
-                                            if (_e993 >= 0f) {
-                                                if (_e1014 >= 0f) {
-                                                    phi_1728_ = ((_e972 + _e993) + _e1014);
-                                                    phi_1729_ = false;
-                                                } else {
-                                                    phi_1728_ = f32();
-                                                    phi_1729_ = true;
+                                        let _e1103 = phi_1810_;
+                                        let _e1105 = phi_1811_;
+                                        phi_1812_ = _e1103;
+                                        phi_1813_ = _e1105;
+                                    } else {
+                                        phi_1812_ = f32();
+                                        phi_1813_ = true;
+                                    }
+                                    let _e1107 = phi_1812_;
+                                    let _e1109 = phi_1813_;
+                                    if _e1109 {
+                                        if (_e1050 <= 0f) {
+                                            if (_e1071 <= 0f) {
+                                                let _e1112 = (_e1092 <= 0f);
+                                                if _e1112 {
                                                 }
-                                                let _e1021 = phi_1728_;
-                                                let _e1023 = phi_1729_;
-                                                phi_1730_ = _e1021;
-                                                phi_1731_ = _e1023;
+                                                phi_1831_ = ((_e1050 + _e1071) + _e1092);
+                                                phi_1832_ = false;
+                                                phi_1833_ = _e1112;
                                             } else {
-                                                phi_1730_ = f32();
-                                                phi_1731_ = true;
+                                                phi_1831_ = f32();
+                                                phi_1832_ = true;
+                                                phi_1833_ = false;
                                             }
-                                            let _e1025 = phi_1730_;
-                                            let _e1027 = phi_1731_;
-                                            phi_1732_ = _e1025;
-                                            phi_1733_ = _e1027;
+                                            let _e1116 = phi_1831_;
+                                            let _e1118 = phi_1832_;
+                                            let _e1120 = phi_1833_;
+                                            phi_1834_ = _e1116;
+                                            phi_1835_ = _e1118;
+                                            phi_1836_ = _e1120;
                                         } else {
-                                            phi_1732_ = f32();
-                                            phi_1733_ = true;
+                                            phi_1834_ = f32();
+                                            phi_1835_ = true;
+                                            phi_1836_ = false;
                                         }
-                                        let _e1029 = phi_1732_;
-                                        let _e1031 = phi_1733_;
-                                        if _e1031 {
-                                            if (_e972 <= 0f) {
-                                                if (_e993 <= 0f) {
-                                                    let _e1034 = (_e1014 <= 0f);
-                                                    if _e1034 {
-                                                    }
-                                                    phi_1751_ = ((_e972 + _e993) + _e1014);
-                                                    phi_1752_ = false;
-                                                    phi_1753_ = _e1034;
+                                        let _e1122 = phi_1834_;
+                                        let _e1124 = phi_1835_;
+                                        let _e1126 = phi_1836_;
+                                        if _e1124 {
+                                            phi_1840_ = false;
+                                        } else {
+                                            phi_1840_ = _e1126;
+                                        }
+                                        let _e1128 = phi_1840_;
+                                        phi_1841_ = _e1122;
+                                        phi_1842_ = _e1128;
+                                    } else {
+                                        phi_1841_ = _e1107;
+                                        phi_1842_ = true;
+                                    }
+                                    let _e1130 = phi_1841_;
+                                    let _e1132 = phi_1842_;
+                                    if _e1132 {
+                                        let _e1133 = (_e1130 == 0f);
+                                        if _e1133 {
+                                            phi_2158_ = lt_bvh_triangle_Intersection();
+                                            phi_2159_ = false;
+                                        } else {
+                                            let _e1135 = triangles.member[(0u + _e946)].v0_;
+                                            let _e1137 = (_e1135.x - _e145);
+                                            let _e1139 = (_e1135.y - _e147);
+                                            let _e1141 = (_e1135.z - _e149);
+                                            if (_e534 == 0u) {
+                                                phi_1871_ = vec3<f32>(_e1139, _e1141, _e1137);
+                                            } else {
+                                                if (_e534 == 1u) {
+                                                    phi_1870_ = vec3<f32>(_e1141, _e1137, _e1139);
                                                 } else {
-                                                    phi_1751_ = f32();
-                                                    phi_1752_ = true;
-                                                    phi_1753_ = false;
+                                                    phi_1870_ = (_e1135 - vec3<f32>(_e145, _e147, _e149));
                                                 }
-                                                let _e1038 = phi_1751_;
-                                                let _e1040 = phi_1752_;
-                                                let _e1042 = phi_1753_;
-                                                phi_1754_ = _e1038;
-                                                phi_1755_ = _e1040;
-                                                phi_1756_ = _e1042;
-                                            } else {
-                                                phi_1754_ = f32();
-                                                phi_1755_ = true;
-                                                phi_1756_ = false;
+                                                let _e1149 = phi_1870_;
+                                                phi_1871_ = _e1149;
                                             }
-                                            let _e1044 = phi_1754_;
-                                            let _e1046 = phi_1755_;
-                                            let _e1048 = phi_1756_;
-                                            if _e1046 {
-                                                phi_1760_ = false;
+                                            let _e1151 = phi_1871_;
+                                            let _e1153 = triangles.member[(0u + _e946)].v1_;
+                                            let _e1155 = triangles.member[(0u + _e946)].v0_;
+                                            let _e1158 = (_e1153.x - _e1155.x);
+                                            let _e1161 = (_e1153.y - _e1155.y);
+                                            let _e1164 = (_e1153.z - _e1155.z);
+                                            if (_e534 == 0u) {
+                                                phi_1897_ = vec3<f32>(_e1161, _e1164, _e1158);
                                             } else {
-                                                phi_1760_ = _e1048;
-                                            }
-                                            let _e1050 = phi_1760_;
-                                            phi_1761_ = _e1044;
-                                            phi_1762_ = _e1050;
-                                        } else {
-                                            phi_1761_ = _e1029;
-                                            phi_1762_ = true;
-                                        }
-                                        let _e1052 = phi_1761_;
-                                        let _e1054 = phi_1762_;
-                                        if _e1054 {
-                                            let _e1055 = (_e1052 == 0f);
-                                            if _e1055 {
-                                                phi_2078_ = lt_bvh_triangle_Intersection();
-                                                phi_2079_ = false;
-                                            } else {
-                                                let _e1057 = triangles.member[(0u + _e868)].v0_;
-                                                let _e1059 = (_e1057.x - _e145);
-                                                let _e1061 = (_e1057.y - _e147);
-                                                let _e1063 = (_e1057.z - _e149);
-                                                if (_e534 == 0u) {
-                                                    phi_1791_ = vec3<f32>(_e1061, _e1063, _e1059);
+                                                if (_e534 == 1u) {
+                                                    phi_1896_ = vec3<f32>(_e1164, _e1158, _e1161);
                                                 } else {
-                                                    if (_e534 == 1u) {
-                                                        phi_1790_ = vec3<f32>(_e1063, _e1059, _e1061);
+                                                    phi_1896_ = (_e1153 - _e1155);
+                                                }
+                                                let _e1171 = phi_1896_;
+                                                phi_1897_ = _e1171;
+                                            }
+                                            let _e1173 = phi_1897_;
+                                            let _e1175 = triangles.member[(0u + _e946)].v2_;
+                                            let _e1177 = triangles.member[(0u + _e946)].v0_;
+                                            let _e1180 = (_e1175.x - _e1177.x);
+                                            let _e1183 = (_e1175.y - _e1177.y);
+                                            let _e1186 = (_e1175.z - _e1177.z);
+                                            if (_e534 == 0u) {
+                                                phi_1923_ = vec3<f32>(_e1183, _e1186, _e1180);
+                                            } else {
+                                                if (_e534 == 1u) {
+                                                    phi_1922_ = vec3<f32>(_e1186, _e1180, _e1183);
+                                                } else {
+                                                    phi_1922_ = (_e1175 - _e1177);
+                                                }
+                                                let _e1193 = phi_1922_;
+                                                phi_1923_ = _e1193;
+                                            }
+                                            let _e1195 = phi_1923_;
+                                            let _e1202 = ((_e1173.y * _e1195.z) - (_e1173.z * _e1195.y));
+                                            let _e1209 = ((_e1173.z * _e1195.x) - (_e1173.x * _e1195.z));
+                                            let _e1216 = ((_e1173.x * _e1195.y) - (_e1173.y * _e1195.x));
+                                            let _e1230 = (((1f / _e542.z) * (((_e1202 * _e1151.x) + (_e1209 * _e1151.y)) + (_e1216 * _e1151.z))) / (((_e1202 * _e545) + (_e1209 * _e548)) + _e1216));
+                                            if (_e1230 > 0f) {
+                                                if (_e1230 < _e157) {
+                                                    let _e1234 = triangles.member[(0u + _e946)].v0_;
+                                                    let _e1236 = triangles.member[(0u + _e946)].v1_;
+                                                    if (_e1234.x < _e1236.x) {
+                                                        phi_1979_ = _e1234.x;
                                                     } else {
-                                                        phi_1790_ = (_e1057 - vec3<f32>(_e145, _e147, _e149));
+                                                        phi_1979_ = _e1236.x;
                                                     }
-                                                    let _e1071 = phi_1790_;
-                                                    phi_1791_ = _e1071;
-                                                }
-                                                let _e1073 = phi_1791_;
-                                                let _e1075 = triangles.member[(0u + _e868)].v1_;
-                                                let _e1077 = triangles.member[(0u + _e868)].v0_;
-                                                let _e1080 = (_e1075.x - _e1077.x);
-                                                let _e1083 = (_e1075.y - _e1077.y);
-                                                let _e1086 = (_e1075.z - _e1077.z);
-                                                if (_e534 == 0u) {
-                                                    phi_1817_ = vec3<f32>(_e1083, _e1086, _e1080);
-                                                } else {
-                                                    if (_e534 == 1u) {
-                                                        phi_1816_ = vec3<f32>(_e1086, _e1080, _e1083);
+                                                    let _e1243 = phi_1979_;
+                                                    if (_e1234.y < _e1236.y) {
+                                                        phi_1988_ = _e1234.y;
                                                     } else {
-                                                        phi_1816_ = (_e1075 - _e1077);
+                                                        phi_1988_ = _e1236.y;
                                                     }
-                                                    let _e1093 = phi_1816_;
-                                                    phi_1817_ = _e1093;
-                                                }
-                                                let _e1095 = phi_1817_;
-                                                let _e1097 = triangles.member[(0u + _e868)].v2_;
-                                                let _e1099 = triangles.member[(0u + _e868)].v0_;
-                                                let _e1102 = (_e1097.x - _e1099.x);
-                                                let _e1105 = (_e1097.y - _e1099.y);
-                                                let _e1108 = (_e1097.z - _e1099.z);
-                                                if (_e534 == 0u) {
-                                                    phi_1843_ = vec3<f32>(_e1105, _e1108, _e1102);
-                                                } else {
-                                                    if (_e534 == 1u) {
-                                                        phi_1842_ = vec3<f32>(_e1108, _e1102, _e1105);
+                                                    let _e1250 = phi_1988_;
+                                                    if (_e1234.z < _e1236.z) {
+                                                        phi_1997_ = _e1234.z;
                                                     } else {
-                                                        phi_1842_ = (_e1097 - _e1099);
+                                                        phi_1997_ = _e1236.z;
                                                     }
-                                                    let _e1115 = phi_1842_;
-                                                    phi_1843_ = _e1115;
-                                                }
-                                                let _e1117 = phi_1843_;
-                                                let _e1124 = ((_e1095.y * _e1117.z) - (_e1095.z * _e1117.y));
-                                                let _e1131 = ((_e1095.z * _e1117.x) - (_e1095.x * _e1117.z));
-                                                let _e1138 = ((_e1095.x * _e1117.y) - (_e1095.y * _e1117.x));
-                                                let _e1152 = (((1f / _e542.z) * (((_e1124 * _e1073.x) + (_e1131 * _e1073.y)) + (_e1138 * _e1073.z))) / (((_e1124 * _e545) + (_e1131 * _e548)) + _e1138));
-                                                if (_e1152 > 0f) {
-                                                    if (_e1152 < _e157) {
-                                                        let _e1156 = triangles.member[(0u + _e868)].v0_;
-                                                        let _e1158 = triangles.member[(0u + _e868)].v1_;
-                                                        if (_e1156.x < _e1158.x) {
-                                                            phi_1899_ = _e1156.x;
-                                                        } else {
-                                                            phi_1899_ = _e1158.x;
-                                                        }
-                                                        let _e1165 = phi_1899_;
-                                                        if (_e1156.y < _e1158.y) {
-                                                            phi_1908_ = _e1156.y;
-                                                        } else {
-                                                            phi_1908_ = _e1158.y;
-                                                        }
-                                                        let _e1172 = phi_1908_;
-                                                        if (_e1156.z < _e1158.z) {
-                                                            phi_1917_ = _e1156.z;
-                                                        } else {
-                                                            phi_1917_ = _e1158.z;
-                                                        }
-                                                        let _e1179 = phi_1917_;
-                                                        let _e1181 = triangles.member[(0u + _e868)].v2_;
-                                                        if (_e1165 < _e1181.x) {
-                                                            phi_1926_ = _e1165;
-                                                        } else {
-                                                            phi_1926_ = _e1181.x;
-                                                        }
-                                                        let _e1186 = phi_1926_;
-                                                        if (_e1172 < _e1181.y) {
-                                                            phi_1933_ = _e1172;
-                                                        } else {
-                                                            phi_1933_ = _e1181.y;
-                                                        }
-                                                        let _e1191 = phi_1933_;
-                                                        if (_e1179 < _e1181.z) {
-                                                            phi_1940_ = _e1179;
-                                                        } else {
-                                                            phi_1940_ = _e1181.z;
-                                                        }
-                                                        let _e1196 = phi_1940_;
-                                                        let _e1198 = triangles.member[(0u + _e868)].v0_;
-                                                        let _e1200 = triangles.member[(0u + _e868)].v1_;
-                                                        if (_e1198.x > _e1200.x) {
-                                                            phi_1953_ = _e1198.x;
-                                                        } else {
-                                                            phi_1953_ = _e1200.x;
-                                                        }
-                                                        let _e1207 = phi_1953_;
-                                                        if (_e1198.y > _e1200.y) {
-                                                            phi_1962_ = _e1198.y;
-                                                        } else {
-                                                            phi_1962_ = _e1200.y;
-                                                        }
-                                                        let _e1214 = phi_1962_;
-                                                        if (_e1198.z > _e1200.z) {
-                                                            phi_1971_ = _e1198.z;
-                                                        } else {
-                                                            phi_1971_ = _e1200.z;
-                                                        }
-                                                        let _e1221 = phi_1971_;
-                                                        let _e1223 = triangles.member[(0u + _e868)].v2_;
-                                                        if (_e1207 > _e1223.x) {
-                                                            phi_1980_ = _e1207;
-                                                        } else {
-                                                            phi_1980_ = _e1223.x;
-                                                        }
-                                                        let _e1228 = phi_1980_;
-                                                        if (_e1214 > _e1223.y) {
-                                                            phi_1987_ = _e1214;
-                                                        } else {
-                                                            phi_1987_ = _e1223.y;
-                                                        }
-                                                        let _e1233 = phi_1987_;
-                                                        if (_e1221 > _e1223.z) {
-                                                            phi_1994_ = _e1221;
-                                                        } else {
-                                                            phi_1994_ = _e1223.z;
-                                                        }
-                                                        let _e1238 = phi_1994_;
-                                                        let _e1242 = ((_e1186 - _e145) * _e463);
-                                                        let _e1243 = ((_e1191 - _e147) * _e473);
-                                                        let _e1244 = ((_e1196 - _e149) * _e483);
-                                                        let _e1248 = ((_e1228 - _e145) * _e463);
-                                                        let _e1249 = ((_e1233 - _e147) * _e473);
-                                                        let _e1250 = ((_e1238 - _e149) * _e483);
-                                                        if (_e1242 < _e1248) {
-                                                            phi_2011_ = _e1242;
-                                                        } else {
-                                                            phi_2011_ = _e1248;
-                                                        }
-                                                        let _e1253 = phi_2011_;
-                                                        if (_e1243 < _e1249) {
-                                                            phi_2016_ = _e1243;
-                                                        } else {
-                                                            phi_2016_ = _e1249;
-                                                        }
-                                                        let _e1256 = phi_2016_;
-                                                        if (_e1244 < _e1250) {
-                                                            phi_2021_ = _e1244;
-                                                        } else {
-                                                            phi_2021_ = _e1250;
-                                                        }
-                                                        let _e1259 = phi_2021_;
-                                                        if (_e1242 > _e1248) {
-                                                            phi_2029_ = _e1242;
-                                                        } else {
-                                                            phi_2029_ = _e1248;
-                                                        }
-                                                        let _e1265 = phi_2029_;
-                                                        if (_e1243 > _e1249) {
-                                                            phi_2034_ = _e1243;
-                                                        } else {
-                                                            phi_2034_ = _e1249;
-                                                        }
-                                                        let _e1268 = phi_2034_;
-                                                        if (_e1244 > _e1250) {
-                                                            phi_2039_ = _e1244;
-                                                        } else {
-                                                            phi_2039_ = _e1250;
-                                                        }
-                                                        let _e1271 = phi_2039_;
-                                                        let _e1275 = core_intrinsics_maximum_number_nsz_f32_((_e1253 - _e518), (_e1256 - _e519));
-                                                        let _e1276 = core_intrinsics_maximum_number_nsz_f32_(_e1275, (_e1259 - _e520));
-                                                        let _e1277 = core_intrinsics_minimum_number_nsz_f32_((_e1265 + _e518), (_e1268 + _e519));
-                                                        let _e1278 = core_intrinsics_minimum_number_nsz_f32_(_e1277, (_e1271 + _e520));
-                                                        if (_e1276 > -300000000000000000000000000000000000000f) {
-                                                            phi_2051_ = _e1276;
-                                                        } else {
-                                                            phi_2051_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1281 = phi_2051_;
-                                                        if (_e1278 < 300000000000000000000000000000000000000f) {
-                                                            phi_2056_ = _e1278;
-                                                        } else {
-                                                            phi_2056_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1284 = phi_2056_;
-                                                        if (_e1152 < _e1281) {
-                                                            phi_2061_ = _e1281;
-                                                        } else {
-                                                            phi_2061_ = _e1152;
-                                                        }
-                                                        let _e1287 = phi_2061_;
-                                                        if (_e1287 > _e1284) {
-                                                            phi_2066_ = _e1284;
-                                                        } else {
-                                                            phi_2066_ = _e1287;
-                                                        }
-                                                        let _e1290 = phi_2066_;
-                                                        phi_2071_ = lt_bvh_triangle_Intersection(_e1290, (_e993 / _e1052), (_e1014 / _e1052), (_e1281 <= _e1284));
-                                                        phi_2072_ = false;
+                                                    let _e1257 = phi_1997_;
+                                                    let _e1259 = triangles.member[(0u + _e946)].v2_;
+                                                    if (_e1243 < _e1259.x) {
+                                                        phi_2006_ = _e1243;
                                                     } else {
-                                                        phi_2071_ = lt_bvh_triangle_Intersection();
-                                                        phi_2072_ = true;
+                                                        phi_2006_ = _e1259.x;
                                                     }
-                                                    let _e1296 = phi_2071_;
-                                                    let _e1298 = phi_2072_;
-                                                    phi_2073_ = _e1296;
-                                                    phi_2074_ = _e1298;
+                                                    let _e1264 = phi_2006_;
+                                                    if (_e1250 < _e1259.y) {
+                                                        phi_2013_ = _e1250;
+                                                    } else {
+                                                        phi_2013_ = _e1259.y;
+                                                    }
+                                                    let _e1269 = phi_2013_;
+                                                    if (_e1257 < _e1259.z) {
+                                                        phi_2020_ = _e1257;
+                                                    } else {
+                                                        phi_2020_ = _e1259.z;
+                                                    }
+                                                    let _e1274 = phi_2020_;
+                                                    let _e1276 = triangles.member[(0u + _e946)].v0_;
+                                                    let _e1278 = triangles.member[(0u + _e946)].v1_;
+                                                    if (_e1276.x > _e1278.x) {
+                                                        phi_2033_ = _e1276.x;
+                                                    } else {
+                                                        phi_2033_ = _e1278.x;
+                                                    }
+                                                    let _e1285 = phi_2033_;
+                                                    if (_e1276.y > _e1278.y) {
+                                                        phi_2042_ = _e1276.y;
+                                                    } else {
+                                                        phi_2042_ = _e1278.y;
+                                                    }
+                                                    let _e1292 = phi_2042_;
+                                                    if (_e1276.z > _e1278.z) {
+                                                        phi_2051_ = _e1276.z;
+                                                    } else {
+                                                        phi_2051_ = _e1278.z;
+                                                    }
+                                                    let _e1299 = phi_2051_;
+                                                    let _e1301 = triangles.member[(0u + _e946)].v2_;
+                                                    if (_e1285 > _e1301.x) {
+                                                        phi_2060_ = _e1285;
+                                                    } else {
+                                                        phi_2060_ = _e1301.x;
+                                                    }
+                                                    let _e1306 = phi_2060_;
+                                                    if (_e1292 > _e1301.y) {
+                                                        phi_2067_ = _e1292;
+                                                    } else {
+                                                        phi_2067_ = _e1301.y;
+                                                    }
+                                                    let _e1311 = phi_2067_;
+                                                    if (_e1299 > _e1301.z) {
+                                                        phi_2074_ = _e1299;
+                                                    } else {
+                                                        phi_2074_ = _e1301.z;
+                                                    }
+                                                    let _e1316 = phi_2074_;
+                                                    let _e1320 = ((_e1264 - _e145) * _e463);
+                                                    let _e1321 = ((_e1269 - _e147) * _e473);
+                                                    let _e1322 = ((_e1274 - _e149) * _e483);
+                                                    let _e1326 = ((_e1306 - _e145) * _e463);
+                                                    let _e1327 = ((_e1311 - _e147) * _e473);
+                                                    let _e1328 = ((_e1316 - _e149) * _e483);
+                                                    if (_e1320 < _e1326) {
+                                                        phi_2091_ = _e1320;
+                                                    } else {
+                                                        phi_2091_ = _e1326;
+                                                    }
+                                                    let _e1331 = phi_2091_;
+                                                    if (_e1321 < _e1327) {
+                                                        phi_2096_ = _e1321;
+                                                    } else {
+                                                        phi_2096_ = _e1327;
+                                                    }
+                                                    let _e1334 = phi_2096_;
+                                                    if (_e1322 < _e1328) {
+                                                        phi_2101_ = _e1322;
+                                                    } else {
+                                                        phi_2101_ = _e1328;
+                                                    }
+                                                    let _e1337 = phi_2101_;
+                                                    if (_e1320 > _e1326) {
+                                                        phi_2109_ = _e1320;
+                                                    } else {
+                                                        phi_2109_ = _e1326;
+                                                    }
+                                                    let _e1343 = phi_2109_;
+                                                    if (_e1321 > _e1327) {
+                                                        phi_2114_ = _e1321;
+                                                    } else {
+                                                        phi_2114_ = _e1327;
+                                                    }
+                                                    let _e1346 = phi_2114_;
+                                                    if (_e1322 > _e1328) {
+                                                        phi_2119_ = _e1322;
+                                                    } else {
+                                                        phi_2119_ = _e1328;
+                                                    }
+                                                    let _e1349 = phi_2119_;
+                                                    let _e1353 = core_intrinsics_maximum_number_nsz_f32_((_e1331 - _e518), (_e1334 - _e519));
+                                                    let _e1354 = core_intrinsics_maximum_number_nsz_f32_(_e1353, (_e1337 - _e520));
+                                                    let _e1355 = core_intrinsics_minimum_number_nsz_f32_((_e1343 + _e518), (_e1346 + _e519));
+                                                    let _e1356 = core_intrinsics_minimum_number_nsz_f32_(_e1355, (_e1349 + _e520));
+                                                    if (_e1354 > -300000000000000000000000000000000000000f) {
+                                                        phi_2131_ = _e1354;
+                                                    } else {
+                                                        phi_2131_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1359 = phi_2131_;
+                                                    if (_e1356 < 300000000000000000000000000000000000000f) {
+                                                        phi_2136_ = _e1356;
+                                                    } else {
+                                                        phi_2136_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1362 = phi_2136_;
+                                                    if (_e1230 < _e1359) {
+                                                        phi_2141_ = _e1359;
+                                                    } else {
+                                                        phi_2141_ = _e1230;
+                                                    }
+                                                    let _e1365 = phi_2141_;
+                                                    if (_e1365 > _e1362) {
+                                                        phi_2146_ = _e1362;
+                                                    } else {
+                                                        phi_2146_ = _e1365;
+                                                    }
+                                                    let _e1368 = phi_2146_;
+                                                    phi_2151_ = lt_bvh_triangle_Intersection(_e1368, (_e1071 / _e1130), (_e1092 / _e1130), (_e1359 <= _e1362));
+                                                    phi_2152_ = false;
                                                 } else {
-                                                    phi_2073_ = lt_bvh_triangle_Intersection();
-                                                    phi_2074_ = true;
+                                                    phi_2151_ = lt_bvh_triangle_Intersection();
+                                                    phi_2152_ = true;
                                                 }
-                                                let _e1300 = phi_2073_;
-                                                let _e1302 = phi_2074_;
-                                                if _e1302 {
-                                                }
-                                                phi_2078_ = _e1300;
-                                                phi_2079_ = _e1302;
+                                                let _e1374 = phi_2151_;
+                                                let _e1376 = phi_2152_;
+                                                phi_2153_ = _e1374;
+                                                phi_2154_ = _e1376;
+                                            } else {
+                                                phi_2153_ = lt_bvh_triangle_Intersection();
+                                                phi_2154_ = true;
                                             }
-                                            let _e1304 = phi_2078_;
-                                            let _e1306 = phi_2079_;
-                                            phi_2080_ = _e1304;
-                                            phi_2081_ = _e1055;
-                                            phi_2082_ = _e1306;
-                                        } else {
-                                            phi_2080_ = lt_bvh_triangle_Intersection();
-                                            phi_2081_ = true;
-                                            phi_2082_ = false;
+                                            let _e1378 = phi_2153_;
+                                            let _e1380 = phi_2154_;
+                                            if _e1380 {
+                                            }
+                                            phi_2158_ = _e1378;
+                                            phi_2159_ = _e1380;
                                         }
-                                        let _e1308 = phi_2080_;
-                                        let _e1310 = phi_2081_;
-                                        let _e1312 = phi_2082_;
-                                        if _e1310 {
-                                            phi_2086_ = true;
-                                        } else {
-                                            phi_2086_ = _e1312;
-                                        }
-                                        let _e1314 = phi_2086_;
-                                        if _e1314 {
-                                            phi_2090_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                        } else {
-                                            phi_2090_ = _e1308;
-                                        }
-                                        let _e1316 = phi_2090_;
-                                        if _e1316.is_hit {
-                                            if (_e1316.t > 0f) {
-                                                if (_e1316.t < _e157) {
-                                                    let _e1323 = triangles.member[(0u + _e868)].i0_;
-                                                    let _e1325 = ((_e1323 & 2147483648u) == 0u);
-                                                    if _e1325 {
-                                                        phi_2313_ = false;
-                                                        phi_2314_ = false;
+                                        let _e1382 = phi_2158_;
+                                        let _e1384 = phi_2159_;
+                                        phi_2160_ = _e1382;
+                                        phi_2161_ = _e1133;
+                                        phi_2162_ = _e1384;
+                                    } else {
+                                        phi_2160_ = lt_bvh_triangle_Intersection();
+                                        phi_2161_ = true;
+                                        phi_2162_ = false;
+                                    }
+                                    let _e1386 = phi_2160_;
+                                    let _e1388 = phi_2161_;
+                                    let _e1390 = phi_2162_;
+                                    if _e1388 {
+                                        phi_2166_ = true;
+                                    } else {
+                                        phi_2166_ = _e1390;
+                                    }
+                                    let _e1392 = phi_2166_;
+                                    if _e1392 {
+                                        phi_2170_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_2170_ = _e1386;
+                                    }
+                                    let _e1394 = phi_2170_;
+                                    if _e1394.is_hit {
+                                        if (_e1394.t > 0f) {
+                                            if (_e1394.t < _e157) {
+                                                let _e1401 = triangles.member[(0u + _e946)].i0_;
+                                                let _e1403 = ((_e1401 & 2147483648u) == 0u);
+                                                if _e1403 {
+                                                    phi_2393_ = false;
+                                                    phi_2394_ = false;
+                                                } else {
+                                                    if (_e946 < _e92) {
                                                     } else {
-                                                        if (_e868 < _e92) {
+                                                        return;
+                                                    }
+                                                    let _e1410 = triangles.member[(0u + _e946)].i0_;
+                                                    let _e1411 = (_e1410 & 2147483647u);
+                                                    let _e1413 = triangles.member[(0u + _e946)].i1_;
+                                                    let _e1415 = triangles.member[(0u + _e946)].i2_;
+                                                    if (_e1411 < _e105) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1419 = vertices.member[(0u + _e1411)];
+                                                    if (_e1413 < _e105) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1423 = vertices.member[(0u + _e1413)];
+                                                    if (_e1415 < _e105) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1427 = vertices.member[(0u + _e1415)];
+                                                    let _e1428 = array<abi_Vertex, 3>(_e1419, _e1423, _e1427);
+                                                    if (_e1428[0].material < _e108) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1434 = materials.member[(0u + _e1428[0].material)];
+                                                    if ((_e1434.flags & 1u) == 1u) {
+                                                        let _e1439 = ((1f - _e1394.u) - _e1394.v);
+                                                        if (_e1434.cutoff <= 0f) {
+                                                            phi_2387_ = true;
                                                         } else {
-                                                            return;
-                                                        }
-                                                        let _e1332 = triangles.member[(0u + _e868)].i0_;
-                                                        let _e1333 = (_e1332 & 2147483647u);
-                                                        let _e1335 = triangles.member[(0u + _e868)].i1_;
-                                                        let _e1337 = triangles.member[(0u + _e868)].i2_;
-                                                        if (_e1333 < _e105) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1341 = vertices.member[(0u + _e1333)];
-                                                        if (_e1335 < _e105) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1345 = vertices.member[(0u + _e1335)];
-                                                        if (_e1337 < _e105) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1349 = vertices.member[(0u + _e1337)];
-                                                        let _e1350 = array<abi_Vertex, 3>(_e1341, _e1345, _e1349);
-                                                        if (_e1350[0].material < _e108) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1356 = materials.member[(0u + _e1350[0].material)];
-                                                        if ((_e1356.flags & 1u) == 1u) {
-                                                            let _e1361 = ((1f - _e1316.u) - _e1316.v);
-                                                            if (_e1356.cutoff <= 0f) {
-                                                                phi_2307_ = true;
+                                                            let _e1466 = (_e1434.base_color.w * ((((f32((_e1428[0].color >> bitcast<u32>(24i))) * _e1439) + (f32((_e1428[1].color >> bitcast<u32>(24i))) * _e1394.u)) + (f32((_e1428[2].color >> bitcast<u32>(24i))) * _e1394.v)) * (1f / 255f)));
+                                                            if (_e1434.alpha_size == 0u) {
+                                                                phi_2384_ = _e1466;
                                                             } else {
-                                                                let _e1388 = (_e1356.base_color.w * ((((f32((_e1350[0].color >> bitcast<u32>(24i))) * _e1361) + (f32((_e1350[1].color >> bitcast<u32>(24i))) * _e1316.u)) + (f32((_e1350[2].color >> bitcast<u32>(24i))) * _e1316.v)) * (1f / 255f)));
-                                                                if (_e1356.alpha_size == 0u) {
-                                                                    phi_2304_ = _e1388;
+                                                                local_2.offset = _e1434.alpha_offset;
+                                                                local_2.size = _e1434.alpha_size;
+                                                                local_2.flags = _e1434.flags;
+                                                                let _e1497 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1428[0].u * _e1439) + (_e1428[1].u * _e1394.u)) + (_e1428[2].u * _e1394.v)), (((_e1428[0].v * _e1439) + (_e1428[1].v * _e1394.u)) + (_e1428[2].v * _e1394.v)));
+                                                                let _e1501 = (_e1497.indices[0] >> bitcast<u32>(2i));
+                                                                if (_e1501 < _e111) {
                                                                 } else {
-                                                                    local_2.offset = _e1356.alpha_offset;
-                                                                    local_2.size = _e1356.alpha_size;
-                                                                    local_2.flags = _e1356.flags;
-                                                                    let _e1419 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1350[0].u * _e1361) + (_e1350[1].u * _e1316.u)) + (_e1350[2].u * _e1316.v)), (((_e1350[0].v * _e1361) + (_e1350[1].v * _e1316.u)) + (_e1350[2].v * _e1316.v)));
-                                                                    let _e1423 = (_e1419.indices[0] >> bitcast<u32>(2i));
-                                                                    if (_e1423 < _e111) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1427 = alpha_texels.member[(0u + _e1423)];
-                                                                    let _e1443 = (_e1419.indices[1] >> bitcast<u32>(2i));
-                                                                    if (_e1443 < _e111) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1447 = alpha_texels.member[(0u + _e1443)];
-                                                                    let _e1464 = (_e1419.indices[2] >> bitcast<u32>(2i));
-                                                                    if (_e1464 < _e111) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1468 = alpha_texels.member[(0u + _e1464)];
-                                                                    let _e1485 = (_e1419.indices[3] >> bitcast<u32>(2i));
-                                                                    if (_e1485 < _e111) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1489 = alpha_texels.member[(0u + _e1485)];
-                                                                    phi_2304_ = (_e1388 * (((((f32(((_e1427 >> bitcast<u32>((((_e1419.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1419.weights.x) + ((f32(((_e1447 >> bitcast<u32>((((_e1419.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1419.weights.y)) + ((f32(((_e1468 >> bitcast<u32>((((_e1419.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1419.weights.z)) + ((f32(((_e1489 >> bitcast<u32>((((_e1419.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1419.weights.w)));
+                                                                    return;
                                                                 }
-                                                                let _e1505 = phi_2304_;
-                                                                phi_2307_ = (_e1505 >= _e1356.cutoff);
+                                                                let _e1505 = alpha_texels.member[(0u + _e1501)];
+                                                                let _e1521 = (_e1497.indices[1] >> bitcast<u32>(2i));
+                                                                if (_e1521 < _e111) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1525 = alpha_texels.member[(0u + _e1521)];
+                                                                let _e1542 = (_e1497.indices[2] >> bitcast<u32>(2i));
+                                                                if (_e1542 < _e111) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1546 = alpha_texels.member[(0u + _e1542)];
+                                                                let _e1563 = (_e1497.indices[3] >> bitcast<u32>(2i));
+                                                                if (_e1563 < _e111) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1567 = alpha_texels.member[(0u + _e1563)];
+                                                                phi_2384_ = (_e1466 * (((((f32(((_e1505 >> bitcast<u32>((((_e1497.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1497.weights.x) + ((f32(((_e1525 >> bitcast<u32>((((_e1497.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1497.weights.y)) + ((f32(((_e1546 >> bitcast<u32>((((_e1497.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1497.weights.z)) + ((f32(((_e1567 >> bitcast<u32>((((_e1497.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1497.weights.w)));
                                                             }
-                                                            let _e1509 = phi_2307_;
-                                                            phi_2308_ = _e1509;
-                                                        } else {
-                                                            phi_2308_ = false;
+                                                            let _e1583 = phi_2384_;
+                                                            phi_2387_ = (_e1583 >= _e1434.cutoff);
                                                         }
-                                                        let _e1511 = phi_2308_;
-                                                        if _e1511 {
-                                                            phi_2312_ = false;
-                                                        } else {
-                                                            phi_2312_ = true;
-                                                        }
-                                                        let _e1513 = phi_2312_;
-                                                        phi_2313_ = _e1513;
-                                                        phi_2314_ = _e1511;
+                                                        let _e1587 = phi_2387_;
+                                                        phi_2388_ = _e1587;
+                                                    } else {
+                                                        phi_2388_ = false;
                                                     }
-                                                    let _e1515 = phi_2313_;
-                                                    let _e1517 = phi_2314_;
-                                                    phi_2315_ = _e1515;
-                                                    phi_2316_ = _e1325;
-                                                    phi_2317_ = _e1517;
-                                                } else {
-                                                    phi_2315_ = true;
-                                                    phi_2316_ = false;
-                                                    phi_2317_ = false;
+                                                    let _e1589 = phi_2388_;
+                                                    if _e1589 {
+                                                        phi_2392_ = false;
+                                                    } else {
+                                                        phi_2392_ = true;
+                                                    }
+                                                    let _e1591 = phi_2392_;
+                                                    phi_2393_ = _e1591;
+                                                    phi_2394_ = _e1589;
                                                 }
-                                                let _e1519 = phi_2315_;
-                                                let _e1521 = phi_2316_;
-                                                let _e1523 = phi_2317_;
-                                                phi_2318_ = false;
-                                                phi_2319_ = _e1519;
-                                                phi_2320_ = _e1521;
-                                                phi_2321_ = _e1523;
+                                                let _e1593 = phi_2393_;
+                                                let _e1595 = phi_2394_;
+                                                phi_2395_ = _e1593;
+                                                phi_2396_ = _e1403;
+                                                phi_2397_ = _e1595;
                                             } else {
-                                                phi_2318_ = true;
-                                                phi_2319_ = false;
-                                                phi_2320_ = false;
-                                                phi_2321_ = false;
+                                                phi_2395_ = true;
+                                                phi_2396_ = false;
+                                                phi_2397_ = false;
                                             }
-                                            let _e1525 = phi_2318_;
-                                            let _e1527 = phi_2319_;
-                                            let _e1529 = phi_2320_;
-                                            let _e1531 = phi_2321_;
-                                            phi_2322_ = _e1525;
-                                            phi_2323_ = _e1527;
-                                            phi_2324_ = _e1529;
-                                            phi_2325_ = _e1531;
+                                            let _e1597 = phi_2395_;
+                                            let _e1599 = phi_2396_;
+                                            let _e1601 = phi_2397_;
+                                            phi_2398_ = false;
+                                            phi_2399_ = _e1597;
+                                            phi_2400_ = _e1599;
+                                            phi_2401_ = _e1601;
                                         } else {
-                                            phi_2322_ = true;
-                                            phi_2323_ = false;
-                                            phi_2324_ = false;
-                                            phi_2325_ = false;
+                                            phi_2398_ = true;
+                                            phi_2399_ = false;
+                                            phi_2400_ = false;
+                                            phi_2401_ = false;
                                         }
-                                        let _e1533 = phi_2322_;
-                                        let _e1535 = phi_2323_;
-                                        let _e1537 = phi_2324_;
-                                        let _e1539 = phi_2325_;
-                                        if _e1533 {
-                                            phi_2329_ = true;
-                                            phi_2330_ = false;
-                                            phi_2331_ = false;
-                                        } else {
-                                            phi_2329_ = _e1535;
-                                            phi_2330_ = _e1537;
-                                            phi_2331_ = _e1539;
-                                        }
-                                        let _e1541 = phi_2329_;
-                                        let _e1543 = phi_2330_;
-                                        let _e1545 = phi_2331_;
-                                        if _e1541 {
-                                            phi_2335_ = false;
-                                            phi_2336_ = false;
-                                        } else {
-                                            phi_2335_ = _e1543;
-                                            phi_2336_ = _e1545;
-                                        }
-                                        let _e1547 = phi_2335_;
-                                        let _e1549 = phi_2336_;
-                                        phi_1491_ = (_e832 & (_e832 - 1u));
-                                        phi_2337_ = _e1541;
-                                        phi_2338_ = _e1547;
-                                        phi_2339_ = _e1549;
-                                    }
-                                    let _e1551 = phi_1491_;
-                                    let _e1553 = phi_2337_;
-                                    let _e1555 = phi_2338_;
-                                    let _e1557 = phi_2339_;
-                                    local_11 = _e1555;
-                                    local_12 = _e1557;
-                                    continue;
-                                    continuing {
-                                        phi_1490_ = _e1551;
-                                        break if !(_e1553);
-                                    }
-                                }
-                                let _e1560 = local_4;
-                                if _e1560 {
-                                    phi_2343_ = false;
-                                    phi_2344_ = false;
-                                } else {
-                                    let _e3439 = local_11;
-                                    phi_2343_ = _e3439;
-                                    let _e3442 = local_12;
-                                    phi_2344_ = _e3442;
-                                }
-                                let _e1562 = phi_2343_;
-                                let _e1564 = phi_2344_;
-                                phi_2372_ = _e566;
-                                phi_2373_ = _e557;
-                                let _e3451 = local_13;
-                                phi_2374_ = _e3451;
-                                phi_2375_ = _e1562;
-                                phi_2376_ = _e1564;
-                            } else {
-                                if (_e826 == 0u) {
-                                    phi_2370_ = _e566;
-                                    phi_2371_ = _e557;
-                                } else {
-                                    if ((_e566 & 255u) == 0u) {
-                                        phi_2366_ = _e557;
+                                        let _e1603 = phi_2398_;
+                                        let _e1605 = phi_2399_;
+                                        let _e1607 = phi_2400_;
+                                        let _e1609 = phi_2401_;
+                                        phi_2402_ = _e1603;
+                                        phi_2403_ = _e1605;
+                                        phi_2404_ = _e1607;
+                                        phi_2405_ = _e1609;
                                     } else {
-                                        if (_e557 < 32u) {
-                                            if (_e557 < 32u) {
-                                            } else {
-                                                return;
-                                            }
-                                            local_3[(0u + _e557)] = _e566;
-                                            phi_2365_ = (_e557 + 1u);
-                                        } else {
-                                            phi_2365_ = _e557;
-                                        }
-                                        let _e1574 = phi_2365_;
-                                        phi_2366_ = _e1574;
+                                        phi_2402_ = true;
+                                        phi_2403_ = false;
+                                        phi_2404_ = false;
+                                        phi_2405_ = false;
                                     }
-                                    let _e1576 = phi_2366_;
-                                    phi_2370_ = ((_e587.rest.z << bitcast<u32>(8i)) | _e826);
-                                    phi_2371_ = _e1576;
-                                }
-                                let _e1583 = phi_2370_;
-                                let _e1585 = phi_2371_;
-                                phi_2372_ = _e1583;
-                                phi_2373_ = _e1585;
-                                phi_2374_ = true;
-                                phi_2375_ = false;
-                                phi_2376_ = false;
-                            }
-                            let _e1587 = phi_2372_;
-                            let _e1589 = phi_2373_;
-                            let _e1591 = phi_2374_;
-                            let _e1593 = phi_2375_;
-                            let _e1595 = phi_2376_;
-                            if _e1591 {
-                                if ((_e1587 & 255u) == 0u) {
-                                    if (_e1589 > 0u) {
-                                        let _e1599 = (_e1589 - 1u);
-                                        if (_e1599 < 32u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e1603 = local_3[(0u + _e1599)];
-                                        phi_2397_ = _e1603;
-                                        phi_2398_ = _e1599;
+                                    let _e1611 = phi_2402_;
+                                    let _e1613 = phi_2403_;
+                                    let _e1615 = phi_2404_;
+                                    let _e1617 = phi_2405_;
+                                    if _e1611 {
+                                        phi_2409_ = true;
+                                        phi_2410_ = false;
+                                        phi_2411_ = false;
                                     } else {
-                                        phi_2397_ = 0u;
-                                        phi_2398_ = _e1589;
+                                        phi_2409_ = _e1613;
+                                        phi_2410_ = _e1615;
+                                        phi_2411_ = _e1617;
                                     }
-                                    let _e1605 = phi_2397_;
-                                    let _e1607 = phi_2398_;
-                                    phi_2399_ = _e1605;
-                                    phi_2400_ = _e1607;
-                                } else {
-                                    phi_2399_ = _e1587;
-                                    phi_2400_ = _e1589;
+                                    let _e1619 = phi_2409_;
+                                    let _e1621 = phi_2410_;
+                                    let _e1623 = phi_2411_;
+                                    if _e1619 {
+                                        phi_2415_ = false;
+                                        phi_2416_ = false;
+                                    } else {
+                                        phi_2415_ = _e1621;
+                                        phi_2416_ = _e1623;
+                                    }
+                                    let _e1625 = phi_2415_;
+                                    let _e1627 = phi_2416_;
+                                    phi_1572_ = (_e910 & (_e910 - 1u));
+                                    phi_2417_ = _e1619;
+                                    phi_2418_ = _e1625;
+                                    phi_2419_ = _e1627;
                                 }
-                                let _e1609 = phi_2399_;
-                                let _e1611 = phi_2400_;
-                                phi_2401_ = _e1609;
-                                phi_2402_ = _e1611;
-                                phi_2403_ = false;
-                                phi_2404_ = false;
-                            } else {
-                                phi_2401_ = u32();
-                                phi_2402_ = u32();
-                                phi_2403_ = _e1593;
-                                phi_2404_ = _e1595;
+                                let _e1629 = phi_1572_;
+                                let _e1631 = phi_2417_;
+                                let _e1633 = phi_2418_;
+                                let _e1635 = phi_2419_;
+                                local_14 = _e1633;
+                                local_15 = _e1635;
+                                continue;
+                                continuing {
+                                    phi_1571_ = _e1629;
+                                    break if !(_e1631);
+                                }
                             }
-                            let _e1613 = phi_2401_;
-                            let _e1615 = phi_2402_;
-                            let _e1617 = phi_2403_;
-                            let _e1619 = phi_2404_;
-                            phi_1201_ = _e1613;
-                            phi_1204_ = _e1615;
-                            phi_2405_ = _e1591;
-                            phi_2406_ = _e1617;
-                            phi_2407_ = _e1619;
+                            let _e1638 = local_6;
+                            if _e1638 {
+                                phi_2423_ = false;
+                                phi_2424_ = false;
+                            } else {
+                                let _e3491 = local_14;
+                                phi_2423_ = _e3491;
+                                let _e3494 = local_15;
+                                phi_2424_ = _e3494;
+                            }
+                            let _e1640 = phi_2423_;
+                            let _e1642 = phi_2424_;
+                            let _e3497 = local_16;
+                            phi_1201_ = _e3497;
+                            let _e3500 = local_17;
+                            phi_1204_ = _e3500;
+                            let _e3503 = local_18;
+                            phi_2425_ = _e3503;
+                            phi_2426_ = _e1640;
+                            phi_2427_ = _e1642;
                         }
-                        let _e1621 = phi_1201_;
-                        let _e1623 = phi_1204_;
-                        let _e1625 = phi_2405_;
-                        let _e1627 = phi_2406_;
-                        let _e1629 = phi_2407_;
-                        local_14 = _e1627;
-                        local_15 = _e1629;
+                        let _e1644 = phi_1201_;
+                        let _e1646 = phi_1204_;
+                        let _e1648 = phi_2425_;
+                        let _e1650 = phi_2426_;
+                        let _e1652 = phi_2427_;
+                        local_19 = _e1650;
+                        local_20 = _e1652;
                         continue;
                         continuing {
-                            phi_1200_ = _e1621;
-                            phi_1203_ = _e1623;
-                            break if !(_e1625);
+                            phi_1200_ = _e1644;
+                            phi_1203_ = _e1646;
+                            break if !(_e1648);
                         }
                     }
-                    let _e1632 = local_5;
-                    if _e1632 {
-                        phi_2411_ = false;
-                        phi_2412_ = false;
+                    let _e1655 = local_7;
+                    if _e1655 {
+                        phi_2431_ = false;
+                        phi_2432_ = false;
                     } else {
-                        let _e3470 = local_14;
-                        phi_2411_ = _e3470;
-                        let _e3473 = local_15;
-                        phi_2412_ = _e3473;
+                        let _e3509 = local_19;
+                        phi_2431_ = _e3509;
+                        let _e3512 = local_20;
+                        phi_2432_ = _e3512;
                     }
-                    let _e1634 = phi_2411_;
-                    let _e1636 = phi_2412_;
-                    if _e1634 {
-                        phi_2416_ = false;
+                    let _e1657 = phi_2431_;
+                    let _e1659 = phi_2432_;
+                    if _e1657 {
+                        phi_2436_ = false;
                     } else {
-                        phi_2416_ = _e1636;
+                        phi_2436_ = _e1659;
                     }
-                    let _e1638 = phi_2416_;
-                    if _e1638 {
-                        phi_2420_ = true;
+                    let _e1661 = phi_2436_;
+                    if _e1661 {
+                        phi_2440_ = true;
                     } else {
-                        phi_2420_ = _e1634;
+                        phi_2440_ = _e1657;
                     }
-                    let _e1640 = phi_2420_;
-                    if _e1640 {
+                    let _e1663 = phi_2440_;
+                    if _e1663 {
                     }
-                    phi_2424_ = true;
-                    phi_2425_ = _e1640;
+                    phi_2444_ = true;
+                    phi_2445_ = _e1663;
                 }
-                let _e1642 = phi_2424_;
-                let _e1644 = phi_2425_;
-                if _e1644 {
-                    phi_2429_ = _e1642;
+                let _e1665 = phi_2444_;
+                let _e1667 = phi_2445_;
+                if _e1667 {
+                    phi_2449_ = _e1665;
                 } else {
-                    phi_2429_ = false;
+                    phi_2449_ = false;
                 }
-                let _e1646 = phi_2429_;
-                phi_4094_ = _e1646;
+                let _e1669 = phi_2449_;
+                phi_4114_ = _e1669;
             } else {
-                let _e1647 = abs(_e165);
-                let _e1648 = abs(_e166);
-                let _e1649 = abs(_e167);
+                let _e1670 = abs(_e165);
+                let _e1671 = abs(_e166);
+                let _e1672 = abs(_e167);
                 if (abs(_e145) < 1000000000000000f) {
                     if (abs(_e147) < 1000000000000000f) {
-                        phi_2445_ = (abs(_e149) < 1000000000000000f);
-                        phi_2446_ = false;
+                        phi_2465_ = (abs(_e149) < 1000000000000000f);
+                        phi_2466_ = false;
                     } else {
-                        phi_2445_ = bool();
-                        phi_2446_ = true;
+                        phi_2465_ = bool();
+                        phi_2466_ = true;
                     }
-                    let _e1657 = phi_2445_;
-                    let _e1659 = phi_2446_;
-                    phi_2447_ = _e1657;
-                    phi_2448_ = _e1659;
+                    let _e1680 = phi_2465_;
+                    let _e1682 = phi_2466_;
+                    phi_2467_ = _e1680;
+                    phi_2468_ = _e1682;
                 } else {
-                    phi_2447_ = bool();
-                    phi_2448_ = true;
+                    phi_2467_ = bool();
+                    phi_2468_ = true;
                 }
-                let _e1661 = phi_2447_;
-                let _e1663 = phi_2448_;
-                if _e1663 {
-                    phi_2452_ = false;
+                let _e1684 = phi_2467_;
+                let _e1686 = phi_2468_;
+                if _e1686 {
+                    phi_2472_ = false;
                 } else {
-                    phi_2452_ = _e1661;
+                    phi_2472_ = _e1684;
                 }
-                let _e1665 = phi_2452_;
-                if _e1665 {
-                    if (_e1647 < 1000000000000000f) {
-                        if (_e1648 < 1000000000000000f) {
-                            phi_2465_ = (_e1649 < 1000000000000000f);
-                            phi_2466_ = false;
+                let _e1688 = phi_2472_;
+                if _e1688 {
+                    if (_e1670 < 1000000000000000f) {
+                        if (_e1671 < 1000000000000000f) {
+                            phi_2485_ = (_e1672 < 1000000000000000f);
+                            phi_2486_ = false;
                         } else {
-                            phi_2465_ = bool();
-                            phi_2466_ = true;
+                            phi_2485_ = bool();
+                            phi_2486_ = true;
                         }
-                        let _e1670 = phi_2465_;
-                        let _e1672 = phi_2466_;
-                        phi_2467_ = _e1670;
-                        phi_2468_ = _e1672;
+                        let _e1693 = phi_2485_;
+                        let _e1695 = phi_2486_;
+                        phi_2487_ = _e1693;
+                        phi_2488_ = _e1695;
                     } else {
-                        phi_2467_ = bool();
-                        phi_2468_ = true;
+                        phi_2487_ = bool();
+                        phi_2488_ = true;
                     }
-                    let _e1674 = phi_2467_;
-                    let _e1676 = phi_2468_;
-                    if _e1676 {
-                        phi_2472_ = false;
+                    let _e1697 = phi_2487_;
+                    let _e1699 = phi_2488_;
+                    if _e1699 {
+                        phi_2492_ = false;
                     } else {
-                        phi_2472_ = _e1674;
+                        phi_2492_ = _e1697;
                     }
-                    let _e1678 = phi_2472_;
-                    if _e1678 {
-                        if (_e1647 > 0f) {
-                            phi_2486_ = bool();
-                            phi_2487_ = true;
+                    let _e1701 = phi_2492_;
+                    if _e1701 {
+                        if (_e1670 > 0f) {
+                            phi_2506_ = bool();
+                            phi_2507_ = true;
                         } else {
-                            let _e1680 = (_e1648 > 0f);
-                            if _e1680 {
-                                phi_2485_ = bool();
+                            let _e1703 = (_e1671 > 0f);
+                            if _e1703 {
+                                phi_2505_ = bool();
                             } else {
-                                phi_2485_ = (_e1649 > 0f);
+                                phi_2505_ = (_e1672 > 0f);
                             }
-                            let _e1683 = phi_2485_;
-                            phi_2486_ = _e1683;
-                            phi_2487_ = _e1680;
+                            let _e1706 = phi_2505_;
+                            phi_2506_ = _e1706;
+                            phi_2507_ = _e1703;
                         }
-                        let _e1685 = phi_2486_;
-                        let _e1687 = phi_2487_;
-                        if _e1687 {
-                            phi_2491_ = true;
+                        let _e1708 = phi_2506_;
+                        let _e1710 = phi_2507_;
+                        if _e1710 {
+                            phi_2511_ = true;
                         } else {
-                            phi_2491_ = _e1685;
+                            phi_2511_ = _e1708;
                         }
-                        let _e1689 = phi_2491_;
-                        phi_2492_ = _e1689;
-                        phi_2493_ = false;
+                        let _e1712 = phi_2511_;
+                        phi_2512_ = _e1712;
+                        phi_2513_ = false;
                     } else {
-                        phi_2492_ = bool();
-                        phi_2493_ = true;
+                        phi_2512_ = bool();
+                        phi_2513_ = true;
                     }
-                    let _e1691 = phi_2492_;
-                    let _e1693 = phi_2493_;
-                    phi_2494_ = _e1691;
-                    phi_2495_ = _e1693;
+                    let _e1714 = phi_2512_;
+                    let _e1716 = phi_2513_;
+                    phi_2514_ = _e1714;
+                    phi_2515_ = _e1716;
                 } else {
-                    phi_2494_ = bool();
-                    phi_2495_ = true;
+                    phi_2514_ = bool();
+                    phi_2515_ = true;
                 }
-                let _e1695 = phi_2494_;
-                let _e1697 = phi_2495_;
-                if _e1697 {
-                    phi_2499_ = false;
+                let _e1718 = phi_2514_;
+                let _e1720 = phi_2515_;
+                if _e1720 {
+                    phi_2519_ = false;
                 } else {
-                    phi_2499_ = _e1695;
+                    phi_2519_ = _e1718;
                 }
-                let _e1699 = phi_2499_;
-                if _e1699 {
-                    let _e1700 = (0u >= _e89);
-                    if _e1700 {
-                        phi_4087_ = bool();
+                let _e1722 = phi_2519_;
+                if _e1722 {
+                    let _e1723 = (0u >= _e89);
+                    if _e1723 {
+                        phi_4107_ = bool();
                     } else {
                         if (0u < _e89) {
                         } else {
                             return;
                         }
-                        let _e1706 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1710 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1714 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1718 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1722 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1726 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1730 = nodes.member[(0u + 0u)].frame[3u];
-                        let _e1764 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165), abs(_e166));
-                        let _e1765 = core_intrinsics_maximum_number_nsz_f32_(_e1764, abs(_e167));
-                        let _e1766 = (_e1765 * 0.0000000000009094947f);
-                        if (abs(_e165) < _e1766) {
-                            phi_2569_ = _e1766;
+                        let _e1729 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1733 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1737 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1741 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1745 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1749 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1753 = nodes.member[(0u + 0u)].frame[3u];
+                        let _e1787 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165), abs(_e166));
+                        let _e1788 = core_intrinsics_maximum_number_nsz_f32_(_e1787, abs(_e167));
+                        let _e1789 = (_e1788 * 0.0000000000009094947f);
+                        if (abs(_e165) < _e1789) {
+                            phi_2589_ = _e1789;
                         } else {
-                            phi_2569_ = abs(_e165);
+                            phi_2589_ = abs(_e165);
                         }
-                        let _e1771 = phi_2569_;
+                        let _e1794 = phi_2589_;
                         if (_e165 < 0f) {
-                            phi_2576_ = (-1f / _e1771);
+                            phi_2596_ = (-1f / _e1794);
                         } else {
-                            phi_2576_ = (1f / _e1771);
+                            phi_2596_ = (1f / _e1794);
                         }
-                        let _e1776 = phi_2576_;
-                        if (abs(_e166) < _e1766) {
-                            phi_2583_ = _e1766;
+                        let _e1799 = phi_2596_;
+                        if (abs(_e166) < _e1789) {
+                            phi_2603_ = _e1789;
                         } else {
-                            phi_2583_ = abs(_e166);
+                            phi_2603_ = abs(_e166);
                         }
-                        let _e1781 = phi_2583_;
+                        let _e1804 = phi_2603_;
                         if (_e166 < 0f) {
-                            phi_2590_ = (-1f / _e1781);
+                            phi_2610_ = (-1f / _e1804);
                         } else {
-                            phi_2590_ = (1f / _e1781);
+                            phi_2610_ = (1f / _e1804);
                         }
-                        let _e1786 = phi_2590_;
-                        if (abs(_e167) < _e1766) {
-                            phi_2597_ = _e1766;
+                        let _e1809 = phi_2610_;
+                        if (abs(_e167) < _e1789) {
+                            phi_2617_ = _e1789;
                         } else {
-                            phi_2597_ = abs(_e167);
+                            phi_2617_ = abs(_e167);
                         }
-                        let _e1791 = phi_2597_;
+                        let _e1814 = phi_2617_;
                         if (_e167 < 0f) {
-                            phi_2604_ = (-1f / _e1791);
+                            phi_2624_ = (-1f / _e1814);
                         } else {
-                            phi_2604_ = (1f / _e1791);
+                            phi_2624_ = (1f / _e1814);
                         }
-                        let _e1796 = phi_2604_;
-                        let _e1800 = abs((bitcast<f32>(_e1706) - _e145));
-                        let _e1801 = abs((bitcast<f32>(_e1710) - _e147));
-                        let _e1802 = abs((bitcast<f32>(_e1714) - _e149));
-                        let _e1806 = abs(((bitcast<f32>(_e1718) + (bitcast<f32>((((_e1730 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145));
-                        let _e1807 = abs(((bitcast<f32>(_e1722) + (bitcast<f32>((((_e1730 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e147));
-                        let _e1808 = abs(((bitcast<f32>(_e1726) + (bitcast<f32>((((_e1730 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e149));
-                        if (_e1800 > _e1806) {
-                            phi_2621_ = _e1800;
+                        let _e1819 = phi_2624_;
+                        let _e1823 = abs((bitcast<f32>(_e1729) - _e145));
+                        let _e1824 = abs((bitcast<f32>(_e1733) - _e147));
+                        let _e1825 = abs((bitcast<f32>(_e1737) - _e149));
+                        let _e1829 = abs(((bitcast<f32>(_e1741) + (bitcast<f32>((((_e1753 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145));
+                        let _e1830 = abs(((bitcast<f32>(_e1745) + (bitcast<f32>((((_e1753 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e147));
+                        let _e1831 = abs(((bitcast<f32>(_e1749) + (bitcast<f32>((((_e1753 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e149));
+                        if (_e1823 > _e1829) {
+                            phi_2641_ = _e1823;
                         } else {
-                            phi_2621_ = _e1806;
+                            phi_2641_ = _e1829;
                         }
-                        let _e1811 = phi_2621_;
-                        if (_e1801 > _e1807) {
-                            phi_2626_ = _e1801;
+                        let _e1834 = phi_2641_;
+                        if (_e1824 > _e1830) {
+                            phi_2646_ = _e1824;
                         } else {
-                            phi_2626_ = _e1807;
+                            phi_2646_ = _e1830;
                         }
-                        let _e1814 = phi_2626_;
-                        if (_e1802 > _e1808) {
-                            phi_2631_ = _e1802;
+                        let _e1837 = phi_2646_;
+                        if (_e1825 > _e1831) {
+                            phi_2651_ = _e1825;
                         } else {
-                            phi_2631_ = _e1808;
+                            phi_2651_ = _e1831;
                         }
-                        let _e1817 = phi_2631_;
-                        if (_e1811 > _e1814) {
-                            phi_2636_ = _e1811;
+                        let _e1840 = phi_2651_;
+                        if (_e1834 > _e1837) {
+                            phi_2656_ = _e1834;
                         } else {
-                            phi_2636_ = _e1814;
+                            phi_2656_ = _e1837;
                         }
-                        let _e1820 = phi_2636_;
-                        if (_e1820 > _e1817) {
-                            phi_2641_ = _e1820;
+                        let _e1843 = phi_2656_;
+                        if (_e1843 > _e1840) {
+                            phi_2661_ = _e1843;
                         } else {
-                            phi_2641_ = _e1817;
+                            phi_2661_ = _e1840;
                         }
-                        let _e1823 = phi_2641_;
-                        let _e1827 = (_e1823 * 0.0000019073486f);
-                        let _e1828 = (abs(_e1776) * _e1827);
-                        let _e1829 = (abs(_e1786) * _e1827);
-                        let _e1830 = (abs(_e1796) * _e1827);
-                        let _e1834 = (_e1823 * 0.0000009536743f);
-                        let _e1835 = (abs(_e1776) * _e1834);
-                        let _e1836 = (abs(_e1786) * _e1834);
-                        let _e1837 = (abs(_e1796) * _e1834);
-                        let _e1838 = abs(_e165);
-                        let _e1839 = abs(_e166);
-                        let _e1840 = abs(_e167);
-                        if (_e1838 >= _e1839) {
-                            if (_e1838 >= _e1840) {
-                                phi_2667_ = false;
+                        let _e1846 = phi_2661_;
+                        let _e1850 = (_e1846 * 0.0000019073486f);
+                        let _e1851 = (abs(_e1799) * _e1850);
+                        let _e1852 = (abs(_e1809) * _e1850);
+                        let _e1853 = (abs(_e1819) * _e1850);
+                        let _e1857 = (_e1846 * 0.0000009536743f);
+                        let _e1858 = (abs(_e1799) * _e1857);
+                        let _e1859 = (abs(_e1809) * _e1857);
+                        let _e1860 = (abs(_e1819) * _e1857);
+                        let _e1861 = abs(_e165);
+                        let _e1862 = abs(_e166);
+                        let _e1863 = abs(_e167);
+                        if (_e1861 >= _e1862) {
+                            if (_e1861 >= _e1863) {
+                                phi_2687_ = false;
                             } else {
-                                phi_2667_ = true;
+                                phi_2687_ = true;
                             }
-                            let _e1844 = phi_2667_;
-                            phi_2668_ = _e1844;
+                            let _e1867 = phi_2687_;
+                            phi_2688_ = _e1867;
                         } else {
-                            phi_2668_ = true;
+                            phi_2688_ = true;
                         }
-                        let _e1846 = phi_2668_;
-                        if _e1846 {
-                            if (_e1839 >= _e1840) {
-                                phi_2676_ = 1u;
+                        let _e1869 = phi_2688_;
+                        if _e1869 {
+                            if (_e1862 >= _e1863) {
+                                phi_2696_ = 1u;
                             } else {
-                                phi_2676_ = 2u;
+                                phi_2696_ = 2u;
                             }
-                            let _e1849 = phi_2676_;
-                            phi_2677_ = _e1849;
+                            let _e1872 = phi_2696_;
+                            phi_2697_ = _e1872;
                         } else {
-                            phi_2677_ = 0u;
+                            phi_2697_ = 0u;
                         }
-                        let _e1851 = phi_2677_;
-                        if (_e1851 == 0u) {
-                            phi_2689_ = vec3<f32>(_e166, _e167, _e165);
+                        let _e1874 = phi_2697_;
+                        if (_e1874 == 0u) {
+                            phi_2709_ = vec3<f32>(_e166, _e167, _e165);
                         } else {
-                            if (_e1851 == 1u) {
-                                phi_2688_ = vec3<f32>(_e167, _e165, _e166);
+                            if (_e1874 == 1u) {
+                                phi_2708_ = vec3<f32>(_e167, _e165, _e166);
                             } else {
-                                phi_2688_ = _e168;
+                                phi_2708_ = _e168;
                             }
-                            let _e1857 = phi_2688_;
-                            phi_2689_ = _e1857;
+                            let _e1880 = phi_2708_;
+                            phi_2709_ = _e1880;
                         }
-                        let _e1859 = phi_2689_;
-                        let _e1862 = (_e1859.x / _e1859.z);
-                        let _e1865 = (_e1859.y / _e1859.z);
-                        if (_e1776 < 0f) {
-                            phi_2702_ = 0u;
+                        let _e1882 = phi_2709_;
+                        let _e1885 = (_e1882.x / _e1882.z);
+                        let _e1888 = (_e1882.y / _e1882.z);
+                        if (_e1799 < 0f) {
+                            phi_2722_ = 0u;
                         } else {
-                            phi_2702_ = 1u;
+                            phi_2722_ = 1u;
                         }
-                        let _e1870 = phi_2702_;
-                        if (_e1786 < 0f) {
-                            phi_2707_ = 0u;
+                        let _e1893 = phi_2722_;
+                        if (_e1809 < 0f) {
+                            phi_2727_ = 0u;
                         } else {
-                            phi_2707_ = 2u;
+                            phi_2727_ = 2u;
                         }
-                        let _e1873 = phi_2707_;
-                        if (_e1796 < 0f) {
-                            phi_2712_ = 0u;
+                        let _e1896 = phi_2727_;
+                        if (_e1819 < 0f) {
+                            phi_2732_ = 0u;
                         } else {
-                            phi_2712_ = 4u;
+                            phi_2732_ = 4u;
                         }
-                        let _e1876 = phi_2712_;
-                        let _e1878 = ((_e1870 | _e1873) | _e1876);
-                        let _e1879 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1879.first[0], _e1879.first[1], _e1879.first[2], _e1879.first[3], _e1879.first[4], _e1879.first[5], _e1879.first[6], _e1879.first[7], _e1879.first[8], _e1879.first[9], _e1879.first[10], _e1879.first[11], _e1879.first[12], _e1879.first[13], _e1879.first[14], _e1879.first[15], _e1879.first[16], _e1879.first[17], _e1879.first[18], _e1879.first[19], _e1879.first[20], _e1879.first[21], _e1879.first[22], _e1879.first[23], _e1879.first[24], _e1879.first[25], _e1879.first[26], _e1879.first[27], _e1879.first[28], _e1879.first[29], _e1879.first[30], _e1879.first[31]), array<u32, 32>(_e1879.mask[0], _e1879.mask[1], _e1879.mask[2], _e1879.mask[3], _e1879.mask[4], _e1879.mask[5], _e1879.mask[6], _e1879.mask[7], _e1879.mask[8], _e1879.mask[9], _e1879.mask[10], _e1879.mask[11], _e1879.mask[12], _e1879.mask[13], _e1879.mask[14], _e1879.mask[15], _e1879.mask[16], _e1879.mask[17], _e1879.mask[18], _e1879.mask[19], _e1879.mask[20], _e1879.mask[21], _e1879.mask[22], _e1879.mask[23], _e1879.mask[24], _e1879.mask[25], _e1879.mask[26], _e1879.mask[27], _e1879.mask[28], _e1879.mask[29], _e1879.mask[30], _e1879.mask[31]), _e1879.len, _e1879.group, _e1879.group_mask);
-                        let _e1953 = local_1.group_mask;
-                        if ((_e1953 & 4278190080u) == 0u) {
-                            let _e1957 = local_1.len;
-                            if (_e1957 == 0u) {
-                                phi_2826_ = false;
+                        let _e1899 = phi_2732_;
+                        let _e1901 = ((_e1893 | _e1896) | _e1899);
+                        let _e1902 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1902.first[0], _e1902.first[1], _e1902.first[2], _e1902.first[3], _e1902.first[4], _e1902.first[5], _e1902.first[6], _e1902.first[7], _e1902.first[8], _e1902.first[9], _e1902.first[10], _e1902.first[11], _e1902.first[12], _e1902.first[13], _e1902.first[14], _e1902.first[15], _e1902.first[16], _e1902.first[17], _e1902.first[18], _e1902.first[19], _e1902.first[20], _e1902.first[21], _e1902.first[22], _e1902.first[23], _e1902.first[24], _e1902.first[25], _e1902.first[26], _e1902.first[27], _e1902.first[28], _e1902.first[29], _e1902.first[30], _e1902.first[31]), array<u32, 32>(_e1902.mask[0], _e1902.mask[1], _e1902.mask[2], _e1902.mask[3], _e1902.mask[4], _e1902.mask[5], _e1902.mask[6], _e1902.mask[7], _e1902.mask[8], _e1902.mask[9], _e1902.mask[10], _e1902.mask[11], _e1902.mask[12], _e1902.mask[13], _e1902.mask[14], _e1902.mask[15], _e1902.mask[16], _e1902.mask[17], _e1902.mask[18], _e1902.mask[19], _e1902.mask[20], _e1902.mask[21], _e1902.mask[22], _e1902.mask[23], _e1902.mask[24], _e1902.mask[25], _e1902.mask[26], _e1902.mask[27], _e1902.mask[28], _e1902.mask[29], _e1902.mask[30], _e1902.mask[31]), _e1902.len, _e1902.group, _e1902.group_mask);
+                        let _e1976 = local_1.group_mask;
+                        if ((_e1976 & 4278190080u) == 0u) {
+                            let _e1980 = local_1.len;
+                            if (_e1980 == 0u) {
+                                phi_2846_ = false;
                             } else {
-                                let _e1961 = local_1.len;
-                                local_1.len = (_e1961 - 1u);
-                                let _e1964 = local_1.len;
-                                if (_e1964 < 32u) {
+                                let _e1984 = local_1.len;
+                                local_1.len = (_e1984 - 1u);
+                                let _e1987 = local_1.len;
+                                if (_e1987 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1969 = local_1.first[(0u + _e1964)];
-                                local_1.group = _e1969;
-                                let _e1972 = local_1.len;
-                                if (_e1972 < 32u) {
+                                let _e1992 = local_1.first[(0u + _e1987)];
+                                local_1.group = _e1992;
+                                let _e1995 = local_1.len;
+                                if (_e1995 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1977 = local_1.mask[(0u + _e1972)];
-                                local_1.group_mask = _e1977;
-                                phi_2826_ = true;
+                                let _e2000 = local_1.mask[(0u + _e1995)];
+                                local_1.group_mask = _e2000;
+                                phi_2846_ = true;
                             }
-                            let _e1980 = phi_2826_;
-                            phi_2827_ = _e1980;
+                            let _e2003 = phi_2846_;
+                            phi_2847_ = _e2003;
                         } else {
-                            phi_2827_ = true;
+                            phi_2847_ = true;
                         }
-                        let _e1982 = phi_2827_;
-                        if _e1982 {
-                            let _e1984 = local_1.group_mask;
-                            let _e1990 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1984)), 32u, (_e1984 == 0u)));
-                            let _e1994 = local_1.group_mask;
-                            let _e2008 = local_1.group_mask;
-                            local_1.group_mask = (_e2008 & ~((1u << bitcast<u32>((_e1990 & 31u)))));
-                            let _e2011 = local_1.group;
-                            phi_2858_ = (_e2011 + countOneBits(((_e1994 & ~((4294967295u << bitcast<u32>((((_e1990 - 24u) ^ 7u) & 31u))))) & 255u)));
+                        let _e2005 = phi_2847_;
+                        if _e2005 {
+                            let _e2007 = local_1.group_mask;
+                            let _e2013 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2007)), 32u, (_e2007 == 0u)));
+                            let _e2017 = local_1.group_mask;
+                            let _e2031 = local_1.group_mask;
+                            local_1.group_mask = (_e2031 & ~((1u << bitcast<u32>((_e2013 & 31u)))));
+                            let _e2034 = local_1.group;
+                            phi_2878_ = (_e2034 + countOneBits(((_e2017 & ~((4294967295u << bitcast<u32>((((_e2013 - 24u) ^ 7u) & 31u))))) & 255u)));
                         } else {
-                            phi_2858_ = 4294967295u;
+                            phi_2878_ = 4294967295u;
                         }
-                        let _e2014 = phi_2858_;
-                        phi_2860_ = _e2014;
-                        phi_2863_ = false;
+                        let _e2037 = phi_2878_;
+                        phi_2880_ = _e2037;
+                        phi_2883_ = false;
                         loop {
-                            let _e2016 = phi_2860_;
-                            let _e2018 = phi_2863_;
-                            local_20 = _e2018;
-                            if (_e2016 != 4294967295u) {
-                                if (_e2016 < _e89) {
+                            let _e2039 = phi_2880_;
+                            let _e2041 = phi_2883_;
+                            local_25 = _e2041;
+                            if (_e2039 != 4294967295u) {
+                                if (_e2039 < _e89) {
                                 } else {
                                     return;
                                 }
-                                let _e2025 = nodes.member[(0u + _e2016)].frame[3u];
-                                let _e2050 = (bitcast<f32>((((_e2025 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1776);
-                                let _e2051 = (bitcast<f32>((((_e2025 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1786);
-                                let _e2052 = (bitcast<f32>((((_e2025 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1796);
-                                let _e2055 = nodes.member[(0u + _e2016)].frame[0u];
-                                let _e2059 = nodes.member[(0u + _e2016)].frame[1u];
-                                let _e2063 = nodes.member[(0u + _e2016)].frame[2u];
-                                let _e2068 = ((bitcast<f32>(_e2055) - _e145) * _e1776);
-                                let _e2069 = ((bitcast<f32>(_e2059) - _e147) * _e1786);
-                                let _e2070 = ((bitcast<f32>(_e2063) - _e149) * _e1796);
-                                let _e2078 = nodes.member[(0u + _e2016)].x;
-                                if (_e1776 < 0f) {
-                                    let _e2089 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2078.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2095 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2089.unnamed.word, _e2078.w), _e2089.unnamed_1);
-                                    let _e2101 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2095.unnamed, lt_mask_LightPlace(_e2078.x, _e2095.unnamed_1.shift));
-                                    phi_2943_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2101.unnamed, lt_mask_LightPlace(_e2101.unnamed_1.word, _e2078.y));
+                                let _e2048 = nodes.member[(0u + _e2039)].frame[3u];
+                                let _e2073 = (bitcast<f32>((((_e2048 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1799);
+                                let _e2074 = (bitcast<f32>((((_e2048 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1809);
+                                let _e2075 = (bitcast<f32>((((_e2048 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1819);
+                                let _e2078 = nodes.member[(0u + _e2039)].frame[0u];
+                                let _e2082 = nodes.member[(0u + _e2039)].frame[1u];
+                                let _e2086 = nodes.member[(0u + _e2039)].frame[2u];
+                                let _e2091 = ((bitcast<f32>(_e2078) - _e145) * _e1799);
+                                let _e2092 = ((bitcast<f32>(_e2082) - _e147) * _e1809);
+                                let _e2093 = ((bitcast<f32>(_e2086) - _e149) * _e1819);
+                                let _e2101 = nodes.member[(0u + _e2039)].x;
+                                if (_e1799 < 0f) {
+                                    let _e2112 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2101.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2118 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2112.unnamed.word, _e2101.w), _e2112.unnamed_1);
+                                    let _e2124 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2118.unnamed, lt_mask_LightPlace(_e2101.x, _e2118.unnamed_1.shift));
+                                    phi_2963_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2124.unnamed, lt_mask_LightPlace(_e2124.unnamed_1.word, _e2101.y));
                                 } else {
-                                    let _e2117 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2078.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2123 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2117.unnamed.word, _e2078.y), _e2117.unnamed_1);
-                                    let _e2129 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2123.unnamed, lt_mask_LightPlace(_e2078.z, _e2123.unnamed_1.shift));
-                                    phi_2943_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2129.unnamed, lt_mask_LightPlace(_e2129.unnamed_1.word, _e2078.w));
+                                    let _e2140 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2101.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2146 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2140.unnamed.word, _e2101.y), _e2140.unnamed_1);
+                                    let _e2152 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2146.unnamed, lt_mask_LightPlace(_e2101.z, _e2146.unnamed_1.shift));
+                                    phi_2963_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2152.unnamed, lt_mask_LightPlace(_e2152.unnamed_1.word, _e2101.w));
                                 }
-                                let _e2137 = phi_2943_;
-                                let _e2147 = nodes.member[(0u + _e2016)].y;
-                                if (_e1786 < 0f) {
-                                    let _e2158 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2147.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2164 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2158.unnamed.word, _e2147.w), _e2158.unnamed_1);
-                                    let _e2170 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2164.unnamed, lt_mask_LightPlace(_e2147.x, _e2164.unnamed_1.shift));
-                                    phi_2970_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2170.unnamed, lt_mask_LightPlace(_e2170.unnamed_1.word, _e2147.y));
+                                let _e2160 = phi_2963_;
+                                let _e2170 = nodes.member[(0u + _e2039)].y;
+                                if (_e1809 < 0f) {
+                                    let _e2181 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2170.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2187 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2181.unnamed.word, _e2170.w), _e2181.unnamed_1);
+                                    let _e2193 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2187.unnamed, lt_mask_LightPlace(_e2170.x, _e2187.unnamed_1.shift));
+                                    phi_2990_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2193.unnamed, lt_mask_LightPlace(_e2193.unnamed_1.word, _e2170.y));
                                 } else {
-                                    let _e2186 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2147.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2192 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2186.unnamed.word, _e2147.y), _e2186.unnamed_1);
-                                    let _e2198 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2192.unnamed, lt_mask_LightPlace(_e2147.z, _e2192.unnamed_1.shift));
-                                    phi_2970_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2198.unnamed, lt_mask_LightPlace(_e2198.unnamed_1.word, _e2147.w));
+                                    let _e2209 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2170.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2215 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2209.unnamed.word, _e2170.y), _e2209.unnamed_1);
+                                    let _e2221 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2215.unnamed, lt_mask_LightPlace(_e2170.z, _e2215.unnamed_1.shift));
+                                    phi_2990_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2221.unnamed, lt_mask_LightPlace(_e2221.unnamed_1.word, _e2170.w));
                                 }
-                                let _e2206 = phi_2970_;
-                                let _e2216 = nodes.member[(0u + _e2016)].z;
-                                if (_e1796 < 0f) {
-                                    let _e2227 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2216.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2233 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2227.unnamed.word, _e2216.w), _e2227.unnamed_1);
-                                    let _e2239 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2233.unnamed, lt_mask_LightPlace(_e2216.x, _e2233.unnamed_1.shift));
-                                    phi_2997_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2239.unnamed, lt_mask_LightPlace(_e2239.unnamed_1.word, _e2216.y));
+                                let _e2229 = phi_2990_;
+                                let _e2239 = nodes.member[(0u + _e2039)].z;
+                                if (_e1819 < 0f) {
+                                    let _e2250 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2239.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2256 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2250.unnamed.word, _e2239.w), _e2250.unnamed_1);
+                                    let _e2262 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2256.unnamed, lt_mask_LightPlace(_e2239.x, _e2256.unnamed_1.shift));
+                                    phi_3017_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2262.unnamed, lt_mask_LightPlace(_e2262.unnamed_1.word, _e2239.y));
                                 } else {
-                                    let _e2255 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2216.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2261 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2255.unnamed.word, _e2216.y), _e2255.unnamed_1);
-                                    let _e2267 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2261.unnamed, lt_mask_LightPlace(_e2216.z, _e2261.unnamed_1.shift));
-                                    phi_2997_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2267.unnamed, lt_mask_LightPlace(_e2267.unnamed_1.word, _e2216.w));
+                                    let _e2278 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2239.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2284 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2278.unnamed.word, _e2239.y), _e2278.unnamed_1);
+                                    let _e2290 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2284.unnamed, lt_mask_LightPlace(_e2239.z, _e2284.unnamed_1.shift));
+                                    phi_3017_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2290.unnamed, lt_mask_LightPlace(_e2290.unnamed_1.word, _e2239.w));
                                 }
-                                let _e2275 = phi_2997_;
-                                phi_3003_ = 0u;
-                                phi_3006_ = 0u;
+                                let _e2298 = phi_3017_;
+                                phi_3023_ = 0u;
+                                phi_3026_ = 0u;
                                 loop {
-                                    let _e2285 = phi_3003_;
-                                    let _e2287 = phi_3006_;
-                                    local_6 = _e2287;
-                                    local_7 = _e2287;
-                                    local_8 = _e2287;
-                                    let _e2288 = (_e2285 < 8u);
-                                    if _e2288 {
-                                        let _e2290 = (_e2285 >> bitcast<u32>(2i));
-                                        let _e2291 = (_e2285 & 3u);
-                                        if (_e2290 == 0u) {
-                                            phi_3020_ = _e2137.unnamed.word;
+                                    let _e2308 = phi_3023_;
+                                    let _e2310 = phi_3026_;
+                                    local_8 = _e2310;
+                                    local_9 = _e2310;
+                                    local_10 = _e2310;
+                                    let _e2311 = (_e2308 < 8u);
+                                    if _e2311 {
+                                        let _e2313 = (_e2308 >> bitcast<u32>(2i));
+                                        let _e2314 = (_e2308 & 3u);
+                                        if (_e2313 == 0u) {
+                                            phi_3040_ = _e2160.unnamed.word;
                                         } else {
-                                            phi_3020_ = _e2137.unnamed.shift;
+                                            phi_3040_ = _e2160.unnamed.shift;
                                         }
-                                        let _e2294 = phi_3020_;
-                                        if (_e2290 == 0u) {
-                                            phi_3030_ = _e2206.unnamed.word;
+                                        let _e2317 = phi_3040_;
+                                        if (_e2313 == 0u) {
+                                            phi_3050_ = _e2229.unnamed.word;
                                         } else {
-                                            phi_3030_ = _e2206.unnamed.shift;
+                                            phi_3050_ = _e2229.unnamed.shift;
                                         }
-                                        let _e2303 = phi_3030_;
-                                        if (_e2290 == 0u) {
-                                            phi_3040_ = _e2275.unnamed.word;
+                                        let _e2326 = phi_3050_;
+                                        if (_e2313 == 0u) {
+                                            phi_3060_ = _e2298.unnamed.word;
                                         } else {
-                                            phi_3040_ = _e2275.unnamed.shift;
+                                            phi_3060_ = _e2298.unnamed.shift;
                                         }
-                                        let _e2312 = phi_3040_;
-                                        let _e2325 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2294 >> bitcast<u32>(((_e2291 * 8u) & 31u))) & 255u)) * _e2050) + (_e2068 - _e1828)), ((f32(((_e2303 >> bitcast<u32>(((_e2291 * 8u) & 31u))) & 255u)) * _e2051) + (_e2069 - _e1829)));
-                                        let _e2326 = core_intrinsics_maximum_number_nsz_f32_(_e2325, ((f32(((_e2312 >> bitcast<u32>(((_e2291 * 8u) & 31u))) & 255u)) * _e2052) + (_e2070 - _e1830)));
-                                        if (_e2290 == 0u) {
-                                            phi_3058_ = _e2137.unnamed_1.word;
+                                        let _e2335 = phi_3060_;
+                                        let _e2348 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2317 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2073) + (_e2091 - _e1851)), ((f32(((_e2326 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2074) + (_e2092 - _e1852)));
+                                        let _e2349 = core_intrinsics_maximum_number_nsz_f32_(_e2348, ((f32(((_e2335 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2075) + (_e2093 - _e1853)));
+                                        if (_e2313 == 0u) {
+                                            phi_3078_ = _e2160.unnamed_1.word;
                                         } else {
-                                            phi_3058_ = _e2137.unnamed_1.shift;
+                                            phi_3078_ = _e2160.unnamed_1.shift;
                                         }
-                                        let _e2329 = phi_3058_;
-                                        if (_e2290 == 0u) {
-                                            phi_3068_ = _e2206.unnamed_1.word;
+                                        let _e2352 = phi_3078_;
+                                        if (_e2313 == 0u) {
+                                            phi_3088_ = _e2229.unnamed_1.word;
                                         } else {
-                                            phi_3068_ = _e2206.unnamed_1.shift;
+                                            phi_3088_ = _e2229.unnamed_1.shift;
                                         }
-                                        let _e2338 = phi_3068_;
-                                        if (_e2290 == 0u) {
-                                            phi_3078_ = _e2275.unnamed_1.word;
+                                        let _e2361 = phi_3088_;
+                                        if (_e2313 == 0u) {
+                                            phi_3098_ = _e2298.unnamed_1.word;
                                         } else {
-                                            phi_3078_ = _e2275.unnamed_1.shift;
+                                            phi_3098_ = _e2298.unnamed_1.shift;
                                         }
-                                        let _e2347 = phi_3078_;
-                                        let _e2360 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2329 >> bitcast<u32>(((_e2291 * 8u) & 31u))) & 255u)) * _e2050) + (_e2068 + _e1828)), ((f32(((_e2338 >> bitcast<u32>(((_e2291 * 8u) & 31u))) & 255u)) * _e2051) + (_e2069 + _e1829)));
-                                        let _e2361 = core_intrinsics_minimum_number_nsz_f32_(_e2360, ((f32(((_e2347 >> bitcast<u32>(((_e2291 * 8u) & 31u))) & 255u)) * _e2052) + (_e2070 + _e1830)));
-                                        if (_e2326 <= _e2361) {
-                                            if (_e2326 <= _e157) {
-                                                if (_e2361 >= 0f) {
-                                                    if (_e2290 == 0u) {
-                                                        let _e2368 = nodes.member[(0u + _e2016)].links[2u];
-                                                        phi_3114_ = _e2368;
+                                        let _e2370 = phi_3098_;
+                                        let _e2383 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2352 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2073) + (_e2091 + _e1851)), ((f32(((_e2361 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2074) + (_e2092 + _e1852)));
+                                        let _e2384 = core_intrinsics_minimum_number_nsz_f32_(_e2383, ((f32(((_e2370 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2075) + (_e2093 + _e1853)));
+                                        if (_e2349 <= _e2384) {
+                                            if (_e2349 <= _e157) {
+                                                if (_e2384 >= 0f) {
+                                                    if (_e2313 == 0u) {
+                                                        let _e2391 = nodes.member[(0u + _e2039)].links[2u];
+                                                        phi_3134_ = _e2391;
                                                     } else {
-                                                        let _e2371 = nodes.member[(0u + _e2016)].links[3u];
-                                                        phi_3114_ = _e2371;
+                                                        let _e2394 = nodes.member[(0u + _e2039)].links[3u];
+                                                        phi_3134_ = _e2394;
                                                     }
-                                                    let _e2373 = phi_3114_;
-                                                    let _e2378 = ((_e2373 >> bitcast<u32>(((_e2291 * 8u) & 31u))) & 255u);
-                                                    let _e2379 = (_e2378 & 31u);
-                                                    if (_e2379 >= 24u) {
-                                                        phi_3127_ = (24u + ((_e2379 - 24u) ^ _e1878));
+                                                    let _e2396 = phi_3134_;
+                                                    let _e2401 = ((_e2396 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u);
+                                                    let _e2402 = (_e2401 & 31u);
+                                                    if (_e2402 >= 24u) {
+                                                        phi_3147_ = (24u + ((_e2402 - 24u) ^ _e1901));
                                                     } else {
-                                                        phi_3127_ = _e2379;
+                                                        phi_3147_ = _e2402;
                                                     }
-                                                    let _e2385 = phi_3127_;
-                                                    phi_3132_ = (_e2287 | ((_e2378 >> bitcast<u32>(5i)) << bitcast<u32>((_e2385 & 31u))));
+                                                    let _e2408 = phi_3147_;
+                                                    phi_3152_ = (_e2310 | ((_e2401 >> bitcast<u32>(5i)) << bitcast<u32>((_e2408 & 31u))));
                                                 } else {
-                                                    phi_3132_ = _e2287;
+                                                    phi_3152_ = _e2310;
                                                 }
-                                                let _e2393 = phi_3132_;
-                                                phi_3133_ = _e2393;
+                                                let _e2416 = phi_3152_;
+                                                phi_3153_ = _e2416;
                                             } else {
-                                                phi_3133_ = _e2287;
+                                                phi_3153_ = _e2310;
                                             }
-                                            let _e2395 = phi_3133_;
-                                            phi_3134_ = _e2395;
+                                            let _e2418 = phi_3153_;
+                                            phi_3154_ = _e2418;
                                         } else {
-                                            phi_3134_ = _e2287;
+                                            phi_3154_ = _e2310;
                                         }
-                                        let _e2397 = phi_3134_;
-                                        phi_3004_ = (_e2285 + 1u);
-                                        phi_3007_ = _e2397;
+                                        let _e2420 = phi_3154_;
+                                        phi_3024_ = (_e2308 + 1u);
+                                        phi_3027_ = _e2420;
                                     } else {
-                                        phi_3004_ = u32();
-                                        phi_3007_ = u32();
+                                        phi_3024_ = u32();
+                                        phi_3027_ = u32();
                                     }
-                                    let _e2400 = phi_3004_;
-                                    let _e2402 = phi_3007_;
+                                    let _e2423 = phi_3024_;
+                                    let _e2425 = phi_3027_;
                                     continue;
                                     continuing {
-                                        phi_3003_ = _e2400;
-                                        phi_3006_ = _e2402;
-                                        break if !(_e2288);
+                                        phi_3023_ = _e2423;
+                                        phi_3026_ = _e2425;
+                                        break if !(_e2311);
                                     }
                                 }
-                                let _e2406 = nodes.member[(0u + _e2016)].links[0u];
-                                let _e2410 = nodes.member[(0u + _e2016)].frame[3u];
-                                let _e2414 = local_6;
-                                if ((_e2414 & 4278190080u) == 0u) {
+                                let _e2429 = nodes.member[(0u + _e2039)].links[0u];
+                                let _e2433 = nodes.member[(0u + _e2039)].frame[3u];
+                                let _e2437 = local_8;
+                                if ((_e2437 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e2418 = local_1.group_mask;
-                                    if ((_e2418 & 4278190080u) == 0u) {
+                                    let _e2441 = local_1.group_mask;
+                                    if ((_e2441 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2422 = local_1.len;
-                                        if (_e2422 < 32u) {
-                                            let _e2425 = local_1.group;
-                                            let _e2427 = local_1.len;
-                                            if (_e2427 < 32u) {
+                                        let _e2445 = local_1.len;
+                                        if (_e2445 < 32u) {
+                                            let _e2448 = local_1.group;
+                                            let _e2450 = local_1.len;
+                                            if (_e2450 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_1.first[(0u + _e2427)] = _e2425;
-                                            let _e2433 = local_1.group_mask;
-                                            let _e2435 = local_1.len;
-                                            if (_e2435 < 32u) {
+                                            local_1.first[(0u + _e2450)] = _e2448;
+                                            let _e2456 = local_1.group_mask;
+                                            let _e2458 = local_1.len;
+                                            if (_e2458 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_1.mask[(0u + _e2435)] = _e2433;
-                                            let _e2442 = local_1.len;
-                                            local_1.len = (_e2442 + 1u);
+                                            local_1.mask[(0u + _e2458)] = _e2456;
+                                            let _e2465 = local_1.len;
+                                            local_1.len = (_e2465 + 1u);
                                         }
                                     }
-                                    local_1.group = (0u + _e2406);
-                                    let _e2446 = local_7;
-                                    local_1.group_mask = ((_e2446 & 4278190080u) | (_e2410 >> bitcast<u32>(24i)));
+                                    local_1.group = (0u + _e2429);
+                                    let _e2469 = local_9;
+                                    local_1.group_mask = ((_e2469 & 4278190080u) | (_e2433 >> bitcast<u32>(24i)));
                                 }
-                                let _e2451 = local_8;
-                                phi_3192_ = (_e2451 & 16777215u);
-                                phi_3195_ = _e2018;
+                                let _e2474 = local_10;
+                                phi_3212_ = (_e2474 & 16777215u);
+                                phi_3215_ = _e2041;
                                 loop {
-                                    let _e2454 = phi_3192_;
-                                    let _e2456 = phi_3195_;
-                                    local_16 = _e2456;
-                                    let _e2457 = (_e2454 == 0u);
-                                    local_9 = _e2457;
-                                    local_18 = _e2457;
-                                    if _e2457 {
-                                        phi_3193_ = u32();
-                                        phi_3196_ = bool();
-                                        phi_3999_ = bool();
-                                        phi_4000_ = false;
+                                    let _e2477 = phi_3212_;
+                                    let _e2479 = phi_3215_;
+                                    local_21 = _e2479;
+                                    let _e2480 = (_e2477 == 0u);
+                                    local_11 = _e2480;
+                                    local_23 = _e2480;
+                                    if _e2480 {
+                                        phi_3213_ = u32();
+                                        phi_3216_ = bool();
+                                        phi_4019_ = bool();
+                                        phi_4020_ = false;
                                     } else {
-                                        let _e2460 = nodes.member[(0u + _e2016)].links[1u];
-                                        let _e2465 = ((0u + _e2460) + select(firstTrailingBit(_e2454), 32u, (_e2454 == 0u)));
-                                        if (_e2465 < _e92) {
+                                        let _e2483 = nodes.member[(0u + _e2039)].links[1u];
+                                        let _e2488 = ((0u + _e2483) + select(firstTrailingBit(_e2477), 32u, (_e2477 == 0u)));
+                                        if (_e2488 < _e92) {
                                         } else {
                                             return;
                                         }
-                                        let _e2472 = triangles.member[(0u + _e2465)].v0_;
-                                        let _e2474 = (_e2472.x - _e145);
-                                        let _e2476 = (_e2472.y - _e147);
-                                        let _e2478 = (_e2472.z - _e149);
-                                        if (_e1851 == 0u) {
-                                            phi_3240_ = vec3<f32>(_e2476, _e2478, _e2474);
+                                        let _e2495 = triangles.member[(0u + _e2488)].v0_;
+                                        let _e2497 = (_e2495.x - _e145);
+                                        let _e2499 = (_e2495.y - _e147);
+                                        let _e2501 = (_e2495.z - _e149);
+                                        if (_e1874 == 0u) {
+                                            phi_3260_ = vec3<f32>(_e2499, _e2501, _e2497);
                                         } else {
-                                            if (_e1851 == 1u) {
-                                                phi_3239_ = vec3<f32>(_e2478, _e2474, _e2476);
+                                            if (_e1874 == 1u) {
+                                                phi_3259_ = vec3<f32>(_e2501, _e2497, _e2499);
                                             } else {
-                                                phi_3239_ = (_e2472 - vec3<f32>(_e145, _e147, _e149));
+                                                phi_3259_ = (_e2495 - vec3<f32>(_e145, _e147, _e149));
                                             }
-                                            let _e2486 = phi_3239_;
-                                            phi_3240_ = _e2486;
+                                            let _e2509 = phi_3259_;
+                                            phi_3260_ = _e2509;
                                         }
-                                        let _e2488 = phi_3240_;
-                                        let _e2492 = (_e2488.x - (_e1862 * _e2488.z));
-                                        let _e2496 = (_e2488.y - (_e1865 * _e2488.z));
-                                        let _e2498 = triangles.member[(0u + _e2465)].v1_;
-                                        let _e2500 = (_e2498.x - _e145);
-                                        let _e2502 = (_e2498.y - _e147);
-                                        let _e2504 = (_e2498.z - _e149);
-                                        if (_e1851 == 0u) {
-                                            phi_3270_ = vec3<f32>(_e2502, _e2504, _e2500);
+                                        let _e2511 = phi_3260_;
+                                        let _e2515 = (_e2511.x - (_e1885 * _e2511.z));
+                                        let _e2519 = (_e2511.y - (_e1888 * _e2511.z));
+                                        let _e2521 = triangles.member[(0u + _e2488)].v1_;
+                                        let _e2523 = (_e2521.x - _e145);
+                                        let _e2525 = (_e2521.y - _e147);
+                                        let _e2527 = (_e2521.z - _e149);
+                                        if (_e1874 == 0u) {
+                                            phi_3290_ = vec3<f32>(_e2525, _e2527, _e2523);
                                         } else {
-                                            if (_e1851 == 1u) {
-                                                phi_3269_ = vec3<f32>(_e2504, _e2500, _e2502);
+                                            if (_e1874 == 1u) {
+                                                phi_3289_ = vec3<f32>(_e2527, _e2523, _e2525);
                                             } else {
-                                                phi_3269_ = (_e2498 - vec3<f32>(_e145, _e147, _e149));
+                                                phi_3289_ = (_e2521 - vec3<f32>(_e145, _e147, _e149));
                                             }
-                                            let _e2512 = phi_3269_;
-                                            phi_3270_ = _e2512;
+                                            let _e2535 = phi_3289_;
+                                            phi_3290_ = _e2535;
                                         }
-                                        let _e2514 = phi_3270_;
-                                        let _e2518 = (_e2514.x - (_e1862 * _e2514.z));
-                                        let _e2522 = (_e2514.y - (_e1865 * _e2514.z));
-                                        let _e2524 = triangles.member[(0u + _e2465)].v2_;
-                                        let _e2526 = (_e2524.x - _e145);
-                                        let _e2528 = (_e2524.y - _e147);
-                                        let _e2530 = (_e2524.z - _e149);
-                                        if (_e1851 == 0u) {
-                                            phi_3300_ = vec3<f32>(_e2528, _e2530, _e2526);
+                                        let _e2537 = phi_3290_;
+                                        let _e2541 = (_e2537.x - (_e1885 * _e2537.z));
+                                        let _e2545 = (_e2537.y - (_e1888 * _e2537.z));
+                                        let _e2547 = triangles.member[(0u + _e2488)].v2_;
+                                        let _e2549 = (_e2547.x - _e145);
+                                        let _e2551 = (_e2547.y - _e147);
+                                        let _e2553 = (_e2547.z - _e149);
+                                        if (_e1874 == 0u) {
+                                            phi_3320_ = vec3<f32>(_e2551, _e2553, _e2549);
                                         } else {
-                                            if (_e1851 == 1u) {
-                                                phi_3299_ = vec3<f32>(_e2530, _e2526, _e2528);
+                                            if (_e1874 == 1u) {
+                                                phi_3319_ = vec3<f32>(_e2553, _e2549, _e2551);
                                             } else {
-                                                phi_3299_ = (_e2524 - vec3<f32>(_e145, _e147, _e149));
+                                                phi_3319_ = (_e2547 - vec3<f32>(_e145, _e147, _e149));
                                             }
-                                            let _e2538 = phi_3299_;
-                                            phi_3300_ = _e2538;
+                                            let _e2561 = phi_3319_;
+                                            phi_3320_ = _e2561;
                                         }
-                                        let _e2540 = phi_3300_;
-                                        let _e2544 = (_e2540.x - (_e1862 * _e2540.z));
-                                        let _e2548 = (_e2540.y - (_e1865 * _e2540.z));
-                                        if (_e2518 < _e2544) {
-                                            phi_3319_ = true;
+                                        let _e2563 = phi_3320_;
+                                        let _e2567 = (_e2563.x - (_e1885 * _e2563.z));
+                                        let _e2571 = (_e2563.y - (_e1888 * _e2563.z));
+                                        if (_e2541 < _e2567) {
+                                            phi_3339_ = true;
                                         } else {
-                                            if (_e2518 == _e2544) {
-                                                phi_3318_ = (_e2522 < _e2548);
+                                            if (_e2541 == _e2567) {
+                                                phi_3338_ = (_e2545 < _e2571);
                                             } else {
-                                                phi_3318_ = false;
+                                                phi_3338_ = false;
                                             }
-                                            let _e2553 = phi_3318_;
-                                            phi_3319_ = _e2553;
+                                            let _e2576 = phi_3338_;
+                                            phi_3339_ = _e2576;
                                         }
-                                        let _e2555 = phi_3319_;
-                                        if _e2555 {
-                                            phi_3323_ = _e2548;
-                                            phi_3324_ = _e2544;
-                                            phi_3325_ = _e2522;
-                                            phi_3326_ = _e2518;
+                                        let _e2578 = phi_3339_;
+                                        if _e2578 {
+                                            phi_3343_ = _e2571;
+                                            phi_3344_ = _e2567;
+                                            phi_3345_ = _e2545;
+                                            phi_3346_ = _e2541;
                                         } else {
-                                            phi_3323_ = _e2522;
-                                            phi_3324_ = _e2518;
-                                            phi_3325_ = _e2548;
-                                            phi_3326_ = _e2544;
+                                            phi_3343_ = _e2545;
+                                            phi_3344_ = _e2541;
+                                            phi_3345_ = _e2571;
+                                            phi_3346_ = _e2567;
                                         }
-                                        let _e2557 = phi_3323_;
-                                        let _e2559 = phi_3324_;
-                                        let _e2561 = phi_3325_;
-                                        let _e2563 = phi_3326_;
-                                        let _e2566 = ((_e2563 * _e2557) - (_e2561 * _e2559));
-                                        if _e2555 {
-                                            phi_3334_ = -(_e2566);
+                                        let _e2580 = phi_3343_;
+                                        let _e2582 = phi_3344_;
+                                        let _e2584 = phi_3345_;
+                                        let _e2586 = phi_3346_;
+                                        let _e2589 = ((_e2586 * _e2580) - (_e2584 * _e2582));
+                                        if _e2578 {
+                                            phi_3354_ = -(_e2589);
                                         } else {
-                                            phi_3334_ = _e2566;
+                                            phi_3354_ = _e2589;
                                         }
-                                        let _e2569 = phi_3334_;
-                                        if (_e2544 < _e2492) {
-                                            phi_3345_ = true;
+                                        let _e2592 = phi_3354_;
+                                        if (_e2567 < _e2515) {
+                                            phi_3365_ = true;
                                         } else {
-                                            if (_e2544 == _e2492) {
-                                                phi_3344_ = (_e2548 < _e2496);
+                                            if (_e2567 == _e2515) {
+                                                phi_3364_ = (_e2571 < _e2519);
                                             } else {
-                                                phi_3344_ = false;
+                                                phi_3364_ = false;
                                             }
-                                            let _e2574 = phi_3344_;
-                                            phi_3345_ = _e2574;
+                                            let _e2597 = phi_3364_;
+                                            phi_3365_ = _e2597;
                                         }
-                                        let _e2576 = phi_3345_;
-                                        if _e2576 {
-                                            phi_3349_ = _e2496;
-                                            phi_3350_ = _e2492;
-                                            phi_3351_ = _e2548;
-                                            phi_3352_ = _e2544;
+                                        let _e2599 = phi_3365_;
+                                        if _e2599 {
+                                            phi_3369_ = _e2519;
+                                            phi_3370_ = _e2515;
+                                            phi_3371_ = _e2571;
+                                            phi_3372_ = _e2567;
                                         } else {
-                                            phi_3349_ = _e2548;
-                                            phi_3350_ = _e2544;
-                                            phi_3351_ = _e2496;
-                                            phi_3352_ = _e2492;
+                                            phi_3369_ = _e2571;
+                                            phi_3370_ = _e2567;
+                                            phi_3371_ = _e2519;
+                                            phi_3372_ = _e2515;
                                         }
-                                        let _e2578 = phi_3349_;
-                                        let _e2580 = phi_3350_;
-                                        let _e2582 = phi_3351_;
-                                        let _e2584 = phi_3352_;
-                                        let _e2587 = ((_e2584 * _e2578) - (_e2582 * _e2580));
-                                        if _e2576 {
-                                            phi_3360_ = -(_e2587);
+                                        let _e2601 = phi_3369_;
+                                        let _e2603 = phi_3370_;
+                                        let _e2605 = phi_3371_;
+                                        let _e2607 = phi_3372_;
+                                        let _e2610 = ((_e2607 * _e2601) - (_e2605 * _e2603));
+                                        if _e2599 {
+                                            phi_3380_ = -(_e2610);
                                         } else {
-                                            phi_3360_ = _e2587;
+                                            phi_3380_ = _e2610;
                                         }
-                                        let _e2590 = phi_3360_;
-                                        if (_e2492 < _e2518) {
-                                            phi_3371_ = true;
+                                        let _e2613 = phi_3380_;
+                                        if (_e2515 < _e2541) {
+                                            phi_3391_ = true;
                                         } else {
-                                            if (_e2492 == _e2518) {
-                                                phi_3370_ = (_e2496 < _e2522);
+                                            if (_e2515 == _e2541) {
+                                                phi_3390_ = (_e2519 < _e2545);
                                             } else {
-                                                phi_3370_ = false;
+                                                phi_3390_ = false;
                                             }
-                                            let _e2595 = phi_3370_;
-                                            phi_3371_ = _e2595;
+                                            let _e2618 = phi_3390_;
+                                            phi_3391_ = _e2618;
                                         }
-                                        let _e2597 = phi_3371_;
-                                        if _e2597 {
-                                            phi_3375_ = _e2522;
-                                            phi_3376_ = _e2518;
-                                            phi_3377_ = _e2496;
-                                            phi_3378_ = _e2492;
+                                        let _e2620 = phi_3391_;
+                                        if _e2620 {
+                                            phi_3395_ = _e2545;
+                                            phi_3396_ = _e2541;
+                                            phi_3397_ = _e2519;
+                                            phi_3398_ = _e2515;
                                         } else {
-                                            phi_3375_ = _e2496;
-                                            phi_3376_ = _e2492;
-                                            phi_3377_ = _e2522;
-                                            phi_3378_ = _e2518;
+                                            phi_3395_ = _e2519;
+                                            phi_3396_ = _e2515;
+                                            phi_3397_ = _e2545;
+                                            phi_3398_ = _e2541;
                                         }
-                                        let _e2599 = phi_3375_;
-                                        let _e2601 = phi_3376_;
-                                        let _e2603 = phi_3377_;
-                                        let _e2605 = phi_3378_;
-                                        let _e2608 = ((_e2605 * _e2599) - (_e2603 * _e2601));
-                                        if _e2597 {
-                                            phi_3386_ = -(_e2608);
+                                        let _e2622 = phi_3395_;
+                                        let _e2624 = phi_3396_;
+                                        let _e2626 = phi_3397_;
+                                        let _e2628 = phi_3398_;
+                                        let _e2631 = ((_e2628 * _e2622) - (_e2626 * _e2624));
+                                        if _e2620 {
+                                            phi_3406_ = -(_e2631);
                                         } else {
-                                            phi_3386_ = _e2608;
+                                            phi_3406_ = _e2631;
                                         }
-                                        let _e2611 = phi_3386_;
-                                        if (_e2569 >= 0f) {
-                                            if (_e2590 >= 0f) {
-                                                if (_e2611 >= 0f) {
-                                                    phi_3401_ = ((_e2569 + _e2590) + _e2611);
-                                                    phi_3402_ = false;
+                                        let _e2634 = phi_3406_;
+                                        if (_e2592 >= 0f) {
+                                            if (_e2613 >= 0f) {
+                                                if (_e2634 >= 0f) {
+                                                    phi_3421_ = ((_e2592 + _e2613) + _e2634);
+                                                    phi_3422_ = false;
                                                 } else {
-                                                    phi_3401_ = f32();
-                                                    phi_3402_ = true;
+                                                    phi_3421_ = f32();
+                                                    phi_3422_ = true;
                                                 }
-                                                let _e2618 = phi_3401_;
-                                                let _e2620 = phi_3402_;
-                                                phi_3403_ = _e2618;
-                                                phi_3404_ = _e2620;
+                                                let _e2641 = phi_3421_;
+                                                let _e2643 = phi_3422_;
+                                                phi_3423_ = _e2641;
+                                                phi_3424_ = _e2643;
                                             } else {
-                                                phi_3403_ = f32();
-                                                phi_3404_ = true;
+                                                phi_3423_ = f32();
+                                                phi_3424_ = true;
                                             }
-                                            let _e2622 = phi_3403_;
-                                            let _e2624 = phi_3404_;
-                                            phi_3405_ = _e2622;
-                                            phi_3406_ = _e2624;
+                                            let _e2645 = phi_3423_;
+                                            let _e2647 = phi_3424_;
+                                            phi_3425_ = _e2645;
+                                            phi_3426_ = _e2647;
                                         } else {
-                                            phi_3405_ = f32();
-                                            phi_3406_ = true;
+                                            phi_3425_ = f32();
+                                            phi_3426_ = true;
                                         }
-                                        let _e2626 = phi_3405_;
-                                        let _e2628 = phi_3406_;
-                                        if _e2628 {
-                                            if (_e2569 <= 0f) {
-                                                if (_e2590 <= 0f) {
-                                                    let _e2631 = (_e2611 <= 0f);
-                                                    if _e2631 {
-                                                    }
-                                                    phi_3424_ = ((_e2569 + _e2590) + _e2611);
-                                                    phi_3425_ = false;
-                                                    phi_3426_ = _e2631;
-                                                } else {
-                                                    phi_3424_ = f32();
-                                                    phi_3425_ = true;
-                                                    phi_3426_ = false;
-                                                }
-                                                let _e2635 = phi_3424_;
-                                                let _e2637 = phi_3425_;
-                                                let _e2639 = phi_3426_;
-                                                phi_3427_ = _e2635;
-                                                phi_3428_ = _e2637;
-                                                phi_3429_ = _e2639;
-                                            } else {
-                                                phi_3427_ = f32();
-                                                phi_3428_ = true;
-                                                phi_3429_ = false;
-                                            }
-                                            let _e2641 = phi_3427_;
-                                            let _e2643 = phi_3428_;
-                                            let _e2645 = phi_3429_;
-                                            if _e2643 {
-                                                phi_3433_ = false;
-                                            } else {
-                                                phi_3433_ = _e2645;
-                                            }
-                                            let _e2647 = phi_3433_;
-                                            phi_3434_ = _e2641;
-                                            phi_3435_ = _e2647;
-                                        } else {
-                                            phi_3434_ = _e2626;
-                                            phi_3435_ = true;
-                                        }
-                                        let _e2649 = phi_3434_;
-                                        let _e2651 = phi_3435_;
+                                        let _e2649 = phi_3425_;
+                                        let _e2651 = phi_3426_;
                                         if _e2651 {
-                                            let _e2652 = (_e2649 == 0f);
-                                            if _e2652 {
-                                                phi_3751_ = lt_bvh_triangle_Intersection();
-                                                phi_3752_ = false;
+                                            if (_e2592 <= 0f) {
+                                                if (_e2613 <= 0f) {
+                                                    let _e2654 = (_e2634 <= 0f);
+                                                    if _e2654 {
+                                                    }
+                                                    phi_3444_ = ((_e2592 + _e2613) + _e2634);
+                                                    phi_3445_ = false;
+                                                    phi_3446_ = _e2654;
+                                                } else {
+                                                    phi_3444_ = f32();
+                                                    phi_3445_ = true;
+                                                    phi_3446_ = false;
+                                                }
+                                                let _e2658 = phi_3444_;
+                                                let _e2660 = phi_3445_;
+                                                let _e2662 = phi_3446_;
+                                                phi_3447_ = _e2658;
+                                                phi_3448_ = _e2660;
+                                                phi_3449_ = _e2662;
                                             } else {
-                                                let _e2654 = triangles.member[(0u + _e2465)].v0_;
-                                                let _e2656 = (_e2654.x - _e145);
-                                                let _e2658 = (_e2654.y - _e147);
-                                                let _e2660 = (_e2654.z - _e149);
-                                                if (_e1851 == 0u) {
-                                                    phi_3464_ = vec3<f32>(_e2658, _e2660, _e2656);
-                                                } else {
-                                                    if (_e1851 == 1u) {
-                                                        phi_3463_ = vec3<f32>(_e2660, _e2656, _e2658);
-                                                    } else {
-                                                        phi_3463_ = (_e2654 - vec3<f32>(_e145, _e147, _e149));
-                                                    }
-                                                    let _e2668 = phi_3463_;
-                                                    phi_3464_ = _e2668;
-                                                }
-                                                let _e2670 = phi_3464_;
-                                                let _e2672 = triangles.member[(0u + _e2465)].v1_;
-                                                let _e2674 = triangles.member[(0u + _e2465)].v0_;
-                                                let _e2677 = (_e2672.x - _e2674.x);
-                                                let _e2680 = (_e2672.y - _e2674.y);
-                                                let _e2683 = (_e2672.z - _e2674.z);
-                                                if (_e1851 == 0u) {
-                                                    phi_3490_ = vec3<f32>(_e2680, _e2683, _e2677);
-                                                } else {
-                                                    if (_e1851 == 1u) {
-                                                        phi_3489_ = vec3<f32>(_e2683, _e2677, _e2680);
-                                                    } else {
-                                                        phi_3489_ = (_e2672 - _e2674);
-                                                    }
-                                                    let _e2690 = phi_3489_;
-                                                    phi_3490_ = _e2690;
-                                                }
-                                                let _e2692 = phi_3490_;
-                                                let _e2694 = triangles.member[(0u + _e2465)].v2_;
-                                                let _e2696 = triangles.member[(0u + _e2465)].v0_;
-                                                let _e2699 = (_e2694.x - _e2696.x);
-                                                let _e2702 = (_e2694.y - _e2696.y);
-                                                let _e2705 = (_e2694.z - _e2696.z);
-                                                if (_e1851 == 0u) {
-                                                    phi_3516_ = vec3<f32>(_e2702, _e2705, _e2699);
-                                                } else {
-                                                    if (_e1851 == 1u) {
-                                                        phi_3515_ = vec3<f32>(_e2705, _e2699, _e2702);
-                                                    } else {
-                                                        phi_3515_ = (_e2694 - _e2696);
-                                                    }
-                                                    let _e2712 = phi_3515_;
-                                                    phi_3516_ = _e2712;
-                                                }
-                                                let _e2714 = phi_3516_;
-                                                let _e2721 = ((_e2692.y * _e2714.z) - (_e2692.z * _e2714.y));
-                                                let _e2728 = ((_e2692.z * _e2714.x) - (_e2692.x * _e2714.z));
-                                                let _e2735 = ((_e2692.x * _e2714.y) - (_e2692.y * _e2714.x));
-                                                let _e2749 = (((1f / _e1859.z) * (((_e2721 * _e2670.x) + (_e2728 * _e2670.y)) + (_e2735 * _e2670.z))) / (((_e2721 * _e1862) + (_e2728 * _e1865)) + _e2735));
-                                                if (_e2749 > 0f) {
-                                                    if (_e2749 < _e157) {
-                                                        let _e2753 = triangles.member[(0u + _e2465)].v0_;
-                                                        let _e2755 = triangles.member[(0u + _e2465)].v1_;
-                                                        if (_e2753.x < _e2755.x) {
-                                                            phi_3572_ = _e2753.x;
-                                                        } else {
-                                                            phi_3572_ = _e2755.x;
-                                                        }
-                                                        let _e2762 = phi_3572_;
-                                                        if (_e2753.y < _e2755.y) {
-                                                            phi_3581_ = _e2753.y;
-                                                        } else {
-                                                            phi_3581_ = _e2755.y;
-                                                        }
-                                                        let _e2769 = phi_3581_;
-                                                        if (_e2753.z < _e2755.z) {
-                                                            phi_3590_ = _e2753.z;
-                                                        } else {
-                                                            phi_3590_ = _e2755.z;
-                                                        }
-                                                        let _e2776 = phi_3590_;
-                                                        let _e2778 = triangles.member[(0u + _e2465)].v2_;
-                                                        if (_e2762 < _e2778.x) {
-                                                            phi_3599_ = _e2762;
-                                                        } else {
-                                                            phi_3599_ = _e2778.x;
-                                                        }
-                                                        let _e2783 = phi_3599_;
-                                                        if (_e2769 < _e2778.y) {
-                                                            phi_3606_ = _e2769;
-                                                        } else {
-                                                            phi_3606_ = _e2778.y;
-                                                        }
-                                                        let _e2788 = phi_3606_;
-                                                        if (_e2776 < _e2778.z) {
-                                                            phi_3613_ = _e2776;
-                                                        } else {
-                                                            phi_3613_ = _e2778.z;
-                                                        }
-                                                        let _e2793 = phi_3613_;
-                                                        let _e2795 = triangles.member[(0u + _e2465)].v0_;
-                                                        let _e2797 = triangles.member[(0u + _e2465)].v1_;
-                                                        if (_e2795.x > _e2797.x) {
-                                                            phi_3626_ = _e2795.x;
-                                                        } else {
-                                                            phi_3626_ = _e2797.x;
-                                                        }
-                                                        let _e2804 = phi_3626_;
-                                                        if (_e2795.y > _e2797.y) {
-                                                            phi_3635_ = _e2795.y;
-                                                        } else {
-                                                            phi_3635_ = _e2797.y;
-                                                        }
-                                                        let _e2811 = phi_3635_;
-                                                        if (_e2795.z > _e2797.z) {
-                                                            phi_3644_ = _e2795.z;
-                                                        } else {
-                                                            phi_3644_ = _e2797.z;
-                                                        }
-                                                        let _e2818 = phi_3644_;
-                                                        let _e2820 = triangles.member[(0u + _e2465)].v2_;
-                                                        if (_e2804 > _e2820.x) {
-                                                            phi_3653_ = _e2804;
-                                                        } else {
-                                                            phi_3653_ = _e2820.x;
-                                                        }
-                                                        let _e2825 = phi_3653_;
-                                                        if (_e2811 > _e2820.y) {
-                                                            phi_3660_ = _e2811;
-                                                        } else {
-                                                            phi_3660_ = _e2820.y;
-                                                        }
-                                                        let _e2830 = phi_3660_;
-                                                        if (_e2818 > _e2820.z) {
-                                                            phi_3667_ = _e2818;
-                                                        } else {
-                                                            phi_3667_ = _e2820.z;
-                                                        }
-                                                        let _e2835 = phi_3667_;
-                                                        let _e2839 = ((_e2783 - _e145) * _e1776);
-                                                        let _e2840 = ((_e2788 - _e147) * _e1786);
-                                                        let _e2841 = ((_e2793 - _e149) * _e1796);
-                                                        let _e2845 = ((_e2825 - _e145) * _e1776);
-                                                        let _e2846 = ((_e2830 - _e147) * _e1786);
-                                                        let _e2847 = ((_e2835 - _e149) * _e1796);
-                                                        if (_e2839 < _e2845) {
-                                                            phi_3684_ = _e2839;
-                                                        } else {
-                                                            phi_3684_ = _e2845;
-                                                        }
-                                                        let _e2850 = phi_3684_;
-                                                        if (_e2840 < _e2846) {
-                                                            phi_3689_ = _e2840;
-                                                        } else {
-                                                            phi_3689_ = _e2846;
-                                                        }
-                                                        let _e2853 = phi_3689_;
-                                                        if (_e2841 < _e2847) {
-                                                            phi_3694_ = _e2841;
-                                                        } else {
-                                                            phi_3694_ = _e2847;
-                                                        }
-                                                        let _e2856 = phi_3694_;
-                                                        if (_e2839 > _e2845) {
-                                                            phi_3702_ = _e2839;
-                                                        } else {
-                                                            phi_3702_ = _e2845;
-                                                        }
-                                                        let _e2862 = phi_3702_;
-                                                        if (_e2840 > _e2846) {
-                                                            phi_3707_ = _e2840;
-                                                        } else {
-                                                            phi_3707_ = _e2846;
-                                                        }
-                                                        let _e2865 = phi_3707_;
-                                                        if (_e2841 > _e2847) {
-                                                            phi_3712_ = _e2841;
-                                                        } else {
-                                                            phi_3712_ = _e2847;
-                                                        }
-                                                        let _e2868 = phi_3712_;
-                                                        let _e2872 = core_intrinsics_maximum_number_nsz_f32_((_e2850 - _e1835), (_e2853 - _e1836));
-                                                        let _e2873 = core_intrinsics_maximum_number_nsz_f32_(_e2872, (_e2856 - _e1837));
-                                                        let _e2874 = core_intrinsics_minimum_number_nsz_f32_((_e2862 + _e1835), (_e2865 + _e1836));
-                                                        let _e2875 = core_intrinsics_minimum_number_nsz_f32_(_e2874, (_e2868 + _e1837));
-                                                        if (_e2873 > -300000000000000000000000000000000000000f) {
-                                                            phi_3724_ = _e2873;
-                                                        } else {
-                                                            phi_3724_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2878 = phi_3724_;
-                                                        if (_e2875 < 300000000000000000000000000000000000000f) {
-                                                            phi_3729_ = _e2875;
-                                                        } else {
-                                                            phi_3729_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2881 = phi_3729_;
-                                                        if (_e2749 < _e2878) {
-                                                            phi_3734_ = _e2878;
-                                                        } else {
-                                                            phi_3734_ = _e2749;
-                                                        }
-                                                        let _e2884 = phi_3734_;
-                                                        if (_e2884 > _e2881) {
-                                                            phi_3739_ = _e2881;
-                                                        } else {
-                                                            phi_3739_ = _e2884;
-                                                        }
-                                                        let _e2887 = phi_3739_;
-                                                        phi_3744_ = lt_bvh_triangle_Intersection(_e2887, (_e2590 / _e2649), (_e2611 / _e2649), (_e2878 <= _e2881));
-                                                        phi_3745_ = false;
-                                                    } else {
-                                                        phi_3744_ = lt_bvh_triangle_Intersection();
-                                                        phi_3745_ = true;
-                                                    }
-                                                    let _e2893 = phi_3744_;
-                                                    let _e2895 = phi_3745_;
-                                                    phi_3746_ = _e2893;
-                                                    phi_3747_ = _e2895;
-                                                } else {
-                                                    phi_3746_ = lt_bvh_triangle_Intersection();
-                                                    phi_3747_ = true;
-                                                }
-                                                let _e2897 = phi_3746_;
-                                                let _e2899 = phi_3747_;
-                                                if _e2899 {
-                                                }
-                                                phi_3751_ = _e2897;
-                                                phi_3752_ = _e2899;
+                                                phi_3447_ = f32();
+                                                phi_3448_ = true;
+                                                phi_3449_ = false;
                                             }
-                                            let _e2901 = phi_3751_;
-                                            let _e2903 = phi_3752_;
-                                            phi_3753_ = _e2901;
-                                            phi_3754_ = _e2652;
-                                            phi_3755_ = _e2903;
+                                            let _e2664 = phi_3447_;
+                                            let _e2666 = phi_3448_;
+                                            let _e2668 = phi_3449_;
+                                            if _e2666 {
+                                                phi_3453_ = false;
+                                            } else {
+                                                phi_3453_ = _e2668;
+                                            }
+                                            let _e2670 = phi_3453_;
+                                            phi_3454_ = _e2664;
+                                            phi_3455_ = _e2670;
                                         } else {
-                                            phi_3753_ = lt_bvh_triangle_Intersection();
-                                            phi_3754_ = true;
-                                            phi_3755_ = false;
+                                            phi_3454_ = _e2649;
+                                            phi_3455_ = true;
                                         }
-                                        let _e2905 = phi_3753_;
-                                        let _e2907 = phi_3754_;
-                                        let _e2909 = phi_3755_;
-                                        if _e2907 {
-                                            phi_3759_ = true;
-                                        } else {
-                                            phi_3759_ = _e2909;
-                                        }
-                                        let _e2911 = phi_3759_;
-                                        if _e2911 {
-                                            phi_3763_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                        } else {
-                                            phi_3763_ = _e2905;
-                                        }
-                                        let _e2913 = phi_3763_;
-                                        if _e2913.is_hit {
-                                            if (_e2913.t > 0f) {
-                                                if (_e2913.t < _e157) {
-                                                    let _e2920 = triangles.member[(0u + _e2465)].i0_;
-                                                    if ((_e2920 & 2147483648u) == 0u) {
-                                                        phi_3982_ = true;
+                                        let _e2672 = phi_3454_;
+                                        let _e2674 = phi_3455_;
+                                        if _e2674 {
+                                            let _e2675 = (_e2672 == 0f);
+                                            if _e2675 {
+                                                phi_3771_ = lt_bvh_triangle_Intersection();
+                                                phi_3772_ = false;
+                                            } else {
+                                                let _e2677 = triangles.member[(0u + _e2488)].v0_;
+                                                let _e2679 = (_e2677.x - _e145);
+                                                let _e2681 = (_e2677.y - _e147);
+                                                let _e2683 = (_e2677.z - _e149);
+                                                if (_e1874 == 0u) {
+                                                    phi_3484_ = vec3<f32>(_e2681, _e2683, _e2679);
+                                                } else {
+                                                    if (_e1874 == 1u) {
+                                                        phi_3483_ = vec3<f32>(_e2683, _e2679, _e2681);
                                                     } else {
-                                                        if (_e2465 < _e92) {
+                                                        phi_3483_ = (_e2677 - vec3<f32>(_e145, _e147, _e149));
+                                                    }
+                                                    let _e2691 = phi_3483_;
+                                                    phi_3484_ = _e2691;
+                                                }
+                                                let _e2693 = phi_3484_;
+                                                let _e2695 = triangles.member[(0u + _e2488)].v1_;
+                                                let _e2697 = triangles.member[(0u + _e2488)].v0_;
+                                                let _e2700 = (_e2695.x - _e2697.x);
+                                                let _e2703 = (_e2695.y - _e2697.y);
+                                                let _e2706 = (_e2695.z - _e2697.z);
+                                                if (_e1874 == 0u) {
+                                                    phi_3510_ = vec3<f32>(_e2703, _e2706, _e2700);
+                                                } else {
+                                                    if (_e1874 == 1u) {
+                                                        phi_3509_ = vec3<f32>(_e2706, _e2700, _e2703);
+                                                    } else {
+                                                        phi_3509_ = (_e2695 - _e2697);
+                                                    }
+                                                    let _e2713 = phi_3509_;
+                                                    phi_3510_ = _e2713;
+                                                }
+                                                let _e2715 = phi_3510_;
+                                                let _e2717 = triangles.member[(0u + _e2488)].v2_;
+                                                let _e2719 = triangles.member[(0u + _e2488)].v0_;
+                                                let _e2722 = (_e2717.x - _e2719.x);
+                                                let _e2725 = (_e2717.y - _e2719.y);
+                                                let _e2728 = (_e2717.z - _e2719.z);
+                                                if (_e1874 == 0u) {
+                                                    phi_3536_ = vec3<f32>(_e2725, _e2728, _e2722);
+                                                } else {
+                                                    if (_e1874 == 1u) {
+                                                        phi_3535_ = vec3<f32>(_e2728, _e2722, _e2725);
+                                                    } else {
+                                                        phi_3535_ = (_e2717 - _e2719);
+                                                    }
+                                                    let _e2735 = phi_3535_;
+                                                    phi_3536_ = _e2735;
+                                                }
+                                                let _e2737 = phi_3536_;
+                                                let _e2744 = ((_e2715.y * _e2737.z) - (_e2715.z * _e2737.y));
+                                                let _e2751 = ((_e2715.z * _e2737.x) - (_e2715.x * _e2737.z));
+                                                let _e2758 = ((_e2715.x * _e2737.y) - (_e2715.y * _e2737.x));
+                                                let _e2772 = (((1f / _e1882.z) * (((_e2744 * _e2693.x) + (_e2751 * _e2693.y)) + (_e2758 * _e2693.z))) / (((_e2744 * _e1885) + (_e2751 * _e1888)) + _e2758));
+                                                if (_e2772 > 0f) {
+                                                    if (_e2772 < _e157) {
+                                                        let _e2776 = triangles.member[(0u + _e2488)].v0_;
+                                                        let _e2778 = triangles.member[(0u + _e2488)].v1_;
+                                                        if (_e2776.x < _e2778.x) {
+                                                            phi_3592_ = _e2776.x;
+                                                        } else {
+                                                            phi_3592_ = _e2778.x;
+                                                        }
+                                                        let _e2785 = phi_3592_;
+                                                        if (_e2776.y < _e2778.y) {
+                                                            phi_3601_ = _e2776.y;
+                                                        } else {
+                                                            phi_3601_ = _e2778.y;
+                                                        }
+                                                        let _e2792 = phi_3601_;
+                                                        if (_e2776.z < _e2778.z) {
+                                                            phi_3610_ = _e2776.z;
+                                                        } else {
+                                                            phi_3610_ = _e2778.z;
+                                                        }
+                                                        let _e2799 = phi_3610_;
+                                                        let _e2801 = triangles.member[(0u + _e2488)].v2_;
+                                                        if (_e2785 < _e2801.x) {
+                                                            phi_3619_ = _e2785;
+                                                        } else {
+                                                            phi_3619_ = _e2801.x;
+                                                        }
+                                                        let _e2806 = phi_3619_;
+                                                        if (_e2792 < _e2801.y) {
+                                                            phi_3626_ = _e2792;
+                                                        } else {
+                                                            phi_3626_ = _e2801.y;
+                                                        }
+                                                        let _e2811 = phi_3626_;
+                                                        if (_e2799 < _e2801.z) {
+                                                            phi_3633_ = _e2799;
+                                                        } else {
+                                                            phi_3633_ = _e2801.z;
+                                                        }
+                                                        let _e2816 = phi_3633_;
+                                                        let _e2818 = triangles.member[(0u + _e2488)].v0_;
+                                                        let _e2820 = triangles.member[(0u + _e2488)].v1_;
+                                                        if (_e2818.x > _e2820.x) {
+                                                            phi_3646_ = _e2818.x;
+                                                        } else {
+                                                            phi_3646_ = _e2820.x;
+                                                        }
+                                                        let _e2827 = phi_3646_;
+                                                        if (_e2818.y > _e2820.y) {
+                                                            phi_3655_ = _e2818.y;
+                                                        } else {
+                                                            phi_3655_ = _e2820.y;
+                                                        }
+                                                        let _e2834 = phi_3655_;
+                                                        if (_e2818.z > _e2820.z) {
+                                                            phi_3664_ = _e2818.z;
+                                                        } else {
+                                                            phi_3664_ = _e2820.z;
+                                                        }
+                                                        let _e2841 = phi_3664_;
+                                                        let _e2843 = triangles.member[(0u + _e2488)].v2_;
+                                                        if (_e2827 > _e2843.x) {
+                                                            phi_3673_ = _e2827;
+                                                        } else {
+                                                            phi_3673_ = _e2843.x;
+                                                        }
+                                                        let _e2848 = phi_3673_;
+                                                        if (_e2834 > _e2843.y) {
+                                                            phi_3680_ = _e2834;
+                                                        } else {
+                                                            phi_3680_ = _e2843.y;
+                                                        }
+                                                        let _e2853 = phi_3680_;
+                                                        if (_e2841 > _e2843.z) {
+                                                            phi_3687_ = _e2841;
+                                                        } else {
+                                                            phi_3687_ = _e2843.z;
+                                                        }
+                                                        let _e2858 = phi_3687_;
+                                                        let _e2862 = ((_e2806 - _e145) * _e1799);
+                                                        let _e2863 = ((_e2811 - _e147) * _e1809);
+                                                        let _e2864 = ((_e2816 - _e149) * _e1819);
+                                                        let _e2868 = ((_e2848 - _e145) * _e1799);
+                                                        let _e2869 = ((_e2853 - _e147) * _e1809);
+                                                        let _e2870 = ((_e2858 - _e149) * _e1819);
+                                                        if (_e2862 < _e2868) {
+                                                            phi_3704_ = _e2862;
+                                                        } else {
+                                                            phi_3704_ = _e2868;
+                                                        }
+                                                        let _e2873 = phi_3704_;
+                                                        if (_e2863 < _e2869) {
+                                                            phi_3709_ = _e2863;
+                                                        } else {
+                                                            phi_3709_ = _e2869;
+                                                        }
+                                                        let _e2876 = phi_3709_;
+                                                        if (_e2864 < _e2870) {
+                                                            phi_3714_ = _e2864;
+                                                        } else {
+                                                            phi_3714_ = _e2870;
+                                                        }
+                                                        let _e2879 = phi_3714_;
+                                                        if (_e2862 > _e2868) {
+                                                            phi_3722_ = _e2862;
+                                                        } else {
+                                                            phi_3722_ = _e2868;
+                                                        }
+                                                        let _e2885 = phi_3722_;
+                                                        if (_e2863 > _e2869) {
+                                                            phi_3727_ = _e2863;
+                                                        } else {
+                                                            phi_3727_ = _e2869;
+                                                        }
+                                                        let _e2888 = phi_3727_;
+                                                        if (_e2864 > _e2870) {
+                                                            phi_3732_ = _e2864;
+                                                        } else {
+                                                            phi_3732_ = _e2870;
+                                                        }
+                                                        let _e2891 = phi_3732_;
+                                                        let _e2895 = core_intrinsics_maximum_number_nsz_f32_((_e2873 - _e1858), (_e2876 - _e1859));
+                                                        let _e2896 = core_intrinsics_maximum_number_nsz_f32_(_e2895, (_e2879 - _e1860));
+                                                        let _e2897 = core_intrinsics_minimum_number_nsz_f32_((_e2885 + _e1858), (_e2888 + _e1859));
+                                                        let _e2898 = core_intrinsics_minimum_number_nsz_f32_(_e2897, (_e2891 + _e1860));
+                                                        if (_e2896 > -300000000000000000000000000000000000000f) {
+                                                            phi_3744_ = _e2896;
+                                                        } else {
+                                                            phi_3744_ = -300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2901 = phi_3744_;
+                                                        if (_e2898 < 300000000000000000000000000000000000000f) {
+                                                            phi_3749_ = _e2898;
+                                                        } else {
+                                                            phi_3749_ = 300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2904 = phi_3749_;
+                                                        if (_e2772 < _e2901) {
+                                                            phi_3754_ = _e2901;
+                                                        } else {
+                                                            phi_3754_ = _e2772;
+                                                        }
+                                                        let _e2907 = phi_3754_;
+                                                        if (_e2907 > _e2904) {
+                                                            phi_3759_ = _e2904;
+                                                        } else {
+                                                            phi_3759_ = _e2907;
+                                                        }
+                                                        let _e2910 = phi_3759_;
+                                                        phi_3764_ = lt_bvh_triangle_Intersection(_e2910, (_e2613 / _e2672), (_e2634 / _e2672), (_e2901 <= _e2904));
+                                                        phi_3765_ = false;
+                                                    } else {
+                                                        phi_3764_ = lt_bvh_triangle_Intersection();
+                                                        phi_3765_ = true;
+                                                    }
+                                                    let _e2916 = phi_3764_;
+                                                    let _e2918 = phi_3765_;
+                                                    phi_3766_ = _e2916;
+                                                    phi_3767_ = _e2918;
+                                                } else {
+                                                    phi_3766_ = lt_bvh_triangle_Intersection();
+                                                    phi_3767_ = true;
+                                                }
+                                                let _e2920 = phi_3766_;
+                                                let _e2922 = phi_3767_;
+                                                if _e2922 {
+                                                }
+                                                phi_3771_ = _e2920;
+                                                phi_3772_ = _e2922;
+                                            }
+                                            let _e2924 = phi_3771_;
+                                            let _e2926 = phi_3772_;
+                                            phi_3773_ = _e2924;
+                                            phi_3774_ = _e2675;
+                                            phi_3775_ = _e2926;
+                                        } else {
+                                            phi_3773_ = lt_bvh_triangle_Intersection();
+                                            phi_3774_ = true;
+                                            phi_3775_ = false;
+                                        }
+                                        let _e2928 = phi_3773_;
+                                        let _e2930 = phi_3774_;
+                                        let _e2932 = phi_3775_;
+                                        if _e2930 {
+                                            phi_3779_ = true;
+                                        } else {
+                                            phi_3779_ = _e2932;
+                                        }
+                                        let _e2934 = phi_3779_;
+                                        if _e2934 {
+                                            phi_3783_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        } else {
+                                            phi_3783_ = _e2928;
+                                        }
+                                        let _e2936 = phi_3783_;
+                                        if _e2936.is_hit {
+                                            if (_e2936.t > 0f) {
+                                                if (_e2936.t < _e157) {
+                                                    let _e2943 = triangles.member[(0u + _e2488)].i0_;
+                                                    if ((_e2943 & 2147483648u) == 0u) {
+                                                        phi_4002_ = true;
+                                                    } else {
+                                                        if (_e2488 < _e92) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2929 = triangles.member[(0u + _e2465)].i0_;
-                                                        let _e2930 = (_e2929 & 2147483647u);
-                                                        let _e2932 = triangles.member[(0u + _e2465)].i1_;
-                                                        let _e2934 = triangles.member[(0u + _e2465)].i2_;
-                                                        if (_e2930 < _e105) {
+                                                        let _e2952 = triangles.member[(0u + _e2488)].i0_;
+                                                        let _e2953 = (_e2952 & 2147483647u);
+                                                        let _e2955 = triangles.member[(0u + _e2488)].i1_;
+                                                        let _e2957 = triangles.member[(0u + _e2488)].i2_;
+                                                        if (_e2953 < _e105) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2938 = vertices.member[(0u + _e2930)];
-                                                        if (_e2932 < _e105) {
+                                                        let _e2961 = vertices.member[(0u + _e2953)];
+                                                        if (_e2955 < _e105) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2942 = vertices.member[(0u + _e2932)];
-                                                        if (_e2934 < _e105) {
+                                                        let _e2965 = vertices.member[(0u + _e2955)];
+                                                        if (_e2957 < _e105) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2946 = vertices.member[(0u + _e2934)];
-                                                        let _e2947 = array<abi_Vertex, 3>(_e2938, _e2942, _e2946);
-                                                        if (_e2947[0].material < _e108) {
+                                                        let _e2969 = vertices.member[(0u + _e2957)];
+                                                        let _e2970 = array<abi_Vertex, 3>(_e2961, _e2965, _e2969);
+                                                        if (_e2970[0].material < _e108) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2953 = materials.member[(0u + _e2947[0].material)];
-                                                        if ((_e2953.flags & 1u) == 1u) {
-                                                            let _e2958 = ((1f - _e2913.u) - _e2913.v);
-                                                            if (_e2953.cutoff <= 0f) {
-                                                                phi_3980_ = true;
+                                                        let _e2976 = materials.member[(0u + _e2970[0].material)];
+                                                        if ((_e2976.flags & 1u) == 1u) {
+                                                            let _e2981 = ((1f - _e2936.u) - _e2936.v);
+                                                            if (_e2976.cutoff <= 0f) {
+                                                                phi_4000_ = true;
                                                             } else {
-                                                                let _e2985 = (_e2953.base_color.w * ((((f32((_e2947[0].color >> bitcast<u32>(24i))) * _e2958) + (f32((_e2947[1].color >> bitcast<u32>(24i))) * _e2913.u)) + (f32((_e2947[2].color >> bitcast<u32>(24i))) * _e2913.v)) * (1f / 255f)));
-                                                                if (_e2953.alpha_size == 0u) {
-                                                                    phi_3977_ = _e2985;
+                                                                let _e3008 = (_e2976.base_color.w * ((((f32((_e2970[0].color >> bitcast<u32>(24i))) * _e2981) + (f32((_e2970[1].color >> bitcast<u32>(24i))) * _e2936.u)) + (f32((_e2970[2].color >> bitcast<u32>(24i))) * _e2936.v)) * (1f / 255f)));
+                                                                if (_e2976.alpha_size == 0u) {
+                                                                    phi_3997_ = _e3008;
                                                                 } else {
-                                                                    local.offset = _e2953.alpha_offset;
-                                                                    local.size = _e2953.alpha_size;
-                                                                    local.flags = _e2953.flags;
-                                                                    let _e3016 = _lt_shaders_texture_TextureView_quad((&local), (((_e2947[0].u * _e2958) + (_e2947[1].u * _e2913.u)) + (_e2947[2].u * _e2913.v)), (((_e2947[0].v * _e2958) + (_e2947[1].v * _e2913.u)) + (_e2947[2].v * _e2913.v)));
-                                                                    let _e3020 = (_e3016.indices[0] >> bitcast<u32>(2i));
-                                                                    if (_e3020 < _e111) {
+                                                                    local.offset = _e2976.alpha_offset;
+                                                                    local.size = _e2976.alpha_size;
+                                                                    local.flags = _e2976.flags;
+                                                                    let _e3039 = _lt_shaders_texture_TextureView_quad((&local), (((_e2970[0].u * _e2981) + (_e2970[1].u * _e2936.u)) + (_e2970[2].u * _e2936.v)), (((_e2970[0].v * _e2981) + (_e2970[1].v * _e2936.u)) + (_e2970[2].v * _e2936.v)));
+                                                                    let _e3043 = (_e3039.indices[0] >> bitcast<u32>(2i));
+                                                                    if (_e3043 < _e111) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3024 = alpha_texels.member[(0u + _e3020)];
-                                                                    let _e3040 = (_e3016.indices[1] >> bitcast<u32>(2i));
-                                                                    if (_e3040 < _e111) {
+                                                                    let _e3047 = alpha_texels.member[(0u + _e3043)];
+                                                                    let _e3063 = (_e3039.indices[1] >> bitcast<u32>(2i));
+                                                                    if (_e3063 < _e111) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3044 = alpha_texels.member[(0u + _e3040)];
-                                                                    let _e3061 = (_e3016.indices[2] >> bitcast<u32>(2i));
-                                                                    if (_e3061 < _e111) {
+                                                                    let _e3067 = alpha_texels.member[(0u + _e3063)];
+                                                                    let _e3084 = (_e3039.indices[2] >> bitcast<u32>(2i));
+                                                                    if (_e3084 < _e111) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3065 = alpha_texels.member[(0u + _e3061)];
-                                                                    let _e3082 = (_e3016.indices[3] >> bitcast<u32>(2i));
-                                                                    if (_e3082 < _e111) {
+                                                                    let _e3088 = alpha_texels.member[(0u + _e3084)];
+                                                                    let _e3105 = (_e3039.indices[3] >> bitcast<u32>(2i));
+                                                                    if (_e3105 < _e111) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3086 = alpha_texels.member[(0u + _e3082)];
-                                                                    phi_3977_ = (_e2985 * (((((f32(((_e3024 >> bitcast<u32>((((_e3016.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3016.weights.x) + ((f32(((_e3044 >> bitcast<u32>((((_e3016.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3016.weights.y)) + ((f32(((_e3065 >> bitcast<u32>((((_e3016.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3016.weights.z)) + ((f32(((_e3086 >> bitcast<u32>((((_e3016.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3016.weights.w)));
+                                                                    let _e3109 = alpha_texels.member[(0u + _e3105)];
+                                                                    phi_3997_ = (_e3008 * (((((f32(((_e3047 >> bitcast<u32>((((_e3039.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3039.weights.x) + ((f32(((_e3067 >> bitcast<u32>((((_e3039.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3039.weights.y)) + ((f32(((_e3088 >> bitcast<u32>((((_e3039.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3039.weights.z)) + ((f32(((_e3109 >> bitcast<u32>((((_e3039.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3039.weights.w)));
                                                                 }
-                                                                let _e3102 = phi_3977_;
-                                                                phi_3980_ = (_e3102 >= _e2953.cutoff);
+                                                                let _e3125 = phi_3997_;
+                                                                phi_4000_ = (_e3125 >= _e2976.cutoff);
                                                             }
-                                                            let _e3106 = phi_3980_;
-                                                            phi_3981_ = _e3106;
+                                                            let _e3129 = phi_4000_;
+                                                            phi_4001_ = _e3129;
                                                         } else {
-                                                            phi_3981_ = false;
+                                                            phi_4001_ = false;
                                                         }
-                                                        let _e3108 = phi_3981_;
-                                                        phi_3982_ = _e3108;
+                                                        let _e3131 = phi_4001_;
+                                                        phi_4002_ = _e3131;
                                                     }
-                                                    let _e3110 = phi_3982_;
-                                                    if _e3110 {
-                                                        phi_3986_ = false;
+                                                    let _e3133 = phi_4002_;
+                                                    if _e3133 {
+                                                        phi_4006_ = false;
                                                     } else {
-                                                        phi_3986_ = true;
+                                                        phi_4006_ = true;
                                                     }
-                                                    let _e3112 = phi_3986_;
-                                                    phi_3987_ = _e3110;
-                                                    phi_3988_ = _e3110;
-                                                    phi_3989_ = _e3112;
+                                                    let _e3135 = phi_4006_;
+                                                    phi_4007_ = _e3133;
+                                                    phi_4008_ = _e3133;
+                                                    phi_4009_ = _e3135;
                                                 } else {
-                                                    phi_3987_ = bool();
-                                                    phi_3988_ = _e2456;
-                                                    phi_3989_ = true;
+                                                    phi_4007_ = bool();
+                                                    phi_4008_ = _e2479;
+                                                    phi_4009_ = true;
                                                 }
-                                                let _e3114 = phi_3987_;
-                                                let _e3116 = phi_3988_;
-                                                let _e3118 = phi_3989_;
-                                                phi_3990_ = _e3114;
-                                                phi_3991_ = _e3116;
-                                                phi_3992_ = _e3118;
+                                                let _e3137 = phi_4007_;
+                                                let _e3139 = phi_4008_;
+                                                let _e3141 = phi_4009_;
+                                                phi_4010_ = _e3137;
+                                                phi_4011_ = _e3139;
+                                                phi_4012_ = _e3141;
                                             } else {
-                                                phi_3990_ = bool();
-                                                phi_3991_ = _e2456;
-                                                phi_3992_ = true;
+                                                phi_4010_ = bool();
+                                                phi_4011_ = _e2479;
+                                                phi_4012_ = true;
                                             }
-                                            let _e3120 = phi_3990_;
-                                            let _e3122 = phi_3991_;
-                                            let _e3124 = phi_3992_;
-                                            phi_3993_ = _e3120;
-                                            phi_3994_ = _e3122;
-                                            phi_3995_ = _e3124;
+                                            let _e3143 = phi_4010_;
+                                            let _e3145 = phi_4011_;
+                                            let _e3147 = phi_4012_;
+                                            phi_4013_ = _e3143;
+                                            phi_4014_ = _e3145;
+                                            phi_4015_ = _e3147;
                                         } else {
-                                            phi_3993_ = bool();
-                                            phi_3994_ = _e2456;
-                                            phi_3995_ = true;
+                                            phi_4013_ = bool();
+                                            phi_4014_ = _e2479;
+                                            phi_4015_ = true;
                                         }
-                                        let _e3126 = phi_3993_;
-                                        let _e3128 = phi_3994_;
-                                        let _e3130 = phi_3995_;
-                                        if _e3130 {
+                                        let _e3149 = phi_4013_;
+                                        let _e3151 = phi_4014_;
+                                        let _e3153 = phi_4015_;
+                                        if _e3153 {
                                         }
-                                        phi_3193_ = (_e2454 & (_e2454 - 1u));
-                                        phi_3196_ = _e3128;
-                                        phi_3999_ = _e3126;
-                                        phi_4000_ = _e3130;
+                                        phi_3213_ = (_e2477 & (_e2477 - 1u));
+                                        phi_3216_ = _e3151;
+                                        phi_4019_ = _e3149;
+                                        phi_4020_ = _e3153;
                                     }
-                                    let _e3132 = phi_3193_;
-                                    let _e3134 = phi_3196_;
-                                    let _e3136 = phi_3999_;
-                                    let _e3138 = phi_4000_;
-                                    local_17 = _e3136;
+                                    let _e3155 = phi_3213_;
+                                    let _e3157 = phi_3216_;
+                                    let _e3159 = phi_4019_;
+                                    let _e3161 = phi_4020_;
+                                    local_22 = _e3159;
                                     continue;
                                     continuing {
-                                        phi_3192_ = _e3132;
-                                        phi_3195_ = _e3134;
-                                        break if !(_e3138);
+                                        phi_3212_ = _e3155;
+                                        phi_3215_ = _e3157;
+                                        break if !(_e3161);
                                     }
                                 }
-                                let _e3141 = local_9;
-                                if _e3141 {
-                                    let _e3143 = local_1.group_mask;
-                                    if ((_e3143 & 4278190080u) == 0u) {
-                                        let _e3147 = local_1.len;
-                                        if (_e3147 == 0u) {
-                                            phi_4042_ = false;
+                                let _e3164 = local_11;
+                                if _e3164 {
+                                    let _e3166 = local_1.group_mask;
+                                    if ((_e3166 & 4278190080u) == 0u) {
+                                        let _e3170 = local_1.len;
+                                        if (_e3170 == 0u) {
+                                            phi_4062_ = false;
                                         } else {
-                                            let _e3151 = local_1.len;
-                                            local_1.len = (_e3151 - 1u);
-                                            let _e3154 = local_1.len;
-                                            if (_e3154 < 32u) {
+                                            let _e3174 = local_1.len;
+                                            local_1.len = (_e3174 - 1u);
+                                            let _e3177 = local_1.len;
+                                            if (_e3177 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3159 = local_1.first[(0u + _e3154)];
-                                            local_1.group = _e3159;
-                                            let _e3162 = local_1.len;
-                                            if (_e3162 < 32u) {
+                                            let _e3182 = local_1.first[(0u + _e3177)];
+                                            local_1.group = _e3182;
+                                            let _e3185 = local_1.len;
+                                            if (_e3185 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3167 = local_1.mask[(0u + _e3162)];
-                                            local_1.group_mask = _e3167;
-                                            phi_4042_ = true;
+                                            let _e3190 = local_1.mask[(0u + _e3185)];
+                                            local_1.group_mask = _e3190;
+                                            phi_4062_ = true;
                                         }
-                                        let _e3170 = phi_4042_;
-                                        phi_4043_ = _e3170;
+                                        let _e3193 = phi_4062_;
+                                        phi_4063_ = _e3193;
                                     } else {
-                                        phi_4043_ = true;
+                                        phi_4063_ = true;
                                     }
-                                    let _e3172 = phi_4043_;
-                                    if _e3172 {
-                                        let _e3174 = local_1.group_mask;
-                                        let _e3180 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3174)), 32u, (_e3174 == 0u)));
-                                        let _e3184 = local_1.group_mask;
-                                        let _e3198 = local_1.group_mask;
-                                        local_1.group_mask = (_e3198 & ~((1u << bitcast<u32>((_e3180 & 31u)))));
-                                        let _e3201 = local_1.group;
-                                        phi_4074_ = (_e3201 + countOneBits(((_e3184 & ~((4294967295u << bitcast<u32>((((_e3180 - 24u) ^ _e1878) & 31u))))) & 255u)));
+                                    let _e3195 = phi_4063_;
+                                    if _e3195 {
+                                        let _e3197 = local_1.group_mask;
+                                        let _e3203 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3197)), 32u, (_e3197 == 0u)));
+                                        let _e3207 = local_1.group_mask;
+                                        let _e3221 = local_1.group_mask;
+                                        local_1.group_mask = (_e3221 & ~((1u << bitcast<u32>((_e3203 & 31u)))));
+                                        let _e3224 = local_1.group;
+                                        phi_4094_ = (_e3224 + countOneBits(((_e3207 & ~((4294967295u << bitcast<u32>((((_e3203 - 24u) ^ _e1901) & 31u))))) & 255u)));
                                     } else {
-                                        phi_4074_ = 4294967295u;
+                                        phi_4094_ = 4294967295u;
                                     }
-                                    let _e3204 = phi_4074_;
-                                    phi_4075_ = _e3204;
+                                    let _e3227 = phi_4094_;
+                                    phi_4095_ = _e3227;
                                 } else {
-                                    phi_4075_ = u32();
+                                    phi_4095_ = u32();
                                 }
-                                let _e3206 = phi_4075_;
-                                phi_2861_ = _e3206;
-                                let _e3653 = local_16;
-                                phi_2864_ = _e3653;
-                                let _e3656 = local_17;
-                                phi_4076_ = _e3656;
-                                let _e3659 = local_18;
-                                phi_4077_ = _e3659;
-                                phi_4078_ = false;
+                                let _e3229 = phi_4095_;
+                                phi_2881_ = _e3229;
+                                let _e3692 = local_21;
+                                phi_2884_ = _e3692;
+                                let _e3695 = local_22;
+                                phi_4096_ = _e3695;
+                                let _e3698 = local_23;
+                                phi_4097_ = _e3698;
+                                phi_4098_ = false;
                             } else {
-                                phi_2861_ = u32();
-                                phi_2864_ = bool();
-                                phi_4076_ = bool();
-                                phi_4077_ = false;
-                                phi_4078_ = true;
+                                phi_2881_ = u32();
+                                phi_2884_ = bool();
+                                phi_4096_ = bool();
+                                phi_4097_ = false;
+                                phi_4098_ = true;
                             }
-                            let _e3208 = phi_2861_;
-                            let _e3210 = phi_2864_;
-                            let _e3212 = phi_4076_;
-                            let _e3214 = phi_4077_;
-                            let _e3216 = phi_4078_;
-                            local_10 = _e3216;
-                            local_19 = _e3212;
+                            let _e3231 = phi_2881_;
+                            let _e3233 = phi_2884_;
+                            let _e3235 = phi_4096_;
+                            let _e3237 = phi_4097_;
+                            let _e3239 = phi_4098_;
+                            local_12 = _e3239;
+                            local_24 = _e3235;
                             continue;
                             continuing {
-                                phi_2860_ = _e3208;
-                                phi_2863_ = _e3210;
-                                break if !(_e3214);
+                                phi_2880_ = _e3231;
+                                phi_2883_ = _e3233;
+                                break if !(_e3237);
                             }
                         }
-                        let _e3219 = local_10;
-                        if _e3219 {
-                            phi_4082_ = false;
+                        let _e3242 = local_12;
+                        if _e3242 {
+                            phi_4102_ = false;
                         } else {
-                            phi_4082_ = true;
+                            phi_4102_ = true;
                         }
-                        let _e3221 = phi_4082_;
-                        if _e3221 {
-                            let _e3665 = local_19;
-                            phi_4086_ = _e3665;
+                        let _e3244 = phi_4102_;
+                        if _e3244 {
+                            let _e3704 = local_24;
+                            phi_4106_ = _e3704;
                         } else {
-                            let _e3667 = local_20;
-                            phi_4086_ = _e3667;
+                            let _e3706 = local_25;
+                            phi_4106_ = _e3706;
                         }
-                        let _e3223 = phi_4086_;
-                        phi_4087_ = _e3223;
+                        let _e3246 = phi_4106_;
+                        phi_4107_ = _e3246;
                     }
-                    let _e3225 = phi_4087_;
-                    phi_4088_ = _e3225;
-                    phi_4089_ = _e1700;
+                    let _e3248 = phi_4107_;
+                    phi_4108_ = _e3248;
+                    phi_4109_ = _e1723;
                 } else {
-                    phi_4088_ = bool();
-                    phi_4089_ = true;
+                    phi_4108_ = bool();
+                    phi_4109_ = true;
                 }
-                let _e3227 = phi_4088_;
-                let _e3229 = phi_4089_;
-                if _e3229 {
-                    phi_4093_ = false;
+                let _e3250 = phi_4108_;
+                let _e3252 = phi_4109_;
+                if _e3252 {
+                    phi_4113_ = false;
                 } else {
-                    phi_4093_ = _e3227;
+                    phi_4113_ = _e3250;
                 }
-                let _e3231 = phi_4093_;
-                phi_4094_ = _e3231;
+                let _e3254 = phi_4113_;
+                phi_4114_ = _e3254;
             }
-            let _e3233 = phi_4094_;
-            phi_4095_ = _e3233;
+            let _e3256 = phi_4114_;
+            phi_4115_ = _e3256;
         } else {
-            phi_4095_ = false;
+            phi_4115_ = false;
         }
-        let _e3235 = phi_4095_;
-        if _e3235 {
-            phi_4099_ = 0f;
+        let _e3258 = phi_4115_;
+        if _e3258 {
+            phi_4119_ = 0f;
         } else {
-            phi_4099_ = 1f;
+            phi_4119_ = 1f;
         }
-        let _e3237 = phi_4099_;
+        let _e3260 = phi_4119_;
         if (_e124 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e124)] = _e3237;
+        visibility.member[(0u + _e124)] = _e3260;
     }
     return;
 }

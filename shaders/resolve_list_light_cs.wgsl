@@ -282,161 +282,166 @@ fn function_() {
     var phi_754_: vec3<f32>;
     var phi_766_: u32;
     var phi_769_: u32;
-    var phi_838_: f32;
-    var phi_839_: f32;
-    var phi_853_: u32;
-    var phi_876_: f32;
-    var phi_877_: f32;
-    var phi_891_: u32;
-    var phi_914_: f32;
-    var phi_915_: f32;
-    var phi_929_: u32;
-    var phi_1056_: u32;
+    var phi_778_: u32;
+    var phi_781_: u32;
+    var phi_783_: u32;
+    var phi_785_: u32;
+    var phi_858_: f32;
+    var phi_859_: f32;
+    var phi_873_: u32;
+    var phi_896_: f32;
+    var phi_897_: f32;
+    var phi_911_: u32;
+    var phi_934_: f32;
+    var phi_935_: f32;
+    var phi_949_: u32;
     var phi_1096_: u32;
     var phi_1097_: u32;
+    var phi_1101_: u32;
+    var phi_1102_: u32;
     var phi_1103_: u32;
-    var phi_1132_: vec3<f32>;
-    var phi_1133_: vec3<f32>;
-    var phi_1162_: vec3<f32>;
-    var phi_1163_: vec3<f32>;
-    var phi_1192_: vec3<f32>;
-    var phi_1193_: vec3<f32>;
-    var phi_1211_: bool;
-    var phi_1212_: bool;
-    var phi_1216_: f32;
-    var phi_1217_: f32;
-    var phi_1218_: f32;
-    var phi_1219_: f32;
-    var phi_1227_: f32;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
-    var phi_1242_: f32;
-    var phi_1243_: f32;
-    var phi_1244_: f32;
-    var phi_1245_: f32;
-    var phi_1253_: f32;
-    var phi_1263_: bool;
-    var phi_1264_: bool;
-    var phi_1268_: f32;
-    var phi_1269_: f32;
-    var phi_1270_: f32;
-    var phi_1271_: f32;
-    var phi_1279_: f32;
-    var phi_1294_: f32;
-    var phi_1295_: bool;
-    var phi_1296_: f32;
-    var phi_1297_: bool;
-    var phi_1298_: f32;
-    var phi_1299_: bool;
-    var phi_1317_: f32;
-    var phi_1318_: bool;
-    var phi_1319_: bool;
-    var phi_1320_: f32;
-    var phi_1321_: bool;
-    var phi_1322_: bool;
-    var phi_1326_: bool;
-    var phi_1327_: f32;
-    var phi_1328_: bool;
-    var phi_1356_: vec3<f32>;
-    var phi_1357_: vec3<f32>;
-    var phi_1382_: vec3<f32>;
-    var phi_1383_: vec3<f32>;
-    var phi_1408_: vec3<f32>;
-    var phi_1409_: vec3<f32>;
-    var phi_1465_: f32;
-    var phi_1474_: f32;
-    var phi_1483_: f32;
-    var phi_1492_: f32;
-    var phi_1499_: f32;
-    var phi_1506_: f32;
-    var phi_1519_: f32;
-    var phi_1528_: f32;
-    var phi_1537_: f32;
-    var phi_1546_: f32;
-    var phi_1553_: f32;
-    var phi_1560_: f32;
-    var phi_1577_: f32;
-    var phi_1582_: f32;
-    var phi_1587_: f32;
-    var phi_1595_: f32;
-    var phi_1600_: f32;
-    var phi_1605_: f32;
-    var phi_1617_: f32;
-    var phi_1622_: f32;
-    var phi_1627_: f32;
-    var phi_1632_: f32;
-    var phi_1637_: lt_bvh_triangle_Intersection;
-    var phi_1638_: bool;
-    var phi_1639_: lt_bvh_triangle_Intersection;
-    var phi_1640_: bool;
-    var phi_1644_: lt_bvh_triangle_Intersection;
-    var phi_1645_: bool;
-    var phi_1646_: lt_bvh_triangle_Intersection;
-    var phi_1647_: bool;
-    var phi_1648_: bool;
-    var phi_1652_: bool;
-    var phi_1656_: lt_bvh_triangle_Intersection;
-    var phi_1681_: bool;
-    var phi_1682_: bool;
-    var phi_1683_: bool;
-    var phi_1684_: bool;
-    var phi_1685_: bool;
-    var phi_1686_: bool;
-    var phi_1687_: bool;
-    var phi_1688_: bool;
-    var phi_1689_: bool;
-    var phi_1690_: bool;
-    var phi_1691_: bool;
-    var phi_1692_: bool;
-    var phi_1693_: bool;
-    var phi_1694_: bool;
-    var phi_1698_: bool;
-    var phi_1699_: bool;
-    var phi_1700_: bool;
-    var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1057_: u32;
-    var phi_1706_: bool;
-    var phi_1707_: bool;
-    var phi_1708_: bool;
+    var phi_1104_: u32;
+    var phi_1105_: u32;
+    var phi_1106_: u32;
+    var phi_1124_: u32;
+    var phi_1125_: u32;
+    var phi_1126_: u32;
+    var phi_1127_: u32;
+    var phi_1128_: u32;
+    var phi_1129_: u32;
+    var phi_1130_: u32;
+    var phi_1131_: u32;
+    var phi_779_: u32;
+    var phi_782_: u32;
+    var phi_784_: u32;
+    var phi_786_: u32;
+    var phi_1132_: bool;
     var local_2: bool;
-    var phi_1712_: bool;
-    var phi_1713_: bool;
-    var phi_1734_: u32;
-    var phi_1735_: u32;
-    var phi_1739_: u32;
-    var phi_1740_: u32;
-    var phi_1741_: u32;
-    var phi_1742_: u32;
-    var phi_1743_: bool;
-    var phi_1744_: bool;
-    var phi_1745_: bool;
-    var phi_1766_: u32;
-    var phi_1767_: u32;
-    var phi_1768_: u32;
-    var phi_1769_: u32;
-    var phi_1770_: u32;
-    var phi_1771_: u32;
+    var phi_1137_: u32;
+    var local_3: u32;
+    var phi_1176_: u32;
+    var phi_1177_: u32;
+    var phi_1183_: u32;
+    var phi_1212_: vec3<f32>;
+    var phi_1213_: vec3<f32>;
+    var phi_1242_: vec3<f32>;
+    var phi_1243_: vec3<f32>;
+    var phi_1272_: vec3<f32>;
+    var phi_1273_: vec3<f32>;
+    var phi_1291_: bool;
+    var phi_1292_: bool;
+    var phi_1296_: f32;
+    var phi_1297_: f32;
+    var phi_1298_: f32;
+    var phi_1299_: f32;
+    var phi_1307_: f32;
+    var phi_1317_: bool;
+    var phi_1318_: bool;
+    var phi_1322_: f32;
+    var phi_1323_: f32;
+    var phi_1324_: f32;
+    var phi_1325_: f32;
+    var phi_1333_: f32;
+    var phi_1343_: bool;
+    var phi_1344_: bool;
+    var phi_1348_: f32;
+    var phi_1349_: f32;
+    var phi_1350_: f32;
+    var phi_1351_: f32;
+    var phi_1359_: f32;
+    var phi_1374_: f32;
+    var phi_1375_: bool;
+    var phi_1376_: f32;
+    var phi_1377_: bool;
+    var phi_1378_: f32;
+    var phi_1379_: bool;
+    var phi_1397_: f32;
+    var phi_1398_: bool;
+    var phi_1399_: bool;
+    var phi_1400_: f32;
+    var phi_1401_: bool;
+    var phi_1402_: bool;
+    var phi_1406_: bool;
+    var phi_1407_: f32;
+    var phi_1408_: bool;
+    var phi_1436_: vec3<f32>;
+    var phi_1437_: vec3<f32>;
+    var phi_1462_: vec3<f32>;
+    var phi_1463_: vec3<f32>;
+    var phi_1488_: vec3<f32>;
+    var phi_1489_: vec3<f32>;
+    var phi_1545_: f32;
+    var phi_1554_: f32;
+    var phi_1563_: f32;
+    var phi_1572_: f32;
+    var phi_1579_: f32;
+    var phi_1586_: f32;
+    var phi_1599_: f32;
+    var phi_1608_: f32;
+    var phi_1617_: f32;
+    var phi_1626_: f32;
+    var phi_1633_: f32;
+    var phi_1640_: f32;
+    var phi_1657_: f32;
+    var phi_1662_: f32;
+    var phi_1667_: f32;
+    var phi_1675_: f32;
+    var phi_1680_: f32;
+    var phi_1685_: f32;
+    var phi_1697_: f32;
+    var phi_1702_: f32;
+    var phi_1707_: f32;
+    var phi_1712_: f32;
+    var phi_1717_: lt_bvh_triangle_Intersection;
+    var phi_1718_: bool;
+    var phi_1719_: lt_bvh_triangle_Intersection;
+    var phi_1720_: bool;
+    var phi_1724_: lt_bvh_triangle_Intersection;
+    var phi_1725_: bool;
+    var phi_1726_: lt_bvh_triangle_Intersection;
+    var phi_1727_: bool;
+    var phi_1728_: bool;
+    var phi_1732_: bool;
+    var phi_1736_: lt_bvh_triangle_Intersection;
+    var phi_1761_: bool;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1764_: bool;
+    var phi_1765_: bool;
+    var phi_1766_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
+    var phi_1769_: bool;
+    var phi_1770_: bool;
+    var phi_1771_: bool;
     var phi_1772_: bool;
     var phi_1773_: bool;
+    var phi_1774_: bool;
+    var phi_1778_: bool;
+    var phi_1779_: bool;
+    var phi_1780_: bool;
+    var phi_1784_: bool;
+    var phi_1785_: bool;
+    var phi_1138_: u32;
+    var phi_1786_: bool;
+    var phi_1787_: bool;
+    var phi_1788_: bool;
+    var local_4: bool;
+    var phi_1792_: bool;
+    var phi_1793_: bool;
     var phi_767_: u32;
     var phi_770_: u32;
-    var phi_1774_: bool;
-    var phi_1775_: bool;
-    var phi_1776_: bool;
-    var local_3: bool;
-    var phi_1780_: bool;
-    var phi_1781_: bool;
-    var phi_1785_: bool;
-    var phi_1789_: bool;
-    var phi_1793_: bool;
     var phi_1794_: bool;
-    var phi_1798_: bool;
+    var phi_1795_: bool;
+    var phi_1796_: bool;
+    var local_5: bool;
+    var phi_1800_: bool;
+    var phi_1801_: bool;
+    var phi_1805_: bool;
+    var phi_1809_: bool;
+    var phi_1813_: bool;
     var phi_1814_: bool;
-    var phi_1815_: bool;
-    var phi_1816_: bool;
-    var phi_1817_: bool;
-    var phi_1821_: bool;
+    var phi_1818_: bool;
     var phi_1834_: bool;
     var phi_1835_: bool;
     var phi_1836_: bool;
@@ -445,178 +450,186 @@ fn function_() {
     var phi_1854_: bool;
     var phi_1855_: bool;
     var phi_1856_: bool;
-    var phi_1860_: bool;
+    var phi_1857_: bool;
     var phi_1861_: bool;
-    var phi_1862_: bool;
-    var phi_1863_: bool;
-    var phi_1864_: bool;
-    var phi_1868_: bool;
-    var phi_1938_: f32;
-    var phi_1945_: f32;
-    var phi_1952_: f32;
-    var phi_1959_: f32;
-    var phi_1966_: f32;
-    var phi_1973_: f32;
-    var phi_1990_: f32;
-    var phi_1995_: f32;
-    var phi_2000_: f32;
-    var phi_2005_: f32;
+    var phi_1874_: bool;
+    var phi_1875_: bool;
+    var phi_1876_: bool;
+    var phi_1880_: bool;
+    var phi_1881_: bool;
+    var phi_1882_: bool;
+    var phi_1883_: bool;
+    var phi_1884_: bool;
+    var phi_1888_: bool;
+    var phi_1958_: f32;
+    var phi_1965_: f32;
+    var phi_1972_: f32;
+    var phi_1979_: f32;
+    var phi_1986_: f32;
+    var phi_1993_: f32;
     var phi_2010_: f32;
-    var phi_2036_: bool;
-    var phi_2037_: bool;
-    var phi_2045_: u32;
-    var phi_2046_: u32;
-    var phi_2057_: vec3<f32>;
-    var phi_2058_: vec3<f32>;
-    var phi_2071_: u32;
-    var phi_2076_: u32;
-    var phi_2081_: u32;
-    var phi_2195_: bool;
-    var phi_2196_: bool;
-    var phi_2227_: u32;
-    var phi_2229_: u32;
-    var phi_2232_: bool;
-    var phi_2312_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2339_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2366_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2372_: u32;
-    var phi_2375_: u32;
-    var phi_2389_: u32;
-    var phi_2399_: u32;
+    var phi_2015_: f32;
+    var phi_2020_: f32;
+    var phi_2025_: f32;
+    var phi_2030_: f32;
+    var phi_2056_: bool;
+    var phi_2057_: bool;
+    var phi_2065_: u32;
+    var phi_2066_: u32;
+    var phi_2077_: vec3<f32>;
+    var phi_2078_: vec3<f32>;
+    var phi_2091_: u32;
+    var phi_2096_: u32;
+    var phi_2101_: u32;
+    var phi_2215_: bool;
+    var phi_2216_: bool;
+    var phi_2247_: u32;
+    var phi_2249_: u32;
+    var phi_2252_: bool;
+    var phi_2332_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2359_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2386_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2392_: u32;
+    var phi_2395_: u32;
     var phi_2409_: u32;
-    var phi_2427_: u32;
-    var phi_2437_: u32;
+    var phi_2419_: u32;
+    var phi_2429_: u32;
     var phi_2447_: u32;
-    var phi_2483_: u32;
-    var phi_2496_: u32;
-    var phi_2501_: u32;
-    var phi_2502_: u32;
+    var phi_2457_: u32;
+    var phi_2467_: u32;
     var phi_2503_: u32;
-    var phi_2373_: u32;
-    var phi_2376_: u32;
-    var local_4: u32;
-    var local_5: u32;
+    var phi_2516_: u32;
+    var phi_2521_: u32;
+    var phi_2522_: u32;
+    var phi_2523_: u32;
+    var phi_2393_: u32;
+    var phi_2396_: u32;
     var local_6: u32;
-    var phi_2561_: u32;
-    var phi_2564_: bool;
-    var phi_2608_: vec3<f32>;
-    var phi_2609_: vec3<f32>;
-    var phi_2638_: vec3<f32>;
-    var phi_2639_: vec3<f32>;
-    var phi_2668_: vec3<f32>;
-    var phi_2669_: vec3<f32>;
-    var phi_2687_: bool;
-    var phi_2688_: bool;
-    var phi_2692_: f32;
-    var phi_2693_: f32;
-    var phi_2694_: f32;
-    var phi_2695_: f32;
-    var phi_2703_: f32;
-    var phi_2713_: bool;
-    var phi_2714_: bool;
-    var phi_2718_: f32;
-    var phi_2719_: f32;
-    var phi_2720_: f32;
-    var phi_2721_: f32;
-    var phi_2729_: f32;
-    var phi_2739_: bool;
-    var phi_2740_: bool;
-    var phi_2744_: f32;
-    var phi_2745_: f32;
-    var phi_2746_: f32;
-    var phi_2747_: f32;
-    var phi_2755_: f32;
-    var phi_2770_: f32;
-    var phi_2771_: bool;
-    var phi_2772_: f32;
-    var phi_2773_: bool;
-    var phi_2774_: f32;
-    var phi_2775_: bool;
-    var phi_2793_: f32;
-    var phi_2794_: bool;
+    var local_7: u32;
+    var local_8: u32;
+    var phi_2581_: u32;
+    var phi_2584_: bool;
+    var phi_2628_: vec3<f32>;
+    var phi_2629_: vec3<f32>;
+    var phi_2658_: vec3<f32>;
+    var phi_2659_: vec3<f32>;
+    var phi_2688_: vec3<f32>;
+    var phi_2689_: vec3<f32>;
+    var phi_2707_: bool;
+    var phi_2708_: bool;
+    var phi_2712_: f32;
+    var phi_2713_: f32;
+    var phi_2714_: f32;
+    var phi_2715_: f32;
+    var phi_2723_: f32;
+    var phi_2733_: bool;
+    var phi_2734_: bool;
+    var phi_2738_: f32;
+    var phi_2739_: f32;
+    var phi_2740_: f32;
+    var phi_2741_: f32;
+    var phi_2749_: f32;
+    var phi_2759_: bool;
+    var phi_2760_: bool;
+    var phi_2764_: f32;
+    var phi_2765_: f32;
+    var phi_2766_: f32;
+    var phi_2767_: f32;
+    var phi_2775_: f32;
+    var phi_2790_: f32;
+    var phi_2791_: bool;
+    var phi_2792_: f32;
+    var phi_2793_: bool;
+    var phi_2794_: f32;
     var phi_2795_: bool;
-    var phi_2796_: f32;
-    var phi_2797_: bool;
-    var phi_2798_: bool;
-    var phi_2802_: bool;
-    var phi_2803_: f32;
-    var phi_2804_: bool;
-    var phi_2832_: vec3<f32>;
-    var phi_2833_: vec3<f32>;
-    var phi_2858_: vec3<f32>;
-    var phi_2859_: vec3<f32>;
-    var phi_2884_: vec3<f32>;
-    var phi_2885_: vec3<f32>;
-    var phi_2941_: f32;
-    var phi_2950_: f32;
-    var phi_2959_: f32;
-    var phi_2968_: f32;
-    var phi_2975_: f32;
-    var phi_2982_: f32;
+    var phi_2813_: f32;
+    var phi_2814_: bool;
+    var phi_2815_: bool;
+    var phi_2816_: f32;
+    var phi_2817_: bool;
+    var phi_2818_: bool;
+    var phi_2822_: bool;
+    var phi_2823_: f32;
+    var phi_2824_: bool;
+    var phi_2852_: vec3<f32>;
+    var phi_2853_: vec3<f32>;
+    var phi_2878_: vec3<f32>;
+    var phi_2879_: vec3<f32>;
+    var phi_2904_: vec3<f32>;
+    var phi_2905_: vec3<f32>;
+    var phi_2961_: f32;
+    var phi_2970_: f32;
+    var phi_2979_: f32;
+    var phi_2988_: f32;
     var phi_2995_: f32;
-    var phi_3004_: f32;
-    var phi_3013_: f32;
-    var phi_3022_: f32;
-    var phi_3029_: f32;
-    var phi_3036_: f32;
-    var phi_3053_: f32;
-    var phi_3058_: f32;
-    var phi_3063_: f32;
-    var phi_3071_: f32;
-    var phi_3076_: f32;
-    var phi_3081_: f32;
-    var phi_3093_: f32;
-    var phi_3098_: f32;
-    var phi_3103_: f32;
-    var phi_3108_: f32;
-    var phi_3113_: lt_bvh_triangle_Intersection;
-    var phi_3114_: bool;
-    var phi_3115_: lt_bvh_triangle_Intersection;
-    var phi_3116_: bool;
-    var phi_3120_: lt_bvh_triangle_Intersection;
-    var phi_3121_: bool;
-    var phi_3122_: lt_bvh_triangle_Intersection;
-    var phi_3123_: bool;
-    var phi_3124_: bool;
-    var phi_3128_: bool;
-    var phi_3132_: lt_bvh_triangle_Intersection;
-    var phi_3152_: bool;
-    var phi_3153_: bool;
-    var phi_3154_: bool;
-    var phi_3155_: bool;
-    var phi_3156_: bool;
-    var phi_3157_: bool;
-    var phi_3158_: bool;
-    var phi_2562_: u32;
-    var phi_2565_: bool;
-    var phi_3162_: bool;
-    var local_7: bool;
-    var phi_3204_: bool;
-    var phi_3205_: bool;
-    var phi_3236_: u32;
-    var phi_3237_: u32;
-    var phi_2230_: u32;
-    var phi_2233_: bool;
-    var phi_3238_: bool;
-    var phi_3239_: bool;
-    var local_8: bool;
-    var phi_3243_: bool;
-    var phi_3247_: bool;
-    var phi_3248_: bool;
-    var phi_3249_: bool;
-    var phi_3250_: bool;
-    var phi_3254_: bool;
-    var phi_3255_: bool;
-    var phi_3256_: bool;
-    var phi_3260_: f32;
+    var phi_3002_: f32;
+    var phi_3015_: f32;
+    var phi_3024_: f32;
+    var phi_3033_: f32;
+    var phi_3042_: f32;
+    var phi_3049_: f32;
+    var phi_3056_: f32;
+    var phi_3073_: f32;
+    var phi_3078_: f32;
+    var phi_3083_: f32;
+    var phi_3091_: f32;
+    var phi_3096_: f32;
+    var phi_3101_: f32;
+    var phi_3113_: f32;
+    var phi_3118_: f32;
+    var phi_3123_: f32;
+    var phi_3128_: f32;
+    var phi_3133_: lt_bvh_triangle_Intersection;
+    var phi_3134_: bool;
+    var phi_3135_: lt_bvh_triangle_Intersection;
+    var phi_3136_: bool;
+    var phi_3140_: lt_bvh_triangle_Intersection;
+    var phi_3141_: bool;
+    var phi_3142_: lt_bvh_triangle_Intersection;
+    var phi_3143_: bool;
+    var phi_3144_: bool;
+    var phi_3148_: bool;
+    var phi_3152_: lt_bvh_triangle_Intersection;
+    var phi_3172_: bool;
+    var phi_3173_: bool;
+    var phi_3174_: bool;
+    var phi_3175_: bool;
+    var phi_3176_: bool;
+    var phi_3177_: bool;
+    var phi_3178_: bool;
+    var phi_2582_: u32;
+    var phi_2585_: bool;
+    var phi_3182_: bool;
     var local_9: bool;
+    var phi_3224_: bool;
+    var phi_3225_: bool;
+    var phi_3256_: u32;
+    var phi_3257_: u32;
+    var phi_2250_: u32;
+    var phi_2253_: bool;
+    var phi_3258_: bool;
+    var phi_3259_: bool;
     var local_10: bool;
-    var local_11: bool;
+    var phi_3263_: bool;
+    var phi_3267_: bool;
+    var phi_3268_: bool;
+    var phi_3269_: bool;
+    var phi_3270_: bool;
+    var phi_3274_: bool;
+    var phi_3275_: bool;
+    var phi_3276_: bool;
+    var phi_3280_: f32;
+    var local_11: u32;
     var local_12: bool;
     var local_13: bool;
-    var local_14: bool;
-    var local_15: bool;
+    var local_14: u32;
+    var local_15: u32;
     var local_16: bool;
+    var local_17: bool;
+    var local_18: bool;
+    var local_19: bool;
+    var local_20: bool;
+    var local_21: bool;
 
     let _e64 = id_1;
     let _e71 = arrayLength((&nodes.member));
@@ -957,8 +970,8 @@ fn function_() {
                 }
                 let _e358 = phi_570_;
                 if (_e358.unnamed_1 == 4294967295u) {
-                    phi_1793_ = false;
-                    phi_1794_ = true;
+                    phi_1813_ = false;
+                    phi_1814_ = true;
                 } else {
                     if (0u < _e71) {
                     } else {
@@ -1098,2050 +1111,2097 @@ fn function_() {
                         let _e528 = phi_766_;
                         let _e530 = phi_769_;
                         let _e531 = (_e528 == 0u);
-                        local_3 = _e531;
+                        local_5 = _e531;
                         if _e531 {
                             phi_767_ = u32();
                             phi_770_ = u32();
-                            phi_1774_ = false;
-                            phi_1775_ = false;
-                            phi_1776_ = false;
+                            phi_1794_ = false;
+                            phi_1795_ = false;
+                            phi_1796_ = false;
                         } else {
-                            let _e539 = (_e528 & (_e528 - 1u));
-                            let _e540 = (((_e528 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e528), 32u, (_e528 == 0u))) * 4u);
-                            if (_e540 < _e83) {
-                            } else {
-                                return;
-                            }
-                            let _e544 = rows.member[(0u + _e540)];
-                            let _e545 = (_e540 + 1u);
-                            if (_e545 < _e83) {
-                            } else {
-                                return;
-                            }
-                            let _e549 = rows.member[(0u + _e545)];
-                            let _e550 = (_e540 + 2u);
-                            if (_e550 < _e83) {
-                            } else {
-                                return;
-                            }
-                            let _e554 = rows.member[(0u + _e550)];
-                            let _e555 = (_e540 + 3u);
-                            if (_e555 < _e83) {
-                            } else {
-                                return;
-                            }
-                            let _e559 = rows.member[(0u + _e555)];
-                            let _e560 = lt_bvh_LightNode(_e544, _e549, _e554, _e559);
-                            let _e572 = (_e358.unnamed.positive_exponent - bitcast<f32>(_e560.frame.x));
-                            let _e575 = bitcast<f32>((((_e560.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e572 > 0f) {
-                                if (_e572 < (255f * _e575)) {
-                                    phi_838_ = (_e572 / _e575);
+                            phi_778_ = _e528;
+                            phi_781_ = 0u;
+                            phi_783_ = 0u;
+                            phi_785_ = _e530;
+                            loop {
+                                let _e533 = phi_778_;
+                                let _e535 = phi_781_;
+                                let _e537 = phi_783_;
+                                let _e539 = phi_785_;
+                                local_11 = _e537;
+                                local_3 = _e535;
+                                local_14 = _e533;
+                                local_15 = _e539;
+                                let _e540 = (_e533 == 0u);
+                                local_2 = _e540;
+                                if _e540 {
+                                    phi_779_ = u32();
+                                    phi_782_ = u32();
+                                    phi_784_ = u32();
+                                    phi_786_ = u32();
+                                    phi_1132_ = false;
                                 } else {
-                                    phi_838_ = 255f;
-                                }
-                                let _e581 = phi_838_;
-                                phi_839_ = _e581;
-                            } else {
-                                phi_839_ = 0f;
-                            }
-                            let _e583 = phi_839_;
-                            let _e590 = select(select(u32(_e583), 0u, (_e583 < bitcast<f32>(0u))), 4294967295u, (_e583 > bitcast<f32>(1333788671u)));
-                            if (f32(_e590) < _e583) {
-                                phi_853_ = (_e590 + 1u);
-                            } else {
-                                phi_853_ = _e590;
-                            }
-                            let _e595 = phi_853_;
-                            let _e596 = (_e590 * 16843009u);
-                            let _e597 = (_e595 * 16843009u);
-                            let _e607 = (_e358.unnamed.negative_exponent - bitcast<f32>(_e560.frame.y));
-                            let _e610 = bitcast<f32>((((_e560.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e607 > 0f) {
-                                if (_e607 < (255f * _e610)) {
-                                    phi_876_ = (_e607 / _e610);
-                                } else {
-                                    phi_876_ = 255f;
-                                }
-                                let _e616 = phi_876_;
-                                phi_877_ = _e616;
-                            } else {
-                                phi_877_ = 0f;
-                            }
-                            let _e618 = phi_877_;
-                            let _e625 = select(select(u32(_e618), 0u, (_e618 < bitcast<f32>(0u))), 4294967295u, (_e618 > bitcast<f32>(1333788671u)));
-                            if (f32(_e625) < _e618) {
-                                phi_891_ = (_e625 + 1u);
-                            } else {
-                                phi_891_ = _e625;
-                            }
-                            let _e630 = phi_891_;
-                            let _e631 = (_e625 * 16843009u);
-                            let _e632 = (_e630 * 16843009u);
-                            let _e642 = (_e358.unnamed.min_variance - bitcast<f32>(_e560.frame.z));
-                            let _e645 = bitcast<f32>((((_e560.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e642 > 0f) {
-                                if (_e642 < (255f * _e645)) {
-                                    phi_914_ = (_e642 / _e645);
-                                } else {
-                                    phi_914_ = 255f;
-                                }
-                                let _e651 = phi_914_;
-                                phi_915_ = _e651;
-                            } else {
-                                phi_915_ = 0f;
-                            }
-                            let _e653 = phi_915_;
-                            let _e660 = select(select(u32(_e653), 0u, (_e653 < bitcast<f32>(0u))), 4294967295u, (_e653 > bitcast<f32>(1333788671u)));
-                            if (f32(_e660) < _e653) {
-                                phi_929_ = (_e660 + 1u);
-                            } else {
-                                phi_929_ = _e660;
-                            }
-                            let _e665 = phi_929_;
-                            let _e666 = (_e665 * 16843009u);
-                            let _e799 = (((((((((((_e596 & ~(_e560.x.x)) | (~((_e560.x.x ^ _e596)) & ((_e596 | 2155905152u) - (_e560.x.x & 2139062143u)))) & ((_e560.x.z & ~(_e597)) | (~((_e597 ^ _e560.x.z)) & ((_e560.x.z | 2155905152u) - (_e597 & 2139062143u))))) & ((_e631 & ~(_e560.y.x)) | (~((_e560.y.x ^ _e631)) & ((_e631 | 2155905152u) - (_e560.y.x & 2139062143u))))) & ((_e560.y.z & ~(_e632)) | (~((_e632 ^ _e560.y.z)) & ((_e560.y.z | 2155905152u) - (_e632 & 2139062143u))))) & ((_e560.rest.x & ~(_e666)) | (~((_e666 ^ _e560.rest.x)) & ((_e560.rest.x | 2155905152u) - (_e666 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e596 & ~(_e560.x.y)) | (~((_e560.x.y ^ _e596)) & ((_e596 | 2155905152u) - (_e560.x.y & 2139062143u)))) & ((_e560.x.w & ~(_e597)) | (~((_e597 ^ _e560.x.w)) & ((_e560.x.w | 2155905152u) - (_e597 & 2139062143u))))) & ((_e631 & ~(_e560.y.y)) | (~((_e560.y.y ^ _e631)) & ((_e631 | 2155905152u) - (_e560.y.y & 2139062143u))))) & ((_e560.y.w & ~(_e632)) | (~((_e632 ^ _e560.y.w)) & ((_e560.y.w | 2155905152u) - (_e632 & 2139062143u))))) & ((_e560.rest.y & ~(_e666)) | (~((_e666 ^ _e560.rest.y)) & ((_e560.rest.y | 2155905152u) - (_e666 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                            if ((_e560.frame.w & 16777216u) != 0u) {
-                                phi_1056_ = _e799;
-                                loop {
-                                    let _e805 = phi_1056_;
-                                    let _e806 = (_e805 == 0u);
-                                    local_2 = _e806;
-                                    local_11 = _e806;
-                                    if _e806 {
-                                        phi_1057_ = u32();
-                                        phi_1706_ = false;
-                                        phi_1707_ = false;
-                                        phi_1708_ = false;
-                                    } else {
-                                        let _e809 = select(firstTrailingBit(_e805), 32u, (_e805 == 0u));
-                                        let _e814 = (_e560.rest.z + (_e809 >> bitcast<u32>(2i)));
-                                        if (_e814 < _e83) {
+                                    let _e541 = (_e537 == 0u);
+                                    if _e541 {
+                                        let _e548 = (((_e533 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e533), 32u, (_e533 == 0u))) * 4u);
+                                        if (_e548 < _e83) {
                                         } else {
                                             return;
                                         }
-                                        let _e819 = rows.member[(0u + _e814)][0u];
-                                        let _e823 = rows.member[(0u + _e814)][1u];
-                                        let _e827 = rows.member[(0u + _e814)][2u];
-                                        let _e831 = rows.member[(0u + _e814)][3u];
-                                        if ((_e809 & 2u) == 0u) {
-                                            phi_1096_ = _e823;
-                                            phi_1097_ = _e819;
-                                        } else {
-                                            phi_1096_ = _e831;
-                                            phi_1097_ = _e827;
-                                        }
-                                        let _e835 = phi_1096_;
-                                        let _e837 = phi_1097_;
-                                        if ((_e809 & 1u) == 0u) {
-                                            phi_1103_ = _e837;
-                                        } else {
-                                            phi_1103_ = _e835;
-                                        }
-                                        let _e841 = phi_1103_;
-                                        if (_e841 < _e74) {
+                                        let _e552 = rows.member[(0u + _e548)];
+                                        let _e553 = (_e548 + 1u);
+                                        if (_e553 < _e83) {
                                         } else {
                                             return;
                                         }
-                                        let _e848 = triangles.member[(0u + _e841)].v0_;
-                                        let _e850 = (_e848.x - _e118);
-                                        let _e852 = (_e848.y - _e120);
-                                        let _e854 = (_e848.z - _e122);
-                                        if (_e507 == 0u) {
-                                            phi_1133_ = vec3<f32>(_e852, _e854, _e850);
-                                        } else {
-                                            if (_e507 == 1u) {
-                                                phi_1132_ = vec3<f32>(_e854, _e850, _e852);
-                                            } else {
-                                                phi_1132_ = (_e848 - vec3<f32>(_e118, _e120, _e122));
-                                            }
-                                            let _e862 = phi_1132_;
-                                            phi_1133_ = _e862;
-                                        }
-                                        let _e864 = phi_1133_;
-                                        let _e868 = (_e864.x - (_e518 * _e864.z));
-                                        let _e872 = (_e864.y - (_e521 * _e864.z));
-                                        let _e874 = triangles.member[(0u + _e841)].v1_;
-                                        let _e876 = (_e874.x - _e118);
-                                        let _e878 = (_e874.y - _e120);
-                                        let _e880 = (_e874.z - _e122);
-                                        if (_e507 == 0u) {
-                                            phi_1163_ = vec3<f32>(_e878, _e880, _e876);
-                                        } else {
-                                            if (_e507 == 1u) {
-                                                phi_1162_ = vec3<f32>(_e880, _e876, _e878);
-                                            } else {
-                                                phi_1162_ = (_e874 - vec3<f32>(_e118, _e120, _e122));
-                                            }
-                                            let _e888 = phi_1162_;
-                                            phi_1163_ = _e888;
-                                        }
-                                        let _e890 = phi_1163_;
-                                        let _e894 = (_e890.x - (_e518 * _e890.z));
-                                        let _e898 = (_e890.y - (_e521 * _e890.z));
-                                        let _e900 = triangles.member[(0u + _e841)].v2_;
-                                        let _e902 = (_e900.x - _e118);
-                                        let _e904 = (_e900.y - _e120);
-                                        let _e906 = (_e900.z - _e122);
-                                        if (_e507 == 0u) {
-                                            phi_1193_ = vec3<f32>(_e904, _e906, _e902);
-                                        } else {
-                                            if (_e507 == 1u) {
-                                                phi_1192_ = vec3<f32>(_e906, _e902, _e904);
-                                            } else {
-                                                phi_1192_ = (_e900 - vec3<f32>(_e118, _e120, _e122));
-                                            }
-                                            let _e914 = phi_1192_;
-                                            phi_1193_ = _e914;
-                                        }
-                                        let _e916 = phi_1193_;
-                                        let _e920 = (_e916.x - (_e518 * _e916.z));
-                                        let _e924 = (_e916.y - (_e521 * _e916.z));
-                                        if (_e894 < _e920) {
-                                            phi_1212_ = true;
-                                        } else {
-                                            if (_e894 == _e920) {
-                                                phi_1211_ = (_e898 < _e924);
-                                            } else {
-                                                phi_1211_ = false;
-                                            }
-                                            let _e929 = phi_1211_;
-                                            phi_1212_ = _e929;
-                                        }
-                                        let _e931 = phi_1212_;
-                                        if _e931 {
-                                            phi_1216_ = _e924;
-                                            phi_1217_ = _e920;
-                                            phi_1218_ = _e898;
-                                            phi_1219_ = _e894;
-                                        } else {
-                                            phi_1216_ = _e898;
-                                            phi_1217_ = _e894;
-                                            phi_1218_ = _e924;
-                                            phi_1219_ = _e920;
-                                        }
-                                        let _e933 = phi_1216_;
-                                        let _e935 = phi_1217_;
-                                        let _e937 = phi_1218_;
-                                        let _e939 = phi_1219_;
-                                        let _e942 = ((_e939 * _e933) - (_e937 * _e935));
-                                        if _e931 {
-                                            phi_1227_ = -(_e942);
-                                        } else {
-                                            phi_1227_ = _e942;
-                                        }
-                                        let _e945 = phi_1227_;
-                                        if (_e920 < _e868) {
-                                            phi_1238_ = true;
-                                        } else {
-                                            if (_e920 == _e868) {
-                                                phi_1237_ = (_e924 < _e872);
-                                            } else {
-                                                phi_1237_ = false;
-                                            }
-                                            let _e950 = phi_1237_;
-                                            phi_1238_ = _e950;
-                                        }
-                                        let _e952 = phi_1238_;
-                                        if _e952 {
-                                            phi_1242_ = _e872;
-                                            phi_1243_ = _e868;
-                                            phi_1244_ = _e924;
-                                            phi_1245_ = _e920;
-                                        } else {
-                                            phi_1242_ = _e924;
-                                            phi_1243_ = _e920;
-                                            phi_1244_ = _e872;
-                                            phi_1245_ = _e868;
-                                        }
-                                        let _e954 = phi_1242_;
-                                        let _e956 = phi_1243_;
-                                        let _e958 = phi_1244_;
-                                        let _e960 = phi_1245_;
-                                        let _e963 = ((_e960 * _e954) - (_e958 * _e956));
-                                        if _e952 {
-                                            phi_1253_ = -(_e963);
-                                        } else {
-                                            phi_1253_ = _e963;
-                                        }
-                                        let _e966 = phi_1253_;
-                                        if (_e868 < _e894) {
-                                            phi_1264_ = true;
-                                        } else {
-                                            if (_e868 == _e894) {
-                                                phi_1263_ = (_e872 < _e898);
-                                            } else {
-                                                phi_1263_ = false;
-                                            }
-                                            let _e971 = phi_1263_;
-                                            phi_1264_ = _e971;
-                                        }
-                                        let _e973 = phi_1264_;
-                                        if _e973 {
-                                            phi_1268_ = _e898;
-                                            phi_1269_ = _e894;
-                                            phi_1270_ = _e872;
-                                            phi_1271_ = _e868;
-                                        } else {
-                                            phi_1268_ = _e872;
-                                            phi_1269_ = _e868;
-                                            phi_1270_ = _e898;
-                                            phi_1271_ = _e894;
-                                        }
-                                        let _e975 = phi_1268_;
-                                        let _e977 = phi_1269_;
-                                        let _e979 = phi_1270_;
-                                        let _e981 = phi_1271_;
-                                        let _e984 = ((_e981 * _e975) - (_e979 * _e977));
-                                        if _e973 {
-                                            phi_1279_ = -(_e984);
-                                        } else {
-                                            phi_1279_ = _e984;
-                                        }
-                                        let _e987 = phi_1279_;
-                                        if (_e945 >= 0f) {
-                                            if (_e966 >= 0f) {
-                                                if (_e987 >= 0f) {
-                                                    phi_1294_ = ((_e945 + _e966) + _e987);
-                                                    phi_1295_ = false;
-                                                } else {
-                                                    phi_1294_ = f32();
-                                                    phi_1295_ = true;
-                                                }
-                                                let _e994 = phi_1294_;
-                                                let _e996 = phi_1295_;
-                                                phi_1296_ = _e994;
-                                                phi_1297_ = _e996;
-                                            } else {
-                                                phi_1296_ = f32();
-                                                phi_1297_ = true;
-                                            }
-                                            let _e998 = phi_1296_;
-                                            let _e1000 = phi_1297_;
-                                            phi_1298_ = _e998;
-                                            phi_1299_ = _e1000;
-                                        } else {
-                                            phi_1298_ = f32();
-                                            phi_1299_ = true;
-                                        }
-                                        let _e1002 = phi_1298_;
-                                        let _e1004 = phi_1299_;
-                                        if _e1004 {
-                                            if (_e945 <= 0f) {
-                                                if (_e966 <= 0f) {
-                                                    let _e1007 = (_e987 <= 0f);
-                                                    if _e1007 {
-                                                    }
-                                                    phi_1317_ = ((_e945 + _e966) + _e987);
-                                                    phi_1318_ = false;
-                                                    phi_1319_ = _e1007;
-                                                } else {
-                                                    phi_1317_ = f32();
-                                                    phi_1318_ = true;
-                                                    phi_1319_ = false;
-                                                }
-                                                let _e1011 = phi_1317_;
-                                                let _e1013 = phi_1318_;
-                                                let _e1015 = phi_1319_;
-                                                phi_1320_ = _e1011;
-                                                phi_1321_ = _e1013;
-                                                phi_1322_ = _e1015;
-                                            } else {
-                                                phi_1320_ = f32();
-                                                phi_1321_ = true;
-                                                phi_1322_ = false;
-                                            }
-                                            let _e1017 = phi_1320_;
-                                            let _e1019 = phi_1321_;
-                                            let _e1021 = phi_1322_;
-                                            if _e1019 {
-                                                phi_1326_ = false;
-                                            } else {
-                                                phi_1326_ = _e1021;
-                                            }
-                                            let _e1023 = phi_1326_;
-                                            phi_1327_ = _e1017;
-                                            phi_1328_ = _e1023;
-                                        } else {
-                                            phi_1327_ = _e1002;
-                                            phi_1328_ = true;
-                                        }
-                                        let _e1025 = phi_1327_;
-                                        let _e1027 = phi_1328_;
-                                        if _e1027 {
-                                            let _e1028 = (_e1025 == 0f);
-                                            if _e1028 {
-                                                phi_1644_ = lt_bvh_triangle_Intersection();
-                                                phi_1645_ = false;
-                                            } else {
-                                                let _e1030 = triangles.member[(0u + _e841)].v0_;
-                                                let _e1032 = (_e1030.x - _e118);
-                                                let _e1034 = (_e1030.y - _e120);
-                                                let _e1036 = (_e1030.z - _e122);
-                                                if (_e507 == 0u) {
-                                                    phi_1357_ = vec3<f32>(_e1034, _e1036, _e1032);
-                                                } else {
-                                                    if (_e507 == 1u) {
-                                                        phi_1356_ = vec3<f32>(_e1036, _e1032, _e1034);
-                                                    } else {
-                                                        phi_1356_ = (_e1030 - vec3<f32>(_e118, _e120, _e122));
-                                                    }
-                                                    let _e1044 = phi_1356_;
-                                                    phi_1357_ = _e1044;
-                                                }
-                                                let _e1046 = phi_1357_;
-                                                let _e1048 = triangles.member[(0u + _e841)].v1_;
-                                                let _e1050 = triangles.member[(0u + _e841)].v0_;
-                                                let _e1053 = (_e1048.x - _e1050.x);
-                                                let _e1056 = (_e1048.y - _e1050.y);
-                                                let _e1059 = (_e1048.z - _e1050.z);
-                                                if (_e507 == 0u) {
-                                                    phi_1383_ = vec3<f32>(_e1056, _e1059, _e1053);
-                                                } else {
-                                                    if (_e507 == 1u) {
-                                                        phi_1382_ = vec3<f32>(_e1059, _e1053, _e1056);
-                                                    } else {
-                                                        phi_1382_ = (_e1048 - _e1050);
-                                                    }
-                                                    let _e1066 = phi_1382_;
-                                                    phi_1383_ = _e1066;
-                                                }
-                                                let _e1068 = phi_1383_;
-                                                let _e1070 = triangles.member[(0u + _e841)].v2_;
-                                                let _e1072 = triangles.member[(0u + _e841)].v0_;
-                                                let _e1075 = (_e1070.x - _e1072.x);
-                                                let _e1078 = (_e1070.y - _e1072.y);
-                                                let _e1081 = (_e1070.z - _e1072.z);
-                                                if (_e507 == 0u) {
-                                                    phi_1409_ = vec3<f32>(_e1078, _e1081, _e1075);
-                                                } else {
-                                                    if (_e507 == 1u) {
-                                                        phi_1408_ = vec3<f32>(_e1081, _e1075, _e1078);
-                                                    } else {
-                                                        phi_1408_ = (_e1070 - _e1072);
-                                                    }
-                                                    let _e1088 = phi_1408_;
-                                                    phi_1409_ = _e1088;
-                                                }
-                                                let _e1090 = phi_1409_;
-                                                let _e1097 = ((_e1068.y * _e1090.z) - (_e1068.z * _e1090.y));
-                                                let _e1104 = ((_e1068.z * _e1090.x) - (_e1068.x * _e1090.z));
-                                                let _e1111 = ((_e1068.x * _e1090.y) - (_e1068.y * _e1090.x));
-                                                let _e1125 = (((1f / _e515.z) * (((_e1097 * _e1046.x) + (_e1104 * _e1046.y)) + (_e1111 * _e1046.z))) / (((_e1097 * _e518) + (_e1104 * _e521)) + _e1111));
-                                                if (_e1125 > 0f) {
-                                                    if (_e1125 < _e130) {
-                                                        let _e1129 = triangles.member[(0u + _e841)].v0_;
-                                                        let _e1131 = triangles.member[(0u + _e841)].v1_;
-                                                        if (_e1129.x < _e1131.x) {
-                                                            phi_1465_ = _e1129.x;
-                                                        } else {
-                                                            phi_1465_ = _e1131.x;
-                                                        }
-                                                        let _e1138 = phi_1465_;
-                                                        if (_e1129.y < _e1131.y) {
-                                                            phi_1474_ = _e1129.y;
-                                                        } else {
-                                                            phi_1474_ = _e1131.y;
-                                                        }
-                                                        let _e1145 = phi_1474_;
-                                                        if (_e1129.z < _e1131.z) {
-                                                            phi_1483_ = _e1129.z;
-                                                        } else {
-                                                            phi_1483_ = _e1131.z;
-                                                        }
-                                                        let _e1152 = phi_1483_;
-                                                        let _e1154 = triangles.member[(0u + _e841)].v2_;
-                                                        if (_e1138 < _e1154.x) {
-                                                            phi_1492_ = _e1138;
-                                                        } else {
-                                                            phi_1492_ = _e1154.x;
-                                                        }
-                                                        let _e1159 = phi_1492_;
-                                                        if (_e1145 < _e1154.y) {
-                                                            phi_1499_ = _e1145;
-                                                        } else {
-                                                            phi_1499_ = _e1154.y;
-                                                        }
-                                                        let _e1164 = phi_1499_;
-                                                        if (_e1152 < _e1154.z) {
-                                                            phi_1506_ = _e1152;
-                                                        } else {
-                                                            phi_1506_ = _e1154.z;
-                                                        }
-                                                        let _e1169 = phi_1506_;
-                                                        let _e1171 = triangles.member[(0u + _e841)].v0_;
-                                                        let _e1173 = triangles.member[(0u + _e841)].v1_;
-                                                        if (_e1171.x > _e1173.x) {
-                                                            phi_1519_ = _e1171.x;
-                                                        } else {
-                                                            phi_1519_ = _e1173.x;
-                                                        }
-                                                        let _e1180 = phi_1519_;
-                                                        if (_e1171.y > _e1173.y) {
-                                                            phi_1528_ = _e1171.y;
-                                                        } else {
-                                                            phi_1528_ = _e1173.y;
-                                                        }
-                                                        let _e1187 = phi_1528_;
-                                                        if (_e1171.z > _e1173.z) {
-                                                            phi_1537_ = _e1171.z;
-                                                        } else {
-                                                            phi_1537_ = _e1173.z;
-                                                        }
-                                                        let _e1194 = phi_1537_;
-                                                        let _e1196 = triangles.member[(0u + _e841)].v2_;
-                                                        if (_e1180 > _e1196.x) {
-                                                            phi_1546_ = _e1180;
-                                                        } else {
-                                                            phi_1546_ = _e1196.x;
-                                                        }
-                                                        let _e1201 = phi_1546_;
-                                                        if (_e1187 > _e1196.y) {
-                                                            phi_1553_ = _e1187;
-                                                        } else {
-                                                            phi_1553_ = _e1196.y;
-                                                        }
-                                                        let _e1206 = phi_1553_;
-                                                        if (_e1194 > _e1196.z) {
-                                                            phi_1560_ = _e1194;
-                                                        } else {
-                                                            phi_1560_ = _e1196.z;
-                                                        }
-                                                        let _e1211 = phi_1560_;
-                                                        let _e1215 = ((_e1159 - _e118) * _e436);
-                                                        let _e1216 = ((_e1164 - _e120) * _e446);
-                                                        let _e1217 = ((_e1169 - _e122) * _e456);
-                                                        let _e1221 = ((_e1201 - _e118) * _e436);
-                                                        let _e1222 = ((_e1206 - _e120) * _e446);
-                                                        let _e1223 = ((_e1211 - _e122) * _e456);
-                                                        if (_e1215 < _e1221) {
-                                                            phi_1577_ = _e1215;
-                                                        } else {
-                                                            phi_1577_ = _e1221;
-                                                        }
-                                                        let _e1226 = phi_1577_;
-                                                        if (_e1216 < _e1222) {
-                                                            phi_1582_ = _e1216;
-                                                        } else {
-                                                            phi_1582_ = _e1222;
-                                                        }
-                                                        let _e1229 = phi_1582_;
-                                                        if (_e1217 < _e1223) {
-                                                            phi_1587_ = _e1217;
-                                                        } else {
-                                                            phi_1587_ = _e1223;
-                                                        }
-                                                        let _e1232 = phi_1587_;
-                                                        if (_e1215 > _e1221) {
-                                                            phi_1595_ = _e1215;
-                                                        } else {
-                                                            phi_1595_ = _e1221;
-                                                        }
-                                                        let _e1238 = phi_1595_;
-                                                        if (_e1216 > _e1222) {
-                                                            phi_1600_ = _e1216;
-                                                        } else {
-                                                            phi_1600_ = _e1222;
-                                                        }
-                                                        let _e1241 = phi_1600_;
-                                                        if (_e1217 > _e1223) {
-                                                            phi_1605_ = _e1217;
-                                                        } else {
-                                                            phi_1605_ = _e1223;
-                                                        }
-                                                        let _e1244 = phi_1605_;
-                                                        let _e1248 = core_intrinsics_maximum_number_nsz_f32_((_e1226 - _e491), (_e1229 - _e492));
-                                                        let _e1249 = core_intrinsics_maximum_number_nsz_f32_(_e1248, (_e1232 - _e493));
-                                                        let _e1250 = core_intrinsics_minimum_number_nsz_f32_((_e1238 + _e491), (_e1241 + _e492));
-                                                        let _e1251 = core_intrinsics_minimum_number_nsz_f32_(_e1250, (_e1244 + _e493));
-                                                        if (_e1249 > -300000000000000000000000000000000000000f) {
-                                                            phi_1617_ = _e1249;
-                                                        } else {
-                                                            phi_1617_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1254 = phi_1617_;
-                                                        if (_e1251 < 300000000000000000000000000000000000000f) {
-                                                            phi_1622_ = _e1251;
-                                                        } else {
-                                                            phi_1622_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1257 = phi_1622_;
-                                                        if (_e1125 < _e1254) {
-                                                            phi_1627_ = _e1254;
-                                                        } else {
-                                                            phi_1627_ = _e1125;
-                                                        }
-                                                        let _e1260 = phi_1627_;
-                                                        if (_e1260 > _e1257) {
-                                                            phi_1632_ = _e1257;
-                                                        } else {
-                                                            phi_1632_ = _e1260;
-                                                        }
-                                                        let _e1263 = phi_1632_;
-                                                        phi_1637_ = lt_bvh_triangle_Intersection(_e1263, (_e966 / _e1025), (_e987 / _e1025), (_e1254 <= _e1257));
-                                                        phi_1638_ = false;
-                                                    } else {
-                                                        phi_1637_ = lt_bvh_triangle_Intersection();
-                                                        phi_1638_ = true;
-                                                    }
-                                                    let _e1269 = phi_1637_;
-                                                    let _e1271 = phi_1638_;
-                                                    phi_1639_ = _e1269;
-                                                    phi_1640_ = _e1271;
-                                                } else {
-                                                    phi_1639_ = lt_bvh_triangle_Intersection();
-                                                    phi_1640_ = true;
-                                                }
-                                                let _e1273 = phi_1639_;
-                                                let _e1275 = phi_1640_;
-                                                if _e1275 {
-                                                }
-                                                phi_1644_ = _e1273;
-                                                phi_1645_ = _e1275;
-                                            }
-                                            let _e1277 = phi_1644_;
-                                            let _e1279 = phi_1645_;
-                                            phi_1646_ = _e1277;
-                                            phi_1647_ = _e1028;
-                                            phi_1648_ = _e1279;
-                                        } else {
-                                            phi_1646_ = lt_bvh_triangle_Intersection();
-                                            phi_1647_ = true;
-                                            phi_1648_ = false;
-                                        }
-                                        let _e1281 = phi_1646_;
-                                        let _e1283 = phi_1647_;
-                                        let _e1285 = phi_1648_;
-                                        if _e1283 {
-                                            phi_1652_ = true;
-                                        } else {
-                                            phi_1652_ = _e1285;
-                                        }
-                                        let _e1287 = phi_1652_;
-                                        if _e1287 {
-                                            phi_1656_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                        } else {
-                                            phi_1656_ = _e1281;
-                                        }
-                                        let _e1289 = phi_1656_;
-                                        if _e1289.is_hit {
-                                            if (_e1289.t > 0f) {
-                                                if (_e1289.t < _e130) {
-                                                    let _e1296 = triangles.member[(0u + _e841)].i0_;
-                                                    let _e1298 = ((_e1296 & 2147483648u) == 0u);
-                                                    if _e1298 {
-                                                        phi_1682_ = false;
-                                                        phi_1683_ = false;
-                                                    } else {
-                                                        if true {
-                                                            phi_1681_ = false;
-                                                        } else {
-                                                            phi_1681_ = true;
-                                                        }
-                                                        let _e1300 = phi_1681_;
-                                                        phi_1682_ = _e1300;
-                                                        phi_1683_ = true;
-                                                    }
-                                                    let _e1302 = phi_1682_;
-                                                    let _e1304 = phi_1683_;
-                                                    phi_1684_ = _e1302;
-                                                    phi_1685_ = _e1298;
-                                                    phi_1686_ = _e1304;
-                                                } else {
-                                                    phi_1684_ = true;
-                                                    phi_1685_ = false;
-                                                    phi_1686_ = false;
-                                                }
-                                                let _e1306 = phi_1684_;
-                                                let _e1308 = phi_1685_;
-                                                let _e1310 = phi_1686_;
-                                                phi_1687_ = false;
-                                                phi_1688_ = _e1306;
-                                                phi_1689_ = _e1308;
-                                                phi_1690_ = _e1310;
-                                            } else {
-                                                phi_1687_ = true;
-                                                phi_1688_ = false;
-                                                phi_1689_ = false;
-                                                phi_1690_ = false;
-                                            }
-                                            let _e1312 = phi_1687_;
-                                            let _e1314 = phi_1688_;
-                                            let _e1316 = phi_1689_;
-                                            let _e1318 = phi_1690_;
-                                            phi_1691_ = _e1312;
-                                            phi_1692_ = _e1314;
-                                            phi_1693_ = _e1316;
-                                            phi_1694_ = _e1318;
-                                        } else {
-                                            phi_1691_ = true;
-                                            phi_1692_ = false;
-                                            phi_1693_ = false;
-                                            phi_1694_ = false;
-                                        }
-                                        let _e1320 = phi_1691_;
-                                        let _e1322 = phi_1692_;
-                                        let _e1324 = phi_1693_;
-                                        let _e1326 = phi_1694_;
-                                        if _e1320 {
-                                            phi_1698_ = true;
-                                            phi_1699_ = false;
-                                            phi_1700_ = false;
-                                        } else {
-                                            phi_1698_ = _e1322;
-                                            phi_1699_ = _e1324;
-                                            phi_1700_ = _e1326;
-                                        }
-                                        let _e1328 = phi_1698_;
-                                        let _e1330 = phi_1699_;
-                                        let _e1332 = phi_1700_;
-                                        if _e1328 {
-                                            phi_1704_ = false;
-                                            phi_1705_ = false;
-                                        } else {
-                                            phi_1704_ = _e1330;
-                                            phi_1705_ = _e1332;
-                                        }
-                                        let _e1334 = phi_1704_;
-                                        let _e1336 = phi_1705_;
-                                        phi_1057_ = (_e805 & (_e805 - 1u));
-                                        phi_1706_ = _e1328;
-                                        phi_1707_ = _e1334;
-                                        phi_1708_ = _e1336;
-                                    }
-                                    let _e1338 = phi_1057_;
-                                    let _e1340 = phi_1706_;
-                                    let _e1342 = phi_1707_;
-                                    let _e1344 = phi_1708_;
-                                    local_9 = _e1342;
-                                    local_10 = _e1344;
-                                    continue;
-                                    continuing {
-                                        phi_1056_ = _e1338;
-                                        break if !(_e1340);
-                                    }
-                                }
-                                let _e1347 = local_2;
-                                if _e1347 {
-                                    phi_1712_ = false;
-                                    phi_1713_ = false;
-                                } else {
-                                    let _e3023 = local_9;
-                                    phi_1712_ = _e3023;
-                                    let _e3026 = local_10;
-                                    phi_1713_ = _e3026;
-                                }
-                                let _e1349 = phi_1712_;
-                                let _e1351 = phi_1713_;
-                                phi_1741_ = _e539;
-                                phi_1742_ = _e530;
-                                let _e3035 = local_11;
-                                phi_1743_ = _e3035;
-                                phi_1744_ = _e1349;
-                                phi_1745_ = _e1351;
-                            } else {
-                                if (_e799 == 0u) {
-                                    phi_1739_ = _e539;
-                                    phi_1740_ = _e530;
-                                } else {
-                                    if ((_e539 & 255u) == 0u) {
-                                        phi_1735_ = _e530;
-                                    } else {
-                                        if (_e530 < 32u) {
-                                            if (_e530 < 32u) {
-                                            } else {
-                                                return;
-                                            }
-                                            local_1[(0u + _e530)] = _e539;
-                                            phi_1734_ = (_e530 + 1u);
-                                        } else {
-                                            phi_1734_ = _e530;
-                                        }
-                                        let _e1361 = phi_1734_;
-                                        phi_1735_ = _e1361;
-                                    }
-                                    let _e1363 = phi_1735_;
-                                    phi_1739_ = ((_e560.rest.z << bitcast<u32>(8i)) | _e799);
-                                    phi_1740_ = _e1363;
-                                }
-                                let _e1370 = phi_1739_;
-                                let _e1372 = phi_1740_;
-                                phi_1741_ = _e1370;
-                                phi_1742_ = _e1372;
-                                phi_1743_ = true;
-                                phi_1744_ = false;
-                                phi_1745_ = false;
-                            }
-                            let _e1374 = phi_1741_;
-                            let _e1376 = phi_1742_;
-                            let _e1378 = phi_1743_;
-                            let _e1380 = phi_1744_;
-                            let _e1382 = phi_1745_;
-                            if _e1378 {
-                                if ((_e1374 & 255u) == 0u) {
-                                    if (_e1376 > 0u) {
-                                        let _e1386 = (_e1376 - 1u);
-                                        if (_e1386 < 32u) {
+                                        let _e557 = rows.member[(0u + _e553)];
+                                        let _e558 = (_e548 + 2u);
+                                        if (_e558 < _e83) {
                                         } else {
                                             return;
                                         }
-                                        let _e1390 = local_1[(0u + _e1386)];
-                                        phi_1766_ = _e1390;
-                                        phi_1767_ = _e1386;
+                                        let _e562 = rows.member[(0u + _e558)];
+                                        let _e563 = (_e548 + 3u);
+                                        if (_e563 < _e83) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e567 = rows.member[(0u + _e563)];
+                                        let _e568 = lt_bvh_LightNode(_e552, _e557, _e562, _e567);
+                                        let _e570 = (_e533 & (_e533 - 1u));
+                                        let _e582 = (_e358.unnamed.positive_exponent - bitcast<f32>(_e568.frame.x));
+                                        let _e585 = bitcast<f32>((((_e568.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e582 > 0f) {
+                                            if (_e582 < (255f * _e585)) {
+                                                phi_858_ = (_e582 / _e585);
+                                            } else {
+                                                phi_858_ = 255f;
+                                            }
+                                            let _e591 = phi_858_;
+                                            phi_859_ = _e591;
+                                        } else {
+                                            phi_859_ = 0f;
+                                        }
+                                        let _e593 = phi_859_;
+                                        let _e600 = select(select(u32(_e593), 0u, (_e593 < bitcast<f32>(0u))), 4294967295u, (_e593 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e600) < _e593) {
+                                            phi_873_ = (_e600 + 1u);
+                                        } else {
+                                            phi_873_ = _e600;
+                                        }
+                                        let _e605 = phi_873_;
+                                        let _e606 = (_e600 * 16843009u);
+                                        let _e607 = (_e605 * 16843009u);
+                                        let _e617 = (_e358.unnamed.negative_exponent - bitcast<f32>(_e568.frame.y));
+                                        let _e620 = bitcast<f32>((((_e568.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e617 > 0f) {
+                                            if (_e617 < (255f * _e620)) {
+                                                phi_896_ = (_e617 / _e620);
+                                            } else {
+                                                phi_896_ = 255f;
+                                            }
+                                            let _e626 = phi_896_;
+                                            phi_897_ = _e626;
+                                        } else {
+                                            phi_897_ = 0f;
+                                        }
+                                        let _e628 = phi_897_;
+                                        let _e635 = select(select(u32(_e628), 0u, (_e628 < bitcast<f32>(0u))), 4294967295u, (_e628 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e635) < _e628) {
+                                            phi_911_ = (_e635 + 1u);
+                                        } else {
+                                            phi_911_ = _e635;
+                                        }
+                                        let _e640 = phi_911_;
+                                        let _e641 = (_e635 * 16843009u);
+                                        let _e642 = (_e640 * 16843009u);
+                                        let _e652 = (_e358.unnamed.min_variance - bitcast<f32>(_e568.frame.z));
+                                        let _e655 = bitcast<f32>((((_e568.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                        if (_e652 > 0f) {
+                                            if (_e652 < (255f * _e655)) {
+                                                phi_934_ = (_e652 / _e655);
+                                            } else {
+                                                phi_934_ = 255f;
+                                            }
+                                            let _e661 = phi_934_;
+                                            phi_935_ = _e661;
+                                        } else {
+                                            phi_935_ = 0f;
+                                        }
+                                        let _e663 = phi_935_;
+                                        let _e670 = select(select(u32(_e663), 0u, (_e663 < bitcast<f32>(0u))), 4294967295u, (_e663 > bitcast<f32>(1333788671u)));
+                                        if (f32(_e670) < _e663) {
+                                            phi_949_ = (_e670 + 1u);
+                                        } else {
+                                            phi_949_ = _e670;
+                                        }
+                                        let _e675 = phi_949_;
+                                        let _e676 = (_e675 * 16843009u);
+                                        let _e809 = (((((((((((_e606 & ~(_e568.x.x)) | (~((_e568.x.x ^ _e606)) & ((_e606 | 2155905152u) - (_e568.x.x & 2139062143u)))) & ((_e568.x.z & ~(_e607)) | (~((_e607 ^ _e568.x.z)) & ((_e568.x.z | 2155905152u) - (_e607 & 2139062143u))))) & ((_e641 & ~(_e568.y.x)) | (~((_e568.y.x ^ _e641)) & ((_e641 | 2155905152u) - (_e568.y.x & 2139062143u))))) & ((_e568.y.z & ~(_e642)) | (~((_e642 ^ _e568.y.z)) & ((_e568.y.z | 2155905152u) - (_e642 & 2139062143u))))) & ((_e568.rest.x & ~(_e676)) | (~((_e676 ^ _e568.rest.x)) & ((_e568.rest.x | 2155905152u) - (_e676 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e606 & ~(_e568.x.y)) | (~((_e568.x.y ^ _e606)) & ((_e606 | 2155905152u) - (_e568.x.y & 2139062143u)))) & ((_e568.x.w & ~(_e607)) | (~((_e607 ^ _e568.x.w)) & ((_e568.x.w | 2155905152u) - (_e607 & 2139062143u))))) & ((_e641 & ~(_e568.y.y)) | (~((_e568.y.y ^ _e641)) & ((_e641 | 2155905152u) - (_e568.y.y & 2139062143u))))) & ((_e568.y.w & ~(_e642)) | (~((_e642 ^ _e568.y.w)) & ((_e568.y.w | 2155905152u) - (_e642 & 2139062143u))))) & ((_e568.rest.y & ~(_e676)) | (~((_e676 ^ _e568.rest.y)) & ((_e568.rest.y | 2155905152u) - (_e676 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                                        if ((_e568.frame.w & 16777216u) != 0u) {
+                                            phi_1103_ = _e570;
+                                            phi_1104_ = _e568.rest.z;
+                                            phi_1105_ = _e809;
+                                            phi_1106_ = _e539;
+                                        } else {
+                                            if (_e809 == 0u) {
+                                                phi_1101_ = _e570;
+                                                phi_1102_ = _e539;
+                                            } else {
+                                                if ((_e570 & 255u) == 0u) {
+                                                    phi_1097_ = _e539;
+                                                } else {
+                                                    if (_e539 < 32u) {
+                                                        if (_e539 < 32u) {
+                                                        } else {
+                                                            return;
+                                                        }
+                                                        local_1[(0u + _e539)] = _e570;
+                                                        phi_1096_ = (_e539 + 1u);
+                                                    } else {
+                                                        phi_1096_ = _e539;
+                                                    }
+                                                    let _e825 = phi_1096_;
+                                                    phi_1097_ = _e825;
+                                                }
+                                                let _e827 = phi_1097_;
+                                                phi_1101_ = ((_e568.rest.z << bitcast<u32>(8i)) | _e809);
+                                                phi_1102_ = _e827;
+                                            }
+                                            let _e834 = phi_1101_;
+                                            let _e836 = phi_1102_;
+                                            phi_1103_ = _e834;
+                                            phi_1104_ = _e535;
+                                            phi_1105_ = _e537;
+                                            phi_1106_ = _e836;
+                                        }
+                                        let _e838 = phi_1103_;
+                                        let _e840 = phi_1104_;
+                                        let _e842 = phi_1105_;
+                                        let _e844 = phi_1106_;
+                                        if ((_e838 & 255u) == 0u) {
+                                            if (_e844 > 0u) {
+                                                let _e848 = (_e844 - 1u);
+                                                if (_e848 < 32u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e852 = local_1[(0u + _e848)];
+                                                phi_1124_ = _e852;
+                                                phi_1125_ = _e848;
+                                            } else {
+                                                phi_1124_ = 0u;
+                                                phi_1125_ = _e844;
+                                            }
+                                            let _e854 = phi_1124_;
+                                            let _e856 = phi_1125_;
+                                            phi_1126_ = _e854;
+                                            phi_1127_ = _e856;
+                                        } else {
+                                            phi_1126_ = _e838;
+                                            phi_1127_ = _e844;
+                                        }
+                                        let _e858 = phi_1126_;
+                                        let _e860 = phi_1127_;
+                                        phi_1128_ = _e858;
+                                        phi_1129_ = _e840;
+                                        phi_1130_ = _e842;
+                                        phi_1131_ = _e860;
                                     } else {
-                                        phi_1766_ = 0u;
-                                        phi_1767_ = _e1376;
+                                        phi_1128_ = u32();
+                                        phi_1129_ = u32();
+                                        phi_1130_ = u32();
+                                        phi_1131_ = u32();
                                     }
-                                    let _e1392 = phi_1766_;
-                                    let _e1394 = phi_1767_;
-                                    phi_1768_ = _e1392;
-                                    phi_1769_ = _e1394;
-                                } else {
-                                    phi_1768_ = _e1374;
-                                    phi_1769_ = _e1376;
+                                    let _e862 = phi_1128_;
+                                    let _e864 = phi_1129_;
+                                    let _e866 = phi_1130_;
+                                    let _e868 = phi_1131_;
+                                    phi_779_ = _e862;
+                                    phi_782_ = _e864;
+                                    phi_784_ = _e866;
+                                    phi_786_ = _e868;
+                                    phi_1132_ = _e541;
                                 }
-                                let _e1396 = phi_1768_;
-                                let _e1398 = phi_1769_;
-                                phi_1770_ = _e1396;
-                                phi_1771_ = _e1398;
-                                phi_1772_ = false;
-                                phi_1773_ = false;
-                            } else {
-                                phi_1770_ = u32();
-                                phi_1771_ = u32();
-                                phi_1772_ = _e1380;
-                                phi_1773_ = _e1382;
+                                let _e870 = phi_779_;
+                                let _e872 = phi_782_;
+                                let _e874 = phi_784_;
+                                let _e876 = phi_786_;
+                                let _e878 = phi_1132_;
+                                continue;
+                                continuing {
+                                    phi_778_ = _e870;
+                                    phi_781_ = _e872;
+                                    phi_783_ = _e874;
+                                    phi_785_ = _e876;
+                                    break if !(_e878);
+                                }
                             }
-                            let _e1400 = phi_1770_;
-                            let _e1402 = phi_1771_;
-                            let _e1404 = phi_1772_;
-                            let _e1406 = phi_1773_;
-                            phi_767_ = _e1400;
-                            phi_770_ = _e1402;
-                            phi_1774_ = _e1378;
-                            phi_1775_ = _e1404;
-                            phi_1776_ = _e1406;
+                            let _e881 = local_2;
+                            if _e881 {
+                            }
+                            let _e2963 = local_11;
+                            phi_1137_ = _e2963;
+                            loop {
+                                let _e883 = phi_1137_;
+                                let _e884 = (_e883 == 0u);
+                                local_4 = _e884;
+                                local_16 = _e884;
+                                if _e884 {
+                                    phi_1138_ = u32();
+                                    phi_1786_ = false;
+                                    phi_1787_ = false;
+                                    phi_1788_ = false;
+                                } else {
+                                    let _e887 = select(firstTrailingBit(_e883), 32u, (_e883 == 0u));
+                                    let _e891 = local_3;
+                                    let _e892 = (_e891 + (_e887 >> bitcast<u32>(2i)));
+                                    if (_e892 < _e83) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e897 = rows.member[(0u + _e892)][0u];
+                                    let _e901 = rows.member[(0u + _e892)][1u];
+                                    let _e905 = rows.member[(0u + _e892)][2u];
+                                    let _e909 = rows.member[(0u + _e892)][3u];
+                                    if ((_e887 & 2u) == 0u) {
+                                        phi_1176_ = _e901;
+                                        phi_1177_ = _e897;
+                                    } else {
+                                        phi_1176_ = _e909;
+                                        phi_1177_ = _e905;
+                                    }
+                                    let _e913 = phi_1176_;
+                                    let _e915 = phi_1177_;
+                                    if ((_e887 & 1u) == 0u) {
+                                        phi_1183_ = _e915;
+                                    } else {
+                                        phi_1183_ = _e913;
+                                    }
+                                    let _e919 = phi_1183_;
+                                    if (_e919 < _e74) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e926 = triangles.member[(0u + _e919)].v0_;
+                                    let _e928 = (_e926.x - _e118);
+                                    let _e930 = (_e926.y - _e120);
+                                    let _e932 = (_e926.z - _e122);
+                                    if (_e507 == 0u) {
+                                        phi_1213_ = vec3<f32>(_e930, _e932, _e928);
+                                    } else {
+                                        if (_e507 == 1u) {
+                                            phi_1212_ = vec3<f32>(_e932, _e928, _e930);
+                                        } else {
+                                            phi_1212_ = (_e926 - vec3<f32>(_e118, _e120, _e122));
+                                        }
+                                        let _e940 = phi_1212_;
+                                        phi_1213_ = _e940;
+                                    }
+                                    let _e942 = phi_1213_;
+                                    let _e946 = (_e942.x - (_e518 * _e942.z));
+                                    let _e950 = (_e942.y - (_e521 * _e942.z));
+                                    let _e952 = triangles.member[(0u + _e919)].v1_;
+                                    let _e954 = (_e952.x - _e118);
+                                    let _e956 = (_e952.y - _e120);
+                                    let _e958 = (_e952.z - _e122);
+                                    if (_e507 == 0u) {
+                                        phi_1243_ = vec3<f32>(_e956, _e958, _e954);
+                                    } else {
+                                        if (_e507 == 1u) {
+                                            phi_1242_ = vec3<f32>(_e958, _e954, _e956);
+                                        } else {
+                                            phi_1242_ = (_e952 - vec3<f32>(_e118, _e120, _e122));
+                                        }
+                                        let _e966 = phi_1242_;
+                                        phi_1243_ = _e966;
+                                    }
+                                    let _e968 = phi_1243_;
+                                    let _e972 = (_e968.x - (_e518 * _e968.z));
+                                    let _e976 = (_e968.y - (_e521 * _e968.z));
+                                    let _e978 = triangles.member[(0u + _e919)].v2_;
+                                    let _e980 = (_e978.x - _e118);
+                                    let _e982 = (_e978.y - _e120);
+                                    let _e984 = (_e978.z - _e122);
+                                    if (_e507 == 0u) {
+                                        phi_1273_ = vec3<f32>(_e982, _e984, _e980);
+                                    } else {
+                                        if (_e507 == 1u) {
+                                            phi_1272_ = vec3<f32>(_e984, _e980, _e982);
+                                        } else {
+                                            phi_1272_ = (_e978 - vec3<f32>(_e118, _e120, _e122));
+                                        }
+                                        let _e992 = phi_1272_;
+                                        phi_1273_ = _e992;
+                                    }
+                                    let _e994 = phi_1273_;
+                                    let _e998 = (_e994.x - (_e518 * _e994.z));
+                                    let _e1002 = (_e994.y - (_e521 * _e994.z));
+                                    if (_e972 < _e998) {
+                                        phi_1292_ = true;
+                                    } else {
+                                        if (_e972 == _e998) {
+                                            phi_1291_ = (_e976 < _e1002);
+                                        } else {
+                                            phi_1291_ = false;
+                                        }
+                                        let _e1007 = phi_1291_;
+                                        phi_1292_ = _e1007;
+                                    }
+                                    let _e1009 = phi_1292_;
+                                    if _e1009 {
+                                        phi_1296_ = _e1002;
+                                        phi_1297_ = _e998;
+                                        phi_1298_ = _e976;
+                                        phi_1299_ = _e972;
+                                    } else {
+                                        phi_1296_ = _e976;
+                                        phi_1297_ = _e972;
+                                        phi_1298_ = _e1002;
+                                        phi_1299_ = _e998;
+                                    }
+                                    let _e1011 = phi_1296_;
+                                    let _e1013 = phi_1297_;
+                                    let _e1015 = phi_1298_;
+                                    let _e1017 = phi_1299_;
+                                    let _e1020 = ((_e1017 * _e1011) - (_e1015 * _e1013));
+                                    if _e1009 {
+                                        phi_1307_ = -(_e1020);
+                                    } else {
+                                        phi_1307_ = _e1020;
+                                    }
+                                    let _e1023 = phi_1307_;
+                                    if (_e998 < _e946) {
+                                        phi_1318_ = true;
+                                    } else {
+                                        if (_e998 == _e946) {
+                                            phi_1317_ = (_e1002 < _e950);
+                                        } else {
+                                            phi_1317_ = false;
+                                        }
+                                        let _e1028 = phi_1317_;
+                                        phi_1318_ = _e1028;
+                                    }
+                                    let _e1030 = phi_1318_;
+                                    if _e1030 {
+                                        phi_1322_ = _e950;
+                                        phi_1323_ = _e946;
+                                        phi_1324_ = _e1002;
+                                        phi_1325_ = _e998;
+                                    } else {
+                                        phi_1322_ = _e1002;
+                                        phi_1323_ = _e998;
+                                        phi_1324_ = _e950;
+                                        phi_1325_ = _e946;
+                                    }
+                                    let _e1032 = phi_1322_;
+                                    let _e1034 = phi_1323_;
+                                    let _e1036 = phi_1324_;
+                                    let _e1038 = phi_1325_;
+                                    let _e1041 = ((_e1038 * _e1032) - (_e1036 * _e1034));
+                                    if _e1030 {
+                                        phi_1333_ = -(_e1041);
+                                    } else {
+                                        phi_1333_ = _e1041;
+                                    }
+                                    let _e1044 = phi_1333_;
+                                    if (_e946 < _e972) {
+                                        phi_1344_ = true;
+                                    } else {
+                                        if (_e946 == _e972) {
+                                            phi_1343_ = (_e950 < _e976);
+                                        } else {
+                                            phi_1343_ = false;
+                                        }
+                                        let _e1049 = phi_1343_;
+                                        phi_1344_ = _e1049;
+                                    }
+                                    let _e1051 = phi_1344_;
+                                    if _e1051 {
+                                        phi_1348_ = _e976;
+                                        phi_1349_ = _e972;
+                                        phi_1350_ = _e950;
+                                        phi_1351_ = _e946;
+                                    } else {
+                                        phi_1348_ = _e950;
+                                        phi_1349_ = _e946;
+                                        phi_1350_ = _e976;
+                                        phi_1351_ = _e972;
+                                    }
+                                    let _e1053 = phi_1348_;
+                                    let _e1055 = phi_1349_;
+                                    let _e1057 = phi_1350_;
+                                    let _e1059 = phi_1351_;
+                                    let _e1062 = ((_e1059 * _e1053) - (_e1057 * _e1055));
+                                    if _e1051 {
+                                        phi_1359_ = -(_e1062);
+                                    } else {
+                                        phi_1359_ = _e1062;
+                                    }
+                                    let _e1065 = phi_1359_;
+                                    if (_e1023 >= 0f) {
+                                        if (_e1044 >= 0f) {
+                                            if (_e1065 >= 0f) {
+                                                phi_1374_ = ((_e1023 + _e1044) + _e1065);
+                                                phi_1375_ = false;
+                                            } else {
+                                                phi_1374_ = f32();
+                                                phi_1375_ = true;
+                                            }
+                                            let _e1072 = phi_1374_;
+                                            let _e1074 = phi_1375_;
+                                            phi_1376_ = _e1072;
+                                            phi_1377_ = _e1074;
+                                        } else {
+                                            phi_1376_ = f32();
+                                            phi_1377_ = true;
+                                        }
+                                        let _e1076 = phi_1376_;
+                                        let _e1078 = phi_1377_;
+                                        phi_1378_ = _e1076;
+                                        phi_1379_ = _e1078;
+                                    } else {
+                                        phi_1378_ = f32();
+                                        phi_1379_ = true;
+                                    }
+                                    let _e1080 = phi_1378_;
+                                    let _e1082 = phi_1379_;
+                                    if _e1082 {
+                                        if (_e1023 <= 0f) {
+                                            if (_e1044 <= 0f) {
+                                                let _e1085 = (_e1065 <= 0f);
+                                                if _e1085 {
+                                                }
+                                                phi_1397_ = ((_e1023 + _e1044) + _e1065);
+                                                phi_1398_ = false;
+                                                phi_1399_ = _e1085;
+                                            } else {
+                                                phi_1397_ = f32();
+                                                phi_1398_ = true;
+                                                phi_1399_ = false;
+                                            }
+                                            let _e1089 = phi_1397_;
+                                            let _e1091 = phi_1398_;
+                                            let _e1093 = phi_1399_;
+                                            phi_1400_ = _e1089;
+                                            phi_1401_ = _e1091;
+                                            phi_1402_ = _e1093;
+                                        } else {
+                                            phi_1400_ = f32();
+                                            phi_1401_ = true;
+                                            phi_1402_ = false;
+                                        }
+                                        let _e1095 = phi_1400_;
+                                        let _e1097 = phi_1401_;
+                                        let _e1099 = phi_1402_;
+                                        if _e1097 {
+                                            phi_1406_ = false;
+                                        } else {
+                                            phi_1406_ = _e1099;
+                                        }
+                                        let _e1101 = phi_1406_;
+                                        phi_1407_ = _e1095;
+                                        phi_1408_ = _e1101;
+                                    } else {
+                                        phi_1407_ = _e1080;
+                                        phi_1408_ = true;
+                                    }
+                                    let _e1103 = phi_1407_;
+                                    let _e1105 = phi_1408_;
+                                    if _e1105 {
+                                        let _e1106 = (_e1103 == 0f);
+                                        if _e1106 {
+                                            phi_1724_ = lt_bvh_triangle_Intersection();
+                                            phi_1725_ = false;
+                                        } else {
+                                            let _e1108 = triangles.member[(0u + _e919)].v0_;
+                                            let _e1110 = (_e1108.x - _e118);
+                                            let _e1112 = (_e1108.y - _e120);
+                                            let _e1114 = (_e1108.z - _e122);
+                                            if (_e507 == 0u) {
+                                                phi_1437_ = vec3<f32>(_e1112, _e1114, _e1110);
+                                            } else {
+                                                if (_e507 == 1u) {
+                                                    phi_1436_ = vec3<f32>(_e1114, _e1110, _e1112);
+                                                } else {
+                                                    phi_1436_ = (_e1108 - vec3<f32>(_e118, _e120, _e122));
+                                                }
+                                                let _e1122 = phi_1436_;
+                                                phi_1437_ = _e1122;
+                                            }
+                                            let _e1124 = phi_1437_;
+                                            let _e1126 = triangles.member[(0u + _e919)].v1_;
+                                            let _e1128 = triangles.member[(0u + _e919)].v0_;
+                                            let _e1131 = (_e1126.x - _e1128.x);
+                                            let _e1134 = (_e1126.y - _e1128.y);
+                                            let _e1137 = (_e1126.z - _e1128.z);
+                                            if (_e507 == 0u) {
+                                                phi_1463_ = vec3<f32>(_e1134, _e1137, _e1131);
+                                            } else {
+                                                if (_e507 == 1u) {
+                                                    phi_1462_ = vec3<f32>(_e1137, _e1131, _e1134);
+                                                } else {
+                                                    phi_1462_ = (_e1126 - _e1128);
+                                                }
+                                                let _e1144 = phi_1462_;
+                                                phi_1463_ = _e1144;
+                                            }
+                                            let _e1146 = phi_1463_;
+                                            let _e1148 = triangles.member[(0u + _e919)].v2_;
+                                            let _e1150 = triangles.member[(0u + _e919)].v0_;
+                                            let _e1153 = (_e1148.x - _e1150.x);
+                                            let _e1156 = (_e1148.y - _e1150.y);
+                                            let _e1159 = (_e1148.z - _e1150.z);
+                                            if (_e507 == 0u) {
+                                                phi_1489_ = vec3<f32>(_e1156, _e1159, _e1153);
+                                            } else {
+                                                if (_e507 == 1u) {
+                                                    phi_1488_ = vec3<f32>(_e1159, _e1153, _e1156);
+                                                } else {
+                                                    phi_1488_ = (_e1148 - _e1150);
+                                                }
+                                                let _e1166 = phi_1488_;
+                                                phi_1489_ = _e1166;
+                                            }
+                                            let _e1168 = phi_1489_;
+                                            let _e1175 = ((_e1146.y * _e1168.z) - (_e1146.z * _e1168.y));
+                                            let _e1182 = ((_e1146.z * _e1168.x) - (_e1146.x * _e1168.z));
+                                            let _e1189 = ((_e1146.x * _e1168.y) - (_e1146.y * _e1168.x));
+                                            let _e1203 = (((1f / _e515.z) * (((_e1175 * _e1124.x) + (_e1182 * _e1124.y)) + (_e1189 * _e1124.z))) / (((_e1175 * _e518) + (_e1182 * _e521)) + _e1189));
+                                            if (_e1203 > 0f) {
+                                                if (_e1203 < _e130) {
+                                                    let _e1207 = triangles.member[(0u + _e919)].v0_;
+                                                    let _e1209 = triangles.member[(0u + _e919)].v1_;
+                                                    if (_e1207.x < _e1209.x) {
+                                                        phi_1545_ = _e1207.x;
+                                                    } else {
+                                                        phi_1545_ = _e1209.x;
+                                                    }
+                                                    let _e1216 = phi_1545_;
+                                                    if (_e1207.y < _e1209.y) {
+                                                        phi_1554_ = _e1207.y;
+                                                    } else {
+                                                        phi_1554_ = _e1209.y;
+                                                    }
+                                                    let _e1223 = phi_1554_;
+                                                    if (_e1207.z < _e1209.z) {
+                                                        phi_1563_ = _e1207.z;
+                                                    } else {
+                                                        phi_1563_ = _e1209.z;
+                                                    }
+                                                    let _e1230 = phi_1563_;
+                                                    let _e1232 = triangles.member[(0u + _e919)].v2_;
+                                                    if (_e1216 < _e1232.x) {
+                                                        phi_1572_ = _e1216;
+                                                    } else {
+                                                        phi_1572_ = _e1232.x;
+                                                    }
+                                                    let _e1237 = phi_1572_;
+                                                    if (_e1223 < _e1232.y) {
+                                                        phi_1579_ = _e1223;
+                                                    } else {
+                                                        phi_1579_ = _e1232.y;
+                                                    }
+                                                    let _e1242 = phi_1579_;
+                                                    if (_e1230 < _e1232.z) {
+                                                        phi_1586_ = _e1230;
+                                                    } else {
+                                                        phi_1586_ = _e1232.z;
+                                                    }
+                                                    let _e1247 = phi_1586_;
+                                                    let _e1249 = triangles.member[(0u + _e919)].v0_;
+                                                    let _e1251 = triangles.member[(0u + _e919)].v1_;
+                                                    if (_e1249.x > _e1251.x) {
+                                                        phi_1599_ = _e1249.x;
+                                                    } else {
+                                                        phi_1599_ = _e1251.x;
+                                                    }
+                                                    let _e1258 = phi_1599_;
+                                                    if (_e1249.y > _e1251.y) {
+                                                        phi_1608_ = _e1249.y;
+                                                    } else {
+                                                        phi_1608_ = _e1251.y;
+                                                    }
+                                                    let _e1265 = phi_1608_;
+                                                    if (_e1249.z > _e1251.z) {
+                                                        phi_1617_ = _e1249.z;
+                                                    } else {
+                                                        phi_1617_ = _e1251.z;
+                                                    }
+                                                    let _e1272 = phi_1617_;
+                                                    let _e1274 = triangles.member[(0u + _e919)].v2_;
+                                                    if (_e1258 > _e1274.x) {
+                                                        phi_1626_ = _e1258;
+                                                    } else {
+                                                        phi_1626_ = _e1274.x;
+                                                    }
+                                                    let _e1279 = phi_1626_;
+                                                    if (_e1265 > _e1274.y) {
+                                                        phi_1633_ = _e1265;
+                                                    } else {
+                                                        phi_1633_ = _e1274.y;
+                                                    }
+                                                    let _e1284 = phi_1633_;
+                                                    if (_e1272 > _e1274.z) {
+                                                        phi_1640_ = _e1272;
+                                                    } else {
+                                                        phi_1640_ = _e1274.z;
+                                                    }
+                                                    let _e1289 = phi_1640_;
+                                                    let _e1293 = ((_e1237 - _e118) * _e436);
+                                                    let _e1294 = ((_e1242 - _e120) * _e446);
+                                                    let _e1295 = ((_e1247 - _e122) * _e456);
+                                                    let _e1299 = ((_e1279 - _e118) * _e436);
+                                                    let _e1300 = ((_e1284 - _e120) * _e446);
+                                                    let _e1301 = ((_e1289 - _e122) * _e456);
+                                                    if (_e1293 < _e1299) {
+                                                        phi_1657_ = _e1293;
+                                                    } else {
+                                                        phi_1657_ = _e1299;
+                                                    }
+                                                    let _e1304 = phi_1657_;
+                                                    if (_e1294 < _e1300) {
+                                                        phi_1662_ = _e1294;
+                                                    } else {
+                                                        phi_1662_ = _e1300;
+                                                    }
+                                                    let _e1307 = phi_1662_;
+                                                    if (_e1295 < _e1301) {
+                                                        phi_1667_ = _e1295;
+                                                    } else {
+                                                        phi_1667_ = _e1301;
+                                                    }
+                                                    let _e1310 = phi_1667_;
+                                                    if (_e1293 > _e1299) {
+                                                        phi_1675_ = _e1293;
+                                                    } else {
+                                                        phi_1675_ = _e1299;
+                                                    }
+                                                    let _e1316 = phi_1675_;
+                                                    if (_e1294 > _e1300) {
+                                                        phi_1680_ = _e1294;
+                                                    } else {
+                                                        phi_1680_ = _e1300;
+                                                    }
+                                                    let _e1319 = phi_1680_;
+                                                    if (_e1295 > _e1301) {
+                                                        phi_1685_ = _e1295;
+                                                    } else {
+                                                        phi_1685_ = _e1301;
+                                                    }
+                                                    let _e1322 = phi_1685_;
+                                                    let _e1326 = core_intrinsics_maximum_number_nsz_f32_((_e1304 - _e491), (_e1307 - _e492));
+                                                    let _e1327 = core_intrinsics_maximum_number_nsz_f32_(_e1326, (_e1310 - _e493));
+                                                    let _e1328 = core_intrinsics_minimum_number_nsz_f32_((_e1316 + _e491), (_e1319 + _e492));
+                                                    let _e1329 = core_intrinsics_minimum_number_nsz_f32_(_e1328, (_e1322 + _e493));
+                                                    if (_e1327 > -300000000000000000000000000000000000000f) {
+                                                        phi_1697_ = _e1327;
+                                                    } else {
+                                                        phi_1697_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1332 = phi_1697_;
+                                                    if (_e1329 < 300000000000000000000000000000000000000f) {
+                                                        phi_1702_ = _e1329;
+                                                    } else {
+                                                        phi_1702_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1335 = phi_1702_;
+                                                    if (_e1203 < _e1332) {
+                                                        phi_1707_ = _e1332;
+                                                    } else {
+                                                        phi_1707_ = _e1203;
+                                                    }
+                                                    let _e1338 = phi_1707_;
+                                                    if (_e1338 > _e1335) {
+                                                        phi_1712_ = _e1335;
+                                                    } else {
+                                                        phi_1712_ = _e1338;
+                                                    }
+                                                    let _e1341 = phi_1712_;
+                                                    phi_1717_ = lt_bvh_triangle_Intersection(_e1341, (_e1044 / _e1103), (_e1065 / _e1103), (_e1332 <= _e1335));
+                                                    phi_1718_ = false;
+                                                } else {
+                                                    phi_1717_ = lt_bvh_triangle_Intersection();
+                                                    phi_1718_ = true;
+                                                }
+                                                let _e1347 = phi_1717_;
+                                                let _e1349 = phi_1718_;
+                                                phi_1719_ = _e1347;
+                                                phi_1720_ = _e1349;
+                                            } else {
+                                                phi_1719_ = lt_bvh_triangle_Intersection();
+                                                phi_1720_ = true;
+                                            }
+                                            let _e1351 = phi_1719_;
+                                            let _e1353 = phi_1720_;
+                                            if _e1353 {
+                                            }
+                                            phi_1724_ = _e1351;
+                                            phi_1725_ = _e1353;
+                                        }
+                                        let _e1355 = phi_1724_;
+                                        let _e1357 = phi_1725_;
+                                        phi_1726_ = _e1355;
+                                        phi_1727_ = _e1106;
+                                        phi_1728_ = _e1357;
+                                    } else {
+                                        phi_1726_ = lt_bvh_triangle_Intersection();
+                                        phi_1727_ = true;
+                                        phi_1728_ = false;
+                                    }
+                                    let _e1359 = phi_1726_;
+                                    let _e1361 = phi_1727_;
+                                    let _e1363 = phi_1728_;
+                                    if _e1361 {
+                                        phi_1732_ = true;
+                                    } else {
+                                        phi_1732_ = _e1363;
+                                    }
+                                    let _e1365 = phi_1732_;
+                                    if _e1365 {
+                                        phi_1736_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_1736_ = _e1359;
+                                    }
+                                    let _e1367 = phi_1736_;
+                                    if _e1367.is_hit {
+                                        if (_e1367.t > 0f) {
+                                            if (_e1367.t < _e130) {
+                                                let _e1374 = triangles.member[(0u + _e919)].i0_;
+                                                let _e1376 = ((_e1374 & 2147483648u) == 0u);
+                                                if _e1376 {
+                                                    phi_1762_ = false;
+                                                    phi_1763_ = false;
+                                                } else {
+                                                    if true {
+                                                        phi_1761_ = false;
+                                                    } else {
+                                                        phi_1761_ = true;
+                                                    }
+                                                    let _e1378 = phi_1761_;
+                                                    phi_1762_ = _e1378;
+                                                    phi_1763_ = true;
+                                                }
+                                                let _e1380 = phi_1762_;
+                                                let _e1382 = phi_1763_;
+                                                phi_1764_ = _e1380;
+                                                phi_1765_ = _e1376;
+                                                phi_1766_ = _e1382;
+                                            } else {
+                                                phi_1764_ = true;
+                                                phi_1765_ = false;
+                                                phi_1766_ = false;
+                                            }
+                                            let _e1384 = phi_1764_;
+                                            let _e1386 = phi_1765_;
+                                            let _e1388 = phi_1766_;
+                                            phi_1767_ = false;
+                                            phi_1768_ = _e1384;
+                                            phi_1769_ = _e1386;
+                                            phi_1770_ = _e1388;
+                                        } else {
+                                            phi_1767_ = true;
+                                            phi_1768_ = false;
+                                            phi_1769_ = false;
+                                            phi_1770_ = false;
+                                        }
+                                        let _e1390 = phi_1767_;
+                                        let _e1392 = phi_1768_;
+                                        let _e1394 = phi_1769_;
+                                        let _e1396 = phi_1770_;
+                                        phi_1771_ = _e1390;
+                                        phi_1772_ = _e1392;
+                                        phi_1773_ = _e1394;
+                                        phi_1774_ = _e1396;
+                                    } else {
+                                        phi_1771_ = true;
+                                        phi_1772_ = false;
+                                        phi_1773_ = false;
+                                        phi_1774_ = false;
+                                    }
+                                    let _e1398 = phi_1771_;
+                                    let _e1400 = phi_1772_;
+                                    let _e1402 = phi_1773_;
+                                    let _e1404 = phi_1774_;
+                                    if _e1398 {
+                                        phi_1778_ = true;
+                                        phi_1779_ = false;
+                                        phi_1780_ = false;
+                                    } else {
+                                        phi_1778_ = _e1400;
+                                        phi_1779_ = _e1402;
+                                        phi_1780_ = _e1404;
+                                    }
+                                    let _e1406 = phi_1778_;
+                                    let _e1408 = phi_1779_;
+                                    let _e1410 = phi_1780_;
+                                    if _e1406 {
+                                        phi_1784_ = false;
+                                        phi_1785_ = false;
+                                    } else {
+                                        phi_1784_ = _e1408;
+                                        phi_1785_ = _e1410;
+                                    }
+                                    let _e1412 = phi_1784_;
+                                    let _e1414 = phi_1785_;
+                                    phi_1138_ = (_e883 & (_e883 - 1u));
+                                    phi_1786_ = _e1406;
+                                    phi_1787_ = _e1412;
+                                    phi_1788_ = _e1414;
+                                }
+                                let _e1416 = phi_1138_;
+                                let _e1418 = phi_1786_;
+                                let _e1420 = phi_1787_;
+                                let _e1422 = phi_1788_;
+                                local_12 = _e1420;
+                                local_13 = _e1422;
+                                continue;
+                                continuing {
+                                    phi_1137_ = _e1416;
+                                    break if !(_e1418);
+                                }
+                            }
+                            let _e1425 = local_4;
+                            if _e1425 {
+                                phi_1792_ = false;
+                                phi_1793_ = false;
+                            } else {
+                                let _e3075 = local_12;
+                                phi_1792_ = _e3075;
+                                let _e3078 = local_13;
+                                phi_1793_ = _e3078;
+                            }
+                            let _e1427 = phi_1792_;
+                            let _e1429 = phi_1793_;
+                            let _e3081 = local_14;
+                            phi_767_ = _e3081;
+                            let _e3084 = local_15;
+                            phi_770_ = _e3084;
+                            let _e3087 = local_16;
+                            phi_1794_ = _e3087;
+                            phi_1795_ = _e1427;
+                            phi_1796_ = _e1429;
                         }
-                        let _e1408 = phi_767_;
-                        let _e1410 = phi_770_;
-                        let _e1412 = phi_1774_;
-                        let _e1414 = phi_1775_;
-                        let _e1416 = phi_1776_;
-                        local_12 = _e1414;
-                        local_13 = _e1416;
+                        let _e1431 = phi_767_;
+                        let _e1433 = phi_770_;
+                        let _e1435 = phi_1794_;
+                        let _e1437 = phi_1795_;
+                        let _e1439 = phi_1796_;
+                        local_17 = _e1437;
+                        local_18 = _e1439;
                         continue;
                         continuing {
-                            phi_766_ = _e1408;
-                            phi_769_ = _e1410;
-                            break if !(_e1412);
+                            phi_766_ = _e1431;
+                            phi_769_ = _e1433;
+                            break if !(_e1435);
                         }
                     }
-                    let _e1419 = local_3;
-                    if _e1419 {
-                        phi_1780_ = false;
-                        phi_1781_ = false;
+                    let _e1442 = local_5;
+                    if _e1442 {
+                        phi_1800_ = false;
+                        phi_1801_ = false;
                     } else {
-                        let _e3054 = local_12;
-                        phi_1780_ = _e3054;
-                        let _e3057 = local_13;
-                        phi_1781_ = _e3057;
+                        let _e3093 = local_17;
+                        phi_1800_ = _e3093;
+                        let _e3096 = local_18;
+                        phi_1801_ = _e3096;
                     }
-                    let _e1421 = phi_1780_;
-                    let _e1423 = phi_1781_;
-                    if _e1421 {
-                        phi_1785_ = false;
+                    let _e1444 = phi_1800_;
+                    let _e1446 = phi_1801_;
+                    if _e1444 {
+                        phi_1805_ = false;
                     } else {
-                        phi_1785_ = _e1423;
+                        phi_1805_ = _e1446;
                     }
-                    let _e1425 = phi_1785_;
-                    if _e1425 {
-                        phi_1789_ = true;
+                    let _e1448 = phi_1805_;
+                    if _e1448 {
+                        phi_1809_ = true;
                     } else {
-                        phi_1789_ = _e1421;
+                        phi_1809_ = _e1444;
                     }
-                    let _e1427 = phi_1789_;
-                    if _e1427 {
+                    let _e1450 = phi_1809_;
+                    if _e1450 {
                     }
-                    phi_1793_ = true;
-                    phi_1794_ = _e1427;
+                    phi_1813_ = true;
+                    phi_1814_ = _e1450;
                 }
-                let _e1429 = phi_1793_;
-                let _e1431 = phi_1794_;
-                if _e1431 {
-                    phi_1798_ = _e1429;
+                let _e1452 = phi_1813_;
+                let _e1454 = phi_1814_;
+                if _e1454 {
+                    phi_1818_ = _e1452;
                 } else {
-                    phi_1798_ = false;
+                    phi_1818_ = false;
                 }
-                let _e1433 = phi_1798_;
-                phi_3255_ = _e1433;
+                let _e1456 = phi_1818_;
+                phi_3275_ = _e1456;
             } else {
-                let _e1434 = abs(_e138);
-                let _e1435 = abs(_e139);
-                let _e1436 = abs(_e140);
+                let _e1457 = abs(_e138);
+                let _e1458 = abs(_e139);
+                let _e1459 = abs(_e140);
                 if (abs(_e118) < 1000000000000000f) {
                     if (abs(_e120) < 1000000000000000f) {
-                        phi_1814_ = (abs(_e122) < 1000000000000000f);
-                        phi_1815_ = false;
+                        phi_1834_ = (abs(_e122) < 1000000000000000f);
+                        phi_1835_ = false;
                     } else {
-                        phi_1814_ = bool();
-                        phi_1815_ = true;
+                        phi_1834_ = bool();
+                        phi_1835_ = true;
                     }
-                    let _e1444 = phi_1814_;
-                    let _e1446 = phi_1815_;
-                    phi_1816_ = _e1444;
-                    phi_1817_ = _e1446;
+                    let _e1467 = phi_1834_;
+                    let _e1469 = phi_1835_;
+                    phi_1836_ = _e1467;
+                    phi_1837_ = _e1469;
                 } else {
-                    phi_1816_ = bool();
-                    phi_1817_ = true;
+                    phi_1836_ = bool();
+                    phi_1837_ = true;
                 }
-                let _e1448 = phi_1816_;
-                let _e1450 = phi_1817_;
-                if _e1450 {
-                    phi_1821_ = false;
+                let _e1471 = phi_1836_;
+                let _e1473 = phi_1837_;
+                if _e1473 {
+                    phi_1841_ = false;
                 } else {
-                    phi_1821_ = _e1448;
+                    phi_1841_ = _e1471;
                 }
-                let _e1452 = phi_1821_;
-                if _e1452 {
-                    if (_e1434 < 1000000000000000f) {
-                        if (_e1435 < 1000000000000000f) {
-                            phi_1834_ = (_e1436 < 1000000000000000f);
-                            phi_1835_ = false;
+                let _e1475 = phi_1841_;
+                if _e1475 {
+                    if (_e1457 < 1000000000000000f) {
+                        if (_e1458 < 1000000000000000f) {
+                            phi_1854_ = (_e1459 < 1000000000000000f);
+                            phi_1855_ = false;
                         } else {
-                            phi_1834_ = bool();
-                            phi_1835_ = true;
+                            phi_1854_ = bool();
+                            phi_1855_ = true;
                         }
-                        let _e1457 = phi_1834_;
-                        let _e1459 = phi_1835_;
-                        phi_1836_ = _e1457;
-                        phi_1837_ = _e1459;
+                        let _e1480 = phi_1854_;
+                        let _e1482 = phi_1855_;
+                        phi_1856_ = _e1480;
+                        phi_1857_ = _e1482;
                     } else {
-                        phi_1836_ = bool();
-                        phi_1837_ = true;
+                        phi_1856_ = bool();
+                        phi_1857_ = true;
                     }
-                    let _e1461 = phi_1836_;
-                    let _e1463 = phi_1837_;
-                    if _e1463 {
-                        phi_1841_ = false;
+                    let _e1484 = phi_1856_;
+                    let _e1486 = phi_1857_;
+                    if _e1486 {
+                        phi_1861_ = false;
                     } else {
-                        phi_1841_ = _e1461;
+                        phi_1861_ = _e1484;
                     }
-                    let _e1465 = phi_1841_;
-                    if _e1465 {
-                        if (_e1434 > 0f) {
-                            phi_1855_ = bool();
-                            phi_1856_ = true;
+                    let _e1488 = phi_1861_;
+                    if _e1488 {
+                        if (_e1457 > 0f) {
+                            phi_1875_ = bool();
+                            phi_1876_ = true;
                         } else {
-                            let _e1467 = (_e1435 > 0f);
-                            if _e1467 {
-                                phi_1854_ = bool();
+                            let _e1490 = (_e1458 > 0f);
+                            if _e1490 {
+                                phi_1874_ = bool();
                             } else {
-                                phi_1854_ = (_e1436 > 0f);
+                                phi_1874_ = (_e1459 > 0f);
                             }
-                            let _e1470 = phi_1854_;
-                            phi_1855_ = _e1470;
-                            phi_1856_ = _e1467;
+                            let _e1493 = phi_1874_;
+                            phi_1875_ = _e1493;
+                            phi_1876_ = _e1490;
                         }
-                        let _e1472 = phi_1855_;
-                        let _e1474 = phi_1856_;
-                        if _e1474 {
-                            phi_1860_ = true;
+                        let _e1495 = phi_1875_;
+                        let _e1497 = phi_1876_;
+                        if _e1497 {
+                            phi_1880_ = true;
                         } else {
-                            phi_1860_ = _e1472;
+                            phi_1880_ = _e1495;
                         }
-                        let _e1476 = phi_1860_;
-                        phi_1861_ = _e1476;
-                        phi_1862_ = false;
+                        let _e1499 = phi_1880_;
+                        phi_1881_ = _e1499;
+                        phi_1882_ = false;
                     } else {
-                        phi_1861_ = bool();
-                        phi_1862_ = true;
+                        phi_1881_ = bool();
+                        phi_1882_ = true;
                     }
-                    let _e1478 = phi_1861_;
-                    let _e1480 = phi_1862_;
-                    phi_1863_ = _e1478;
-                    phi_1864_ = _e1480;
+                    let _e1501 = phi_1881_;
+                    let _e1503 = phi_1882_;
+                    phi_1883_ = _e1501;
+                    phi_1884_ = _e1503;
                 } else {
-                    phi_1863_ = bool();
-                    phi_1864_ = true;
+                    phi_1883_ = bool();
+                    phi_1884_ = true;
                 }
-                let _e1482 = phi_1863_;
-                let _e1484 = phi_1864_;
-                if _e1484 {
-                    phi_1868_ = false;
+                let _e1505 = phi_1883_;
+                let _e1507 = phi_1884_;
+                if _e1507 {
+                    phi_1888_ = false;
                 } else {
-                    phi_1868_ = _e1482;
+                    phi_1888_ = _e1505;
                 }
-                let _e1486 = phi_1868_;
-                if _e1486 {
-                    let _e1487 = (0u >= _e71);
-                    if _e1487 {
-                        phi_3248_ = bool();
+                let _e1509 = phi_1888_;
+                if _e1509 {
+                    let _e1510 = (0u >= _e71);
+                    if _e1510 {
+                        phi_3268_ = bool();
                     } else {
                         if (0u < _e71) {
                         } else {
                             return;
                         }
-                        let _e1493 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1497 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1501 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1505 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1509 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1513 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1517 = nodes.member[(0u + 0u)].frame[3u];
-                        let _e1551 = core_intrinsics_maximum_number_nsz_f32_(abs(_e138), abs(_e139));
-                        let _e1552 = core_intrinsics_maximum_number_nsz_f32_(_e1551, abs(_e140));
-                        let _e1553 = (_e1552 * 0.0000000000009094947f);
-                        if (abs(_e138) < _e1553) {
-                            phi_1938_ = _e1553;
+                        let _e1516 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1520 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1524 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1528 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1532 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1536 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1540 = nodes.member[(0u + 0u)].frame[3u];
+                        let _e1574 = core_intrinsics_maximum_number_nsz_f32_(abs(_e138), abs(_e139));
+                        let _e1575 = core_intrinsics_maximum_number_nsz_f32_(_e1574, abs(_e140));
+                        let _e1576 = (_e1575 * 0.0000000000009094947f);
+                        if (abs(_e138) < _e1576) {
+                            phi_1958_ = _e1576;
                         } else {
-                            phi_1938_ = abs(_e138);
+                            phi_1958_ = abs(_e138);
                         }
-                        let _e1558 = phi_1938_;
+                        let _e1581 = phi_1958_;
                         if (_e138 < 0f) {
-                            phi_1945_ = (-1f / _e1558);
+                            phi_1965_ = (-1f / _e1581);
                         } else {
-                            phi_1945_ = (1f / _e1558);
+                            phi_1965_ = (1f / _e1581);
                         }
-                        let _e1563 = phi_1945_;
-                        if (abs(_e139) < _e1553) {
-                            phi_1952_ = _e1553;
+                        let _e1586 = phi_1965_;
+                        if (abs(_e139) < _e1576) {
+                            phi_1972_ = _e1576;
                         } else {
-                            phi_1952_ = abs(_e139);
+                            phi_1972_ = abs(_e139);
                         }
-                        let _e1568 = phi_1952_;
+                        let _e1591 = phi_1972_;
                         if (_e139 < 0f) {
-                            phi_1959_ = (-1f / _e1568);
+                            phi_1979_ = (-1f / _e1591);
                         } else {
-                            phi_1959_ = (1f / _e1568);
+                            phi_1979_ = (1f / _e1591);
                         }
-                        let _e1573 = phi_1959_;
-                        if (abs(_e140) < _e1553) {
-                            phi_1966_ = _e1553;
+                        let _e1596 = phi_1979_;
+                        if (abs(_e140) < _e1576) {
+                            phi_1986_ = _e1576;
                         } else {
-                            phi_1966_ = abs(_e140);
+                            phi_1986_ = abs(_e140);
                         }
-                        let _e1578 = phi_1966_;
+                        let _e1601 = phi_1986_;
                         if (_e140 < 0f) {
-                            phi_1973_ = (-1f / _e1578);
+                            phi_1993_ = (-1f / _e1601);
                         } else {
-                            phi_1973_ = (1f / _e1578);
+                            phi_1993_ = (1f / _e1601);
                         }
-                        let _e1583 = phi_1973_;
-                        let _e1587 = abs((bitcast<f32>(_e1493) - _e118));
-                        let _e1588 = abs((bitcast<f32>(_e1497) - _e120));
-                        let _e1589 = abs((bitcast<f32>(_e1501) - _e122));
-                        let _e1593 = abs(((bitcast<f32>(_e1505) + (bitcast<f32>((((_e1517 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e118));
-                        let _e1594 = abs(((bitcast<f32>(_e1509) + (bitcast<f32>((((_e1517 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e120));
-                        let _e1595 = abs(((bitcast<f32>(_e1513) + (bitcast<f32>((((_e1517 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e122));
-                        if (_e1587 > _e1593) {
-                            phi_1990_ = _e1587;
+                        let _e1606 = phi_1993_;
+                        let _e1610 = abs((bitcast<f32>(_e1516) - _e118));
+                        let _e1611 = abs((bitcast<f32>(_e1520) - _e120));
+                        let _e1612 = abs((bitcast<f32>(_e1524) - _e122));
+                        let _e1616 = abs(((bitcast<f32>(_e1528) + (bitcast<f32>((((_e1540 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e118));
+                        let _e1617 = abs(((bitcast<f32>(_e1532) + (bitcast<f32>((((_e1540 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e120));
+                        let _e1618 = abs(((bitcast<f32>(_e1536) + (bitcast<f32>((((_e1540 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e122));
+                        if (_e1610 > _e1616) {
+                            phi_2010_ = _e1610;
                         } else {
-                            phi_1990_ = _e1593;
+                            phi_2010_ = _e1616;
                         }
-                        let _e1598 = phi_1990_;
-                        if (_e1588 > _e1594) {
-                            phi_1995_ = _e1588;
+                        let _e1621 = phi_2010_;
+                        if (_e1611 > _e1617) {
+                            phi_2015_ = _e1611;
                         } else {
-                            phi_1995_ = _e1594;
+                            phi_2015_ = _e1617;
                         }
-                        let _e1601 = phi_1995_;
-                        if (_e1589 > _e1595) {
-                            phi_2000_ = _e1589;
+                        let _e1624 = phi_2015_;
+                        if (_e1612 > _e1618) {
+                            phi_2020_ = _e1612;
                         } else {
-                            phi_2000_ = _e1595;
+                            phi_2020_ = _e1618;
                         }
-                        let _e1604 = phi_2000_;
-                        if (_e1598 > _e1601) {
-                            phi_2005_ = _e1598;
+                        let _e1627 = phi_2020_;
+                        if (_e1621 > _e1624) {
+                            phi_2025_ = _e1621;
                         } else {
-                            phi_2005_ = _e1601;
+                            phi_2025_ = _e1624;
                         }
-                        let _e1607 = phi_2005_;
-                        if (_e1607 > _e1604) {
-                            phi_2010_ = _e1607;
+                        let _e1630 = phi_2025_;
+                        if (_e1630 > _e1627) {
+                            phi_2030_ = _e1630;
                         } else {
-                            phi_2010_ = _e1604;
+                            phi_2030_ = _e1627;
                         }
-                        let _e1610 = phi_2010_;
-                        let _e1614 = (_e1610 * 0.0000019073486f);
-                        let _e1615 = (abs(_e1563) * _e1614);
-                        let _e1616 = (abs(_e1573) * _e1614);
-                        let _e1617 = (abs(_e1583) * _e1614);
-                        let _e1621 = (_e1610 * 0.0000009536743f);
-                        let _e1622 = (abs(_e1563) * _e1621);
-                        let _e1623 = (abs(_e1573) * _e1621);
-                        let _e1624 = (abs(_e1583) * _e1621);
-                        let _e1625 = abs(_e138);
-                        let _e1626 = abs(_e139);
-                        let _e1627 = abs(_e140);
-                        if (_e1625 >= _e1626) {
-                            if (_e1625 >= _e1627) {
-                                phi_2036_ = false;
+                        let _e1633 = phi_2030_;
+                        let _e1637 = (_e1633 * 0.0000019073486f);
+                        let _e1638 = (abs(_e1586) * _e1637);
+                        let _e1639 = (abs(_e1596) * _e1637);
+                        let _e1640 = (abs(_e1606) * _e1637);
+                        let _e1644 = (_e1633 * 0.0000009536743f);
+                        let _e1645 = (abs(_e1586) * _e1644);
+                        let _e1646 = (abs(_e1596) * _e1644);
+                        let _e1647 = (abs(_e1606) * _e1644);
+                        let _e1648 = abs(_e138);
+                        let _e1649 = abs(_e139);
+                        let _e1650 = abs(_e140);
+                        if (_e1648 >= _e1649) {
+                            if (_e1648 >= _e1650) {
+                                phi_2056_ = false;
                             } else {
-                                phi_2036_ = true;
+                                phi_2056_ = true;
                             }
-                            let _e1631 = phi_2036_;
-                            phi_2037_ = _e1631;
+                            let _e1654 = phi_2056_;
+                            phi_2057_ = _e1654;
                         } else {
-                            phi_2037_ = true;
+                            phi_2057_ = true;
                         }
-                        let _e1633 = phi_2037_;
-                        if _e1633 {
-                            if (_e1626 >= _e1627) {
-                                phi_2045_ = 1u;
+                        let _e1656 = phi_2057_;
+                        if _e1656 {
+                            if (_e1649 >= _e1650) {
+                                phi_2065_ = 1u;
                             } else {
-                                phi_2045_ = 2u;
+                                phi_2065_ = 2u;
                             }
-                            let _e1636 = phi_2045_;
-                            phi_2046_ = _e1636;
+                            let _e1659 = phi_2065_;
+                            phi_2066_ = _e1659;
                         } else {
-                            phi_2046_ = 0u;
+                            phi_2066_ = 0u;
                         }
-                        let _e1638 = phi_2046_;
-                        if (_e1638 == 0u) {
-                            phi_2058_ = vec3<f32>(_e139, _e140, _e138);
+                        let _e1661 = phi_2066_;
+                        if (_e1661 == 0u) {
+                            phi_2078_ = vec3<f32>(_e139, _e140, _e138);
                         } else {
-                            if (_e1638 == 1u) {
-                                phi_2057_ = vec3<f32>(_e140, _e138, _e139);
+                            if (_e1661 == 1u) {
+                                phi_2077_ = vec3<f32>(_e140, _e138, _e139);
                             } else {
-                                phi_2057_ = _e141;
+                                phi_2077_ = _e141;
                             }
-                            let _e1644 = phi_2057_;
-                            phi_2058_ = _e1644;
+                            let _e1667 = phi_2077_;
+                            phi_2078_ = _e1667;
                         }
-                        let _e1646 = phi_2058_;
-                        let _e1649 = (_e1646.x / _e1646.z);
-                        let _e1652 = (_e1646.y / _e1646.z);
-                        if (_e1563 < 0f) {
-                            phi_2071_ = 0u;
+                        let _e1669 = phi_2078_;
+                        let _e1672 = (_e1669.x / _e1669.z);
+                        let _e1675 = (_e1669.y / _e1669.z);
+                        if (_e1586 < 0f) {
+                            phi_2091_ = 0u;
                         } else {
-                            phi_2071_ = 1u;
+                            phi_2091_ = 1u;
                         }
-                        let _e1657 = phi_2071_;
-                        if (_e1573 < 0f) {
-                            phi_2076_ = 0u;
+                        let _e1680 = phi_2091_;
+                        if (_e1596 < 0f) {
+                            phi_2096_ = 0u;
                         } else {
-                            phi_2076_ = 2u;
+                            phi_2096_ = 2u;
                         }
-                        let _e1660 = phi_2076_;
-                        if (_e1583 < 0f) {
-                            phi_2081_ = 0u;
+                        let _e1683 = phi_2096_;
+                        if (_e1606 < 0f) {
+                            phi_2101_ = 0u;
                         } else {
-                            phi_2081_ = 4u;
+                            phi_2101_ = 4u;
                         }
-                        let _e1663 = phi_2081_;
-                        let _e1665 = ((_e1657 | _e1660) | _e1663);
-                        let _e1666 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1666.first[0], _e1666.first[1], _e1666.first[2], _e1666.first[3], _e1666.first[4], _e1666.first[5], _e1666.first[6], _e1666.first[7], _e1666.first[8], _e1666.first[9], _e1666.first[10], _e1666.first[11], _e1666.first[12], _e1666.first[13], _e1666.first[14], _e1666.first[15], _e1666.first[16], _e1666.first[17], _e1666.first[18], _e1666.first[19], _e1666.first[20], _e1666.first[21], _e1666.first[22], _e1666.first[23], _e1666.first[24], _e1666.first[25], _e1666.first[26], _e1666.first[27], _e1666.first[28], _e1666.first[29], _e1666.first[30], _e1666.first[31]), array<u32, 32>(_e1666.mask[0], _e1666.mask[1], _e1666.mask[2], _e1666.mask[3], _e1666.mask[4], _e1666.mask[5], _e1666.mask[6], _e1666.mask[7], _e1666.mask[8], _e1666.mask[9], _e1666.mask[10], _e1666.mask[11], _e1666.mask[12], _e1666.mask[13], _e1666.mask[14], _e1666.mask[15], _e1666.mask[16], _e1666.mask[17], _e1666.mask[18], _e1666.mask[19], _e1666.mask[20], _e1666.mask[21], _e1666.mask[22], _e1666.mask[23], _e1666.mask[24], _e1666.mask[25], _e1666.mask[26], _e1666.mask[27], _e1666.mask[28], _e1666.mask[29], _e1666.mask[30], _e1666.mask[31]), _e1666.len, _e1666.group, _e1666.group_mask);
-                        let _e1740 = local.group_mask;
-                        if ((_e1740 & 4278190080u) == 0u) {
-                            let _e1744 = local.len;
-                            if (_e1744 == 0u) {
-                                phi_2195_ = false;
+                        let _e1686 = phi_2101_;
+                        let _e1688 = ((_e1680 | _e1683) | _e1686);
+                        let _e1689 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1689.first[0], _e1689.first[1], _e1689.first[2], _e1689.first[3], _e1689.first[4], _e1689.first[5], _e1689.first[6], _e1689.first[7], _e1689.first[8], _e1689.first[9], _e1689.first[10], _e1689.first[11], _e1689.first[12], _e1689.first[13], _e1689.first[14], _e1689.first[15], _e1689.first[16], _e1689.first[17], _e1689.first[18], _e1689.first[19], _e1689.first[20], _e1689.first[21], _e1689.first[22], _e1689.first[23], _e1689.first[24], _e1689.first[25], _e1689.first[26], _e1689.first[27], _e1689.first[28], _e1689.first[29], _e1689.first[30], _e1689.first[31]), array<u32, 32>(_e1689.mask[0], _e1689.mask[1], _e1689.mask[2], _e1689.mask[3], _e1689.mask[4], _e1689.mask[5], _e1689.mask[6], _e1689.mask[7], _e1689.mask[8], _e1689.mask[9], _e1689.mask[10], _e1689.mask[11], _e1689.mask[12], _e1689.mask[13], _e1689.mask[14], _e1689.mask[15], _e1689.mask[16], _e1689.mask[17], _e1689.mask[18], _e1689.mask[19], _e1689.mask[20], _e1689.mask[21], _e1689.mask[22], _e1689.mask[23], _e1689.mask[24], _e1689.mask[25], _e1689.mask[26], _e1689.mask[27], _e1689.mask[28], _e1689.mask[29], _e1689.mask[30], _e1689.mask[31]), _e1689.len, _e1689.group, _e1689.group_mask);
+                        let _e1763 = local.group_mask;
+                        if ((_e1763 & 4278190080u) == 0u) {
+                            let _e1767 = local.len;
+                            if (_e1767 == 0u) {
+                                phi_2215_ = false;
                             } else {
-                                let _e1748 = local.len;
-                                local.len = (_e1748 - 1u);
-                                let _e1751 = local.len;
-                                if (_e1751 < 32u) {
+                                let _e1771 = local.len;
+                                local.len = (_e1771 - 1u);
+                                let _e1774 = local.len;
+                                if (_e1774 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1756 = local.first[(0u + _e1751)];
-                                local.group = _e1756;
-                                let _e1759 = local.len;
-                                if (_e1759 < 32u) {
+                                let _e1779 = local.first[(0u + _e1774)];
+                                local.group = _e1779;
+                                let _e1782 = local.len;
+                                if (_e1782 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1764 = local.mask[(0u + _e1759)];
-                                local.group_mask = _e1764;
-                                phi_2195_ = true;
+                                let _e1787 = local.mask[(0u + _e1782)];
+                                local.group_mask = _e1787;
+                                phi_2215_ = true;
                             }
-                            let _e1767 = phi_2195_;
-                            phi_2196_ = _e1767;
+                            let _e1790 = phi_2215_;
+                            phi_2216_ = _e1790;
                         } else {
-                            phi_2196_ = true;
+                            phi_2216_ = true;
                         }
-                        let _e1769 = phi_2196_;
-                        if _e1769 {
-                            let _e1771 = local.group_mask;
-                            let _e1777 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1771)), 32u, (_e1771 == 0u)));
-                            let _e1781 = local.group_mask;
-                            let _e1795 = local.group_mask;
-                            local.group_mask = (_e1795 & ~((1u << bitcast<u32>((_e1777 & 31u)))));
-                            let _e1798 = local.group;
-                            phi_2227_ = (_e1798 + countOneBits(((_e1781 & ~((4294967295u << bitcast<u32>((((_e1777 - 24u) ^ 7u) & 31u))))) & 255u)));
+                        let _e1792 = phi_2216_;
+                        if _e1792 {
+                            let _e1794 = local.group_mask;
+                            let _e1800 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1794)), 32u, (_e1794 == 0u)));
+                            let _e1804 = local.group_mask;
+                            let _e1818 = local.group_mask;
+                            local.group_mask = (_e1818 & ~((1u << bitcast<u32>((_e1800 & 31u)))));
+                            let _e1821 = local.group;
+                            phi_2247_ = (_e1821 + countOneBits(((_e1804 & ~((4294967295u << bitcast<u32>((((_e1800 - 24u) ^ 7u) & 31u))))) & 255u)));
                         } else {
-                            phi_2227_ = 4294967295u;
+                            phi_2247_ = 4294967295u;
                         }
-                        let _e1801 = phi_2227_;
-                        phi_2229_ = _e1801;
-                        phi_2232_ = false;
+                        let _e1824 = phi_2247_;
+                        phi_2249_ = _e1824;
+                        phi_2252_ = false;
                         loop {
-                            let _e1803 = phi_2229_;
-                            let _e1805 = phi_2232_;
-                            local_16 = _e1805;
-                            if (_e1803 != 4294967295u) {
-                                if (_e1803 < _e71) {
+                            let _e1826 = phi_2249_;
+                            let _e1828 = phi_2252_;
+                            local_21 = _e1828;
+                            if (_e1826 != 4294967295u) {
+                                if (_e1826 < _e71) {
                                 } else {
                                     return;
                                 }
-                                let _e1812 = nodes.member[(0u + _e1803)].frame[3u];
-                                let _e1837 = (bitcast<f32>((((_e1812 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1563);
-                                let _e1838 = (bitcast<f32>((((_e1812 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1573);
-                                let _e1839 = (bitcast<f32>((((_e1812 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1583);
-                                let _e1842 = nodes.member[(0u + _e1803)].frame[0u];
-                                let _e1846 = nodes.member[(0u + _e1803)].frame[1u];
-                                let _e1850 = nodes.member[(0u + _e1803)].frame[2u];
-                                let _e1855 = ((bitcast<f32>(_e1842) - _e118) * _e1563);
-                                let _e1856 = ((bitcast<f32>(_e1846) - _e120) * _e1573);
-                                let _e1857 = ((bitcast<f32>(_e1850) - _e122) * _e1583);
-                                let _e1865 = nodes.member[(0u + _e1803)].x;
-                                if (_e1563 < 0f) {
-                                    let _e1876 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1865.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1882 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1876.unnamed.word, _e1865.w), _e1876.unnamed_1);
-                                    let _e1888 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1882.unnamed, lt_mask_LightPlace(_e1865.x, _e1882.unnamed_1.shift));
-                                    phi_2312_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1888.unnamed, lt_mask_LightPlace(_e1888.unnamed_1.word, _e1865.y));
+                                let _e1835 = nodes.member[(0u + _e1826)].frame[3u];
+                                let _e1860 = (bitcast<f32>((((_e1835 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1586);
+                                let _e1861 = (bitcast<f32>((((_e1835 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1596);
+                                let _e1862 = (bitcast<f32>((((_e1835 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1606);
+                                let _e1865 = nodes.member[(0u + _e1826)].frame[0u];
+                                let _e1869 = nodes.member[(0u + _e1826)].frame[1u];
+                                let _e1873 = nodes.member[(0u + _e1826)].frame[2u];
+                                let _e1878 = ((bitcast<f32>(_e1865) - _e118) * _e1586);
+                                let _e1879 = ((bitcast<f32>(_e1869) - _e120) * _e1596);
+                                let _e1880 = ((bitcast<f32>(_e1873) - _e122) * _e1606);
+                                let _e1888 = nodes.member[(0u + _e1826)].x;
+                                if (_e1586 < 0f) {
+                                    let _e1899 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1888.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e1905 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1899.unnamed.word, _e1888.w), _e1899.unnamed_1);
+                                    let _e1911 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1905.unnamed, lt_mask_LightPlace(_e1888.x, _e1905.unnamed_1.shift));
+                                    phi_2332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1911.unnamed, lt_mask_LightPlace(_e1911.unnamed_1.word, _e1888.y));
                                 } else {
-                                    let _e1904 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1865.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1910 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1904.unnamed.word, _e1865.y), _e1904.unnamed_1);
-                                    let _e1916 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1910.unnamed, lt_mask_LightPlace(_e1865.z, _e1910.unnamed_1.shift));
-                                    phi_2312_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1916.unnamed, lt_mask_LightPlace(_e1916.unnamed_1.word, _e1865.w));
+                                    let _e1927 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1888.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e1933 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1927.unnamed.word, _e1888.y), _e1927.unnamed_1);
+                                    let _e1939 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1933.unnamed, lt_mask_LightPlace(_e1888.z, _e1933.unnamed_1.shift));
+                                    phi_2332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1939.unnamed, lt_mask_LightPlace(_e1939.unnamed_1.word, _e1888.w));
                                 }
-                                let _e1924 = phi_2312_;
-                                let _e1934 = nodes.member[(0u + _e1803)].y;
-                                if (_e1573 < 0f) {
-                                    let _e1945 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1934.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1951 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1945.unnamed.word, _e1934.w), _e1945.unnamed_1);
-                                    let _e1957 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1951.unnamed, lt_mask_LightPlace(_e1934.x, _e1951.unnamed_1.shift));
-                                    phi_2339_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1957.unnamed, lt_mask_LightPlace(_e1957.unnamed_1.word, _e1934.y));
+                                let _e1947 = phi_2332_;
+                                let _e1957 = nodes.member[(0u + _e1826)].y;
+                                if (_e1596 < 0f) {
+                                    let _e1968 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1957.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e1974 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1968.unnamed.word, _e1957.w), _e1968.unnamed_1);
+                                    let _e1980 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1974.unnamed, lt_mask_LightPlace(_e1957.x, _e1974.unnamed_1.shift));
+                                    phi_2359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1980.unnamed, lt_mask_LightPlace(_e1980.unnamed_1.word, _e1957.y));
                                 } else {
-                                    let _e1973 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1934.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1979 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1973.unnamed.word, _e1934.y), _e1973.unnamed_1);
-                                    let _e1985 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1979.unnamed, lt_mask_LightPlace(_e1934.z, _e1979.unnamed_1.shift));
-                                    phi_2339_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1985.unnamed, lt_mask_LightPlace(_e1985.unnamed_1.word, _e1934.w));
+                                    let _e1996 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1957.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2002 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1996.unnamed.word, _e1957.y), _e1996.unnamed_1);
+                                    let _e2008 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2002.unnamed, lt_mask_LightPlace(_e1957.z, _e2002.unnamed_1.shift));
+                                    phi_2359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2008.unnamed, lt_mask_LightPlace(_e2008.unnamed_1.word, _e1957.w));
                                 }
-                                let _e1993 = phi_2339_;
-                                let _e2003 = nodes.member[(0u + _e1803)].z;
-                                if (_e1583 < 0f) {
-                                    let _e2014 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2003.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2020 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2014.unnamed.word, _e2003.w), _e2014.unnamed_1);
-                                    let _e2026 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2020.unnamed, lt_mask_LightPlace(_e2003.x, _e2020.unnamed_1.shift));
-                                    phi_2366_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2026.unnamed, lt_mask_LightPlace(_e2026.unnamed_1.word, _e2003.y));
+                                let _e2016 = phi_2359_;
+                                let _e2026 = nodes.member[(0u + _e1826)].z;
+                                if (_e1606 < 0f) {
+                                    let _e2037 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2026.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2043 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2037.unnamed.word, _e2026.w), _e2037.unnamed_1);
+                                    let _e2049 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2043.unnamed, lt_mask_LightPlace(_e2026.x, _e2043.unnamed_1.shift));
+                                    phi_2386_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2049.unnamed, lt_mask_LightPlace(_e2049.unnamed_1.word, _e2026.y));
                                 } else {
-                                    let _e2042 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2003.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2048 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2042.unnamed.word, _e2003.y), _e2042.unnamed_1);
-                                    let _e2054 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2048.unnamed, lt_mask_LightPlace(_e2003.z, _e2048.unnamed_1.shift));
-                                    phi_2366_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2054.unnamed, lt_mask_LightPlace(_e2054.unnamed_1.word, _e2003.w));
+                                    let _e2065 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2026.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2071 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2065.unnamed.word, _e2026.y), _e2065.unnamed_1);
+                                    let _e2077 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2071.unnamed, lt_mask_LightPlace(_e2026.z, _e2071.unnamed_1.shift));
+                                    phi_2386_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2077.unnamed, lt_mask_LightPlace(_e2077.unnamed_1.word, _e2026.w));
                                 }
-                                let _e2062 = phi_2366_;
-                                phi_2372_ = 0u;
-                                phi_2375_ = 0u;
+                                let _e2085 = phi_2386_;
+                                phi_2392_ = 0u;
+                                phi_2395_ = 0u;
                                 loop {
-                                    let _e2072 = phi_2372_;
-                                    let _e2074 = phi_2375_;
-                                    local_4 = _e2074;
-                                    local_5 = _e2074;
-                                    local_6 = _e2074;
-                                    let _e2075 = (_e2072 < 8u);
-                                    if _e2075 {
-                                        let _e2077 = (_e2072 >> bitcast<u32>(2i));
-                                        let _e2078 = (_e2072 & 3u);
-                                        if (_e2077 == 0u) {
-                                            phi_2389_ = _e1924.unnamed.word;
+                                    let _e2095 = phi_2392_;
+                                    let _e2097 = phi_2395_;
+                                    local_6 = _e2097;
+                                    local_7 = _e2097;
+                                    local_8 = _e2097;
+                                    let _e2098 = (_e2095 < 8u);
+                                    if _e2098 {
+                                        let _e2100 = (_e2095 >> bitcast<u32>(2i));
+                                        let _e2101 = (_e2095 & 3u);
+                                        if (_e2100 == 0u) {
+                                            phi_2409_ = _e1947.unnamed.word;
                                         } else {
-                                            phi_2389_ = _e1924.unnamed.shift;
+                                            phi_2409_ = _e1947.unnamed.shift;
                                         }
-                                        let _e2081 = phi_2389_;
-                                        if (_e2077 == 0u) {
-                                            phi_2399_ = _e1993.unnamed.word;
+                                        let _e2104 = phi_2409_;
+                                        if (_e2100 == 0u) {
+                                            phi_2419_ = _e2016.unnamed.word;
                                         } else {
-                                            phi_2399_ = _e1993.unnamed.shift;
+                                            phi_2419_ = _e2016.unnamed.shift;
                                         }
-                                        let _e2090 = phi_2399_;
-                                        if (_e2077 == 0u) {
-                                            phi_2409_ = _e2062.unnamed.word;
+                                        let _e2113 = phi_2419_;
+                                        if (_e2100 == 0u) {
+                                            phi_2429_ = _e2085.unnamed.word;
                                         } else {
-                                            phi_2409_ = _e2062.unnamed.shift;
+                                            phi_2429_ = _e2085.unnamed.shift;
                                         }
-                                        let _e2099 = phi_2409_;
-                                        let _e2112 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2081 >> bitcast<u32>(((_e2078 * 8u) & 31u))) & 255u)) * _e1837) + (_e1855 - _e1615)), ((f32(((_e2090 >> bitcast<u32>(((_e2078 * 8u) & 31u))) & 255u)) * _e1838) + (_e1856 - _e1616)));
-                                        let _e2113 = core_intrinsics_maximum_number_nsz_f32_(_e2112, ((f32(((_e2099 >> bitcast<u32>(((_e2078 * 8u) & 31u))) & 255u)) * _e1839) + (_e1857 - _e1617)));
-                                        if (_e2077 == 0u) {
-                                            phi_2427_ = _e1924.unnamed_1.word;
+                                        let _e2122 = phi_2429_;
+                                        let _e2135 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2104 >> bitcast<u32>(((_e2101 * 8u) & 31u))) & 255u)) * _e1860) + (_e1878 - _e1638)), ((f32(((_e2113 >> bitcast<u32>(((_e2101 * 8u) & 31u))) & 255u)) * _e1861) + (_e1879 - _e1639)));
+                                        let _e2136 = core_intrinsics_maximum_number_nsz_f32_(_e2135, ((f32(((_e2122 >> bitcast<u32>(((_e2101 * 8u) & 31u))) & 255u)) * _e1862) + (_e1880 - _e1640)));
+                                        if (_e2100 == 0u) {
+                                            phi_2447_ = _e1947.unnamed_1.word;
                                         } else {
-                                            phi_2427_ = _e1924.unnamed_1.shift;
+                                            phi_2447_ = _e1947.unnamed_1.shift;
                                         }
-                                        let _e2116 = phi_2427_;
-                                        if (_e2077 == 0u) {
-                                            phi_2437_ = _e1993.unnamed_1.word;
+                                        let _e2139 = phi_2447_;
+                                        if (_e2100 == 0u) {
+                                            phi_2457_ = _e2016.unnamed_1.word;
                                         } else {
-                                            phi_2437_ = _e1993.unnamed_1.shift;
+                                            phi_2457_ = _e2016.unnamed_1.shift;
                                         }
-                                        let _e2125 = phi_2437_;
-                                        if (_e2077 == 0u) {
-                                            phi_2447_ = _e2062.unnamed_1.word;
+                                        let _e2148 = phi_2457_;
+                                        if (_e2100 == 0u) {
+                                            phi_2467_ = _e2085.unnamed_1.word;
                                         } else {
-                                            phi_2447_ = _e2062.unnamed_1.shift;
+                                            phi_2467_ = _e2085.unnamed_1.shift;
                                         }
-                                        let _e2134 = phi_2447_;
-                                        let _e2147 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2116 >> bitcast<u32>(((_e2078 * 8u) & 31u))) & 255u)) * _e1837) + (_e1855 + _e1615)), ((f32(((_e2125 >> bitcast<u32>(((_e2078 * 8u) & 31u))) & 255u)) * _e1838) + (_e1856 + _e1616)));
-                                        let _e2148 = core_intrinsics_minimum_number_nsz_f32_(_e2147, ((f32(((_e2134 >> bitcast<u32>(((_e2078 * 8u) & 31u))) & 255u)) * _e1839) + (_e1857 + _e1617)));
-                                        if (_e2113 <= _e2148) {
-                                            if (_e2113 <= _e130) {
-                                                if (_e2148 >= 0f) {
-                                                    if (_e2077 == 0u) {
-                                                        let _e2155 = nodes.member[(0u + _e1803)].links[2u];
-                                                        phi_2483_ = _e2155;
+                                        let _e2157 = phi_2467_;
+                                        let _e2170 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2139 >> bitcast<u32>(((_e2101 * 8u) & 31u))) & 255u)) * _e1860) + (_e1878 + _e1638)), ((f32(((_e2148 >> bitcast<u32>(((_e2101 * 8u) & 31u))) & 255u)) * _e1861) + (_e1879 + _e1639)));
+                                        let _e2171 = core_intrinsics_minimum_number_nsz_f32_(_e2170, ((f32(((_e2157 >> bitcast<u32>(((_e2101 * 8u) & 31u))) & 255u)) * _e1862) + (_e1880 + _e1640)));
+                                        if (_e2136 <= _e2171) {
+                                            if (_e2136 <= _e130) {
+                                                if (_e2171 >= 0f) {
+                                                    if (_e2100 == 0u) {
+                                                        let _e2178 = nodes.member[(0u + _e1826)].links[2u];
+                                                        phi_2503_ = _e2178;
                                                     } else {
-                                                        let _e2158 = nodes.member[(0u + _e1803)].links[3u];
-                                                        phi_2483_ = _e2158;
+                                                        let _e2181 = nodes.member[(0u + _e1826)].links[3u];
+                                                        phi_2503_ = _e2181;
                                                     }
-                                                    let _e2160 = phi_2483_;
-                                                    let _e2165 = ((_e2160 >> bitcast<u32>(((_e2078 * 8u) & 31u))) & 255u);
-                                                    let _e2166 = (_e2165 & 31u);
-                                                    if (_e2166 >= 24u) {
-                                                        phi_2496_ = (24u + ((_e2166 - 24u) ^ _e1665));
+                                                    let _e2183 = phi_2503_;
+                                                    let _e2188 = ((_e2183 >> bitcast<u32>(((_e2101 * 8u) & 31u))) & 255u);
+                                                    let _e2189 = (_e2188 & 31u);
+                                                    if (_e2189 >= 24u) {
+                                                        phi_2516_ = (24u + ((_e2189 - 24u) ^ _e1688));
                                                     } else {
-                                                        phi_2496_ = _e2166;
+                                                        phi_2516_ = _e2189;
                                                     }
-                                                    let _e2172 = phi_2496_;
-                                                    phi_2501_ = (_e2074 | ((_e2165 >> bitcast<u32>(5i)) << bitcast<u32>((_e2172 & 31u))));
+                                                    let _e2195 = phi_2516_;
+                                                    phi_2521_ = (_e2097 | ((_e2188 >> bitcast<u32>(5i)) << bitcast<u32>((_e2195 & 31u))));
                                                 } else {
-                                                    phi_2501_ = _e2074;
+                                                    phi_2521_ = _e2097;
                                                 }
-                                                let _e2180 = phi_2501_;
-                                                phi_2502_ = _e2180;
+                                                let _e2203 = phi_2521_;
+                                                phi_2522_ = _e2203;
                                             } else {
-                                                phi_2502_ = _e2074;
+                                                phi_2522_ = _e2097;
                                             }
-                                            let _e2182 = phi_2502_;
-                                            phi_2503_ = _e2182;
+                                            let _e2205 = phi_2522_;
+                                            phi_2523_ = _e2205;
                                         } else {
-                                            phi_2503_ = _e2074;
+                                            phi_2523_ = _e2097;
                                         }
-                                        let _e2184 = phi_2503_;
-                                        phi_2373_ = (_e2072 + 1u);
-                                        phi_2376_ = _e2184;
+                                        let _e2207 = phi_2523_;
+                                        phi_2393_ = (_e2095 + 1u);
+                                        phi_2396_ = _e2207;
                                     } else {
-                                        phi_2373_ = u32();
-                                        phi_2376_ = u32();
+                                        phi_2393_ = u32();
+                                        phi_2396_ = u32();
                                     }
-                                    let _e2187 = phi_2373_;
-                                    let _e2189 = phi_2376_;
+                                    let _e2210 = phi_2393_;
+                                    let _e2212 = phi_2396_;
                                     continue;
                                     continuing {
-                                        phi_2372_ = _e2187;
-                                        phi_2375_ = _e2189;
-                                        break if !(_e2075);
+                                        phi_2392_ = _e2210;
+                                        phi_2395_ = _e2212;
+                                        break if !(_e2098);
                                     }
                                 }
-                                let _e2193 = nodes.member[(0u + _e1803)].links[0u];
-                                let _e2197 = nodes.member[(0u + _e1803)].frame[3u];
-                                let _e2201 = local_4;
-                                if ((_e2201 & 4278190080u) == 0u) {
+                                let _e2216 = nodes.member[(0u + _e1826)].links[0u];
+                                let _e2220 = nodes.member[(0u + _e1826)].frame[3u];
+                                let _e2224 = local_6;
+                                if ((_e2224 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e2205 = local.group_mask;
-                                    if ((_e2205 & 4278190080u) == 0u) {
+                                    let _e2228 = local.group_mask;
+                                    if ((_e2228 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2209 = local.len;
-                                        if (_e2209 < 32u) {
-                                            let _e2212 = local.group;
-                                            let _e2214 = local.len;
-                                            if (_e2214 < 32u) {
+                                        let _e2232 = local.len;
+                                        if (_e2232 < 32u) {
+                                            let _e2235 = local.group;
+                                            let _e2237 = local.len;
+                                            if (_e2237 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local.first[(0u + _e2214)] = _e2212;
-                                            let _e2220 = local.group_mask;
-                                            let _e2222 = local.len;
-                                            if (_e2222 < 32u) {
+                                            local.first[(0u + _e2237)] = _e2235;
+                                            let _e2243 = local.group_mask;
+                                            let _e2245 = local.len;
+                                            if (_e2245 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local.mask[(0u + _e2222)] = _e2220;
-                                            let _e2229 = local.len;
-                                            local.len = (_e2229 + 1u);
+                                            local.mask[(0u + _e2245)] = _e2243;
+                                            let _e2252 = local.len;
+                                            local.len = (_e2252 + 1u);
                                         }
                                     }
-                                    local.group = (0u + _e2193);
-                                    let _e2233 = local_5;
-                                    local.group_mask = ((_e2233 & 4278190080u) | (_e2197 >> bitcast<u32>(24i)));
+                                    local.group = (0u + _e2216);
+                                    let _e2256 = local_7;
+                                    local.group_mask = ((_e2256 & 4278190080u) | (_e2220 >> bitcast<u32>(24i)));
                                 }
-                                let _e2238 = local_6;
-                                phi_2561_ = (_e2238 & 16777215u);
-                                phi_2564_ = _e1805;
+                                let _e2261 = local_8;
+                                phi_2581_ = (_e2261 & 16777215u);
+                                phi_2584_ = _e1828;
                                 loop {
-                                    let _e2241 = phi_2561_;
-                                    let _e2243 = phi_2564_;
-                                    local_14 = _e2243;
-                                    let _e2244 = (_e2241 == 0u);
-                                    local_7 = _e2244;
-                                    local_15 = _e2244;
-                                    if _e2244 {
-                                        phi_2562_ = u32();
-                                        phi_2565_ = bool();
-                                        phi_3162_ = false;
+                                    let _e2264 = phi_2581_;
+                                    let _e2266 = phi_2584_;
+                                    local_19 = _e2266;
+                                    let _e2267 = (_e2264 == 0u);
+                                    local_9 = _e2267;
+                                    local_20 = _e2267;
+                                    if _e2267 {
+                                        phi_2582_ = u32();
+                                        phi_2585_ = bool();
+                                        phi_3182_ = false;
                                     } else {
-                                        let _e2247 = nodes.member[(0u + _e1803)].links[1u];
-                                        let _e2252 = ((0u + _e2247) + select(firstTrailingBit(_e2241), 32u, (_e2241 == 0u)));
-                                        if (_e2252 < _e74) {
+                                        let _e2270 = nodes.member[(0u + _e1826)].links[1u];
+                                        let _e2275 = ((0u + _e2270) + select(firstTrailingBit(_e2264), 32u, (_e2264 == 0u)));
+                                        if (_e2275 < _e74) {
                                         } else {
                                             return;
                                         }
-                                        let _e2259 = triangles.member[(0u + _e2252)].v0_;
-                                        let _e2261 = (_e2259.x - _e118);
-                                        let _e2263 = (_e2259.y - _e120);
-                                        let _e2265 = (_e2259.z - _e122);
-                                        if (_e1638 == 0u) {
-                                            phi_2609_ = vec3<f32>(_e2263, _e2265, _e2261);
+                                        let _e2282 = triangles.member[(0u + _e2275)].v0_;
+                                        let _e2284 = (_e2282.x - _e118);
+                                        let _e2286 = (_e2282.y - _e120);
+                                        let _e2288 = (_e2282.z - _e122);
+                                        if (_e1661 == 0u) {
+                                            phi_2629_ = vec3<f32>(_e2286, _e2288, _e2284);
                                         } else {
-                                            if (_e1638 == 1u) {
-                                                phi_2608_ = vec3<f32>(_e2265, _e2261, _e2263);
+                                            if (_e1661 == 1u) {
+                                                phi_2628_ = vec3<f32>(_e2288, _e2284, _e2286);
                                             } else {
-                                                phi_2608_ = (_e2259 - vec3<f32>(_e118, _e120, _e122));
+                                                phi_2628_ = (_e2282 - vec3<f32>(_e118, _e120, _e122));
                                             }
-                                            let _e2273 = phi_2608_;
-                                            phi_2609_ = _e2273;
+                                            let _e2296 = phi_2628_;
+                                            phi_2629_ = _e2296;
                                         }
-                                        let _e2275 = phi_2609_;
-                                        let _e2279 = (_e2275.x - (_e1649 * _e2275.z));
-                                        let _e2283 = (_e2275.y - (_e1652 * _e2275.z));
-                                        let _e2285 = triangles.member[(0u + _e2252)].v1_;
-                                        let _e2287 = (_e2285.x - _e118);
-                                        let _e2289 = (_e2285.y - _e120);
-                                        let _e2291 = (_e2285.z - _e122);
-                                        if (_e1638 == 0u) {
-                                            phi_2639_ = vec3<f32>(_e2289, _e2291, _e2287);
+                                        let _e2298 = phi_2629_;
+                                        let _e2302 = (_e2298.x - (_e1672 * _e2298.z));
+                                        let _e2306 = (_e2298.y - (_e1675 * _e2298.z));
+                                        let _e2308 = triangles.member[(0u + _e2275)].v1_;
+                                        let _e2310 = (_e2308.x - _e118);
+                                        let _e2312 = (_e2308.y - _e120);
+                                        let _e2314 = (_e2308.z - _e122);
+                                        if (_e1661 == 0u) {
+                                            phi_2659_ = vec3<f32>(_e2312, _e2314, _e2310);
                                         } else {
-                                            if (_e1638 == 1u) {
-                                                phi_2638_ = vec3<f32>(_e2291, _e2287, _e2289);
+                                            if (_e1661 == 1u) {
+                                                phi_2658_ = vec3<f32>(_e2314, _e2310, _e2312);
                                             } else {
-                                                phi_2638_ = (_e2285 - vec3<f32>(_e118, _e120, _e122));
+                                                phi_2658_ = (_e2308 - vec3<f32>(_e118, _e120, _e122));
                                             }
-                                            let _e2299 = phi_2638_;
-                                            phi_2639_ = _e2299;
+                                            let _e2322 = phi_2658_;
+                                            phi_2659_ = _e2322;
                                         }
-                                        let _e2301 = phi_2639_;
-                                        let _e2305 = (_e2301.x - (_e1649 * _e2301.z));
-                                        let _e2309 = (_e2301.y - (_e1652 * _e2301.z));
-                                        let _e2311 = triangles.member[(0u + _e2252)].v2_;
-                                        let _e2313 = (_e2311.x - _e118);
-                                        let _e2315 = (_e2311.y - _e120);
-                                        let _e2317 = (_e2311.z - _e122);
-                                        if (_e1638 == 0u) {
-                                            phi_2669_ = vec3<f32>(_e2315, _e2317, _e2313);
+                                        let _e2324 = phi_2659_;
+                                        let _e2328 = (_e2324.x - (_e1672 * _e2324.z));
+                                        let _e2332 = (_e2324.y - (_e1675 * _e2324.z));
+                                        let _e2334 = triangles.member[(0u + _e2275)].v2_;
+                                        let _e2336 = (_e2334.x - _e118);
+                                        let _e2338 = (_e2334.y - _e120);
+                                        let _e2340 = (_e2334.z - _e122);
+                                        if (_e1661 == 0u) {
+                                            phi_2689_ = vec3<f32>(_e2338, _e2340, _e2336);
                                         } else {
-                                            if (_e1638 == 1u) {
-                                                phi_2668_ = vec3<f32>(_e2317, _e2313, _e2315);
+                                            if (_e1661 == 1u) {
+                                                phi_2688_ = vec3<f32>(_e2340, _e2336, _e2338);
                                             } else {
-                                                phi_2668_ = (_e2311 - vec3<f32>(_e118, _e120, _e122));
+                                                phi_2688_ = (_e2334 - vec3<f32>(_e118, _e120, _e122));
                                             }
-                                            let _e2325 = phi_2668_;
-                                            phi_2669_ = _e2325;
+                                            let _e2348 = phi_2688_;
+                                            phi_2689_ = _e2348;
                                         }
-                                        let _e2327 = phi_2669_;
-                                        let _e2331 = (_e2327.x - (_e1649 * _e2327.z));
-                                        let _e2335 = (_e2327.y - (_e1652 * _e2327.z));
-                                        if (_e2305 < _e2331) {
-                                            phi_2688_ = true;
+                                        let _e2350 = phi_2689_;
+                                        let _e2354 = (_e2350.x - (_e1672 * _e2350.z));
+                                        let _e2358 = (_e2350.y - (_e1675 * _e2350.z));
+                                        if (_e2328 < _e2354) {
+                                            phi_2708_ = true;
                                         } else {
-                                            if (_e2305 == _e2331) {
-                                                phi_2687_ = (_e2309 < _e2335);
+                                            if (_e2328 == _e2354) {
+                                                phi_2707_ = (_e2332 < _e2358);
                                             } else {
-                                                phi_2687_ = false;
+                                                phi_2707_ = false;
                                             }
-                                            let _e2340 = phi_2687_;
-                                            phi_2688_ = _e2340;
+                                            let _e2363 = phi_2707_;
+                                            phi_2708_ = _e2363;
                                         }
-                                        let _e2342 = phi_2688_;
-                                        if _e2342 {
-                                            phi_2692_ = _e2335;
-                                            phi_2693_ = _e2331;
-                                            phi_2694_ = _e2309;
-                                            phi_2695_ = _e2305;
+                                        let _e2365 = phi_2708_;
+                                        if _e2365 {
+                                            phi_2712_ = _e2358;
+                                            phi_2713_ = _e2354;
+                                            phi_2714_ = _e2332;
+                                            phi_2715_ = _e2328;
                                         } else {
-                                            phi_2692_ = _e2309;
-                                            phi_2693_ = _e2305;
-                                            phi_2694_ = _e2335;
-                                            phi_2695_ = _e2331;
+                                            phi_2712_ = _e2332;
+                                            phi_2713_ = _e2328;
+                                            phi_2714_ = _e2358;
+                                            phi_2715_ = _e2354;
                                         }
-                                        let _e2344 = phi_2692_;
-                                        let _e2346 = phi_2693_;
-                                        let _e2348 = phi_2694_;
-                                        let _e2350 = phi_2695_;
-                                        let _e2353 = ((_e2350 * _e2344) - (_e2348 * _e2346));
-                                        if _e2342 {
-                                            phi_2703_ = -(_e2353);
+                                        let _e2367 = phi_2712_;
+                                        let _e2369 = phi_2713_;
+                                        let _e2371 = phi_2714_;
+                                        let _e2373 = phi_2715_;
+                                        let _e2376 = ((_e2373 * _e2367) - (_e2371 * _e2369));
+                                        if _e2365 {
+                                            phi_2723_ = -(_e2376);
                                         } else {
-                                            phi_2703_ = _e2353;
+                                            phi_2723_ = _e2376;
                                         }
-                                        let _e2356 = phi_2703_;
-                                        if (_e2331 < _e2279) {
-                                            phi_2714_ = true;
+                                        let _e2379 = phi_2723_;
+                                        if (_e2354 < _e2302) {
+                                            phi_2734_ = true;
                                         } else {
-                                            if (_e2331 == _e2279) {
-                                                phi_2713_ = (_e2335 < _e2283);
+                                            if (_e2354 == _e2302) {
+                                                phi_2733_ = (_e2358 < _e2306);
                                             } else {
-                                                phi_2713_ = false;
+                                                phi_2733_ = false;
                                             }
-                                            let _e2361 = phi_2713_;
-                                            phi_2714_ = _e2361;
+                                            let _e2384 = phi_2733_;
+                                            phi_2734_ = _e2384;
                                         }
-                                        let _e2363 = phi_2714_;
-                                        if _e2363 {
-                                            phi_2718_ = _e2283;
-                                            phi_2719_ = _e2279;
-                                            phi_2720_ = _e2335;
-                                            phi_2721_ = _e2331;
+                                        let _e2386 = phi_2734_;
+                                        if _e2386 {
+                                            phi_2738_ = _e2306;
+                                            phi_2739_ = _e2302;
+                                            phi_2740_ = _e2358;
+                                            phi_2741_ = _e2354;
                                         } else {
-                                            phi_2718_ = _e2335;
-                                            phi_2719_ = _e2331;
-                                            phi_2720_ = _e2283;
-                                            phi_2721_ = _e2279;
+                                            phi_2738_ = _e2358;
+                                            phi_2739_ = _e2354;
+                                            phi_2740_ = _e2306;
+                                            phi_2741_ = _e2302;
                                         }
-                                        let _e2365 = phi_2718_;
-                                        let _e2367 = phi_2719_;
-                                        let _e2369 = phi_2720_;
-                                        let _e2371 = phi_2721_;
-                                        let _e2374 = ((_e2371 * _e2365) - (_e2369 * _e2367));
-                                        if _e2363 {
-                                            phi_2729_ = -(_e2374);
+                                        let _e2388 = phi_2738_;
+                                        let _e2390 = phi_2739_;
+                                        let _e2392 = phi_2740_;
+                                        let _e2394 = phi_2741_;
+                                        let _e2397 = ((_e2394 * _e2388) - (_e2392 * _e2390));
+                                        if _e2386 {
+                                            phi_2749_ = -(_e2397);
                                         } else {
-                                            phi_2729_ = _e2374;
+                                            phi_2749_ = _e2397;
                                         }
-                                        let _e2377 = phi_2729_;
-                                        if (_e2279 < _e2305) {
-                                            phi_2740_ = true;
+                                        let _e2400 = phi_2749_;
+                                        if (_e2302 < _e2328) {
+                                            phi_2760_ = true;
                                         } else {
-                                            if (_e2279 == _e2305) {
-                                                phi_2739_ = (_e2283 < _e2309);
+                                            if (_e2302 == _e2328) {
+                                                phi_2759_ = (_e2306 < _e2332);
                                             } else {
-                                                phi_2739_ = false;
+                                                phi_2759_ = false;
                                             }
-                                            let _e2382 = phi_2739_;
-                                            phi_2740_ = _e2382;
+                                            let _e2405 = phi_2759_;
+                                            phi_2760_ = _e2405;
                                         }
-                                        let _e2384 = phi_2740_;
-                                        if _e2384 {
-                                            phi_2744_ = _e2309;
-                                            phi_2745_ = _e2305;
-                                            phi_2746_ = _e2283;
-                                            phi_2747_ = _e2279;
+                                        let _e2407 = phi_2760_;
+                                        if _e2407 {
+                                            phi_2764_ = _e2332;
+                                            phi_2765_ = _e2328;
+                                            phi_2766_ = _e2306;
+                                            phi_2767_ = _e2302;
                                         } else {
-                                            phi_2744_ = _e2283;
-                                            phi_2745_ = _e2279;
-                                            phi_2746_ = _e2309;
-                                            phi_2747_ = _e2305;
+                                            phi_2764_ = _e2306;
+                                            phi_2765_ = _e2302;
+                                            phi_2766_ = _e2332;
+                                            phi_2767_ = _e2328;
                                         }
-                                        let _e2386 = phi_2744_;
-                                        let _e2388 = phi_2745_;
-                                        let _e2390 = phi_2746_;
-                                        let _e2392 = phi_2747_;
-                                        let _e2395 = ((_e2392 * _e2386) - (_e2390 * _e2388));
-                                        if _e2384 {
-                                            phi_2755_ = -(_e2395);
+                                        let _e2409 = phi_2764_;
+                                        let _e2411 = phi_2765_;
+                                        let _e2413 = phi_2766_;
+                                        let _e2415 = phi_2767_;
+                                        let _e2418 = ((_e2415 * _e2409) - (_e2413 * _e2411));
+                                        if _e2407 {
+                                            phi_2775_ = -(_e2418);
                                         } else {
-                                            phi_2755_ = _e2395;
+                                            phi_2775_ = _e2418;
                                         }
-                                        let _e2398 = phi_2755_;
-                                        if (_e2356 >= 0f) {
-                                            if (_e2377 >= 0f) {
-                                                if (_e2398 >= 0f) {
-                                                    phi_2770_ = ((_e2356 + _e2377) + _e2398);
-                                                    phi_2771_ = false;
+                                        let _e2421 = phi_2775_;
+                                        if (_e2379 >= 0f) {
+                                            if (_e2400 >= 0f) {
+                                                if (_e2421 >= 0f) {
+                                                    phi_2790_ = ((_e2379 + _e2400) + _e2421);
+                                                    phi_2791_ = false;
                                                 } else {
-                                                    phi_2770_ = f32();
-                                                    phi_2771_ = true;
+                                                    phi_2790_ = f32();
+                                                    phi_2791_ = true;
                                                 }
-                                                let _e2405 = phi_2770_;
-                                                let _e2407 = phi_2771_;
-                                                phi_2772_ = _e2405;
-                                                phi_2773_ = _e2407;
+                                                let _e2428 = phi_2790_;
+                                                let _e2430 = phi_2791_;
+                                                phi_2792_ = _e2428;
+                                                phi_2793_ = _e2430;
                                             } else {
-                                                phi_2772_ = f32();
-                                                phi_2773_ = true;
+                                                phi_2792_ = f32();
+                                                phi_2793_ = true;
                                             }
-                                            let _e2409 = phi_2772_;
-                                            let _e2411 = phi_2773_;
-                                            phi_2774_ = _e2409;
-                                            phi_2775_ = _e2411;
+                                            let _e2432 = phi_2792_;
+                                            let _e2434 = phi_2793_;
+                                            phi_2794_ = _e2432;
+                                            phi_2795_ = _e2434;
                                         } else {
-                                            phi_2774_ = f32();
-                                            phi_2775_ = true;
+                                            phi_2794_ = f32();
+                                            phi_2795_ = true;
                                         }
-                                        let _e2413 = phi_2774_;
-                                        let _e2415 = phi_2775_;
-                                        if _e2415 {
-                                            if (_e2356 <= 0f) {
-                                                if (_e2377 <= 0f) {
-                                                    let _e2418 = (_e2398 <= 0f);
-                                                    if _e2418 {
-                                                    }
-                                                    phi_2793_ = ((_e2356 + _e2377) + _e2398);
-                                                    phi_2794_ = false;
-                                                    phi_2795_ = _e2418;
-                                                } else {
-                                                    phi_2793_ = f32();
-                                                    phi_2794_ = true;
-                                                    phi_2795_ = false;
-                                                }
-                                                let _e2422 = phi_2793_;
-                                                let _e2424 = phi_2794_;
-                                                let _e2426 = phi_2795_;
-                                                phi_2796_ = _e2422;
-                                                phi_2797_ = _e2424;
-                                                phi_2798_ = _e2426;
-                                            } else {
-                                                phi_2796_ = f32();
-                                                phi_2797_ = true;
-                                                phi_2798_ = false;
-                                            }
-                                            let _e2428 = phi_2796_;
-                                            let _e2430 = phi_2797_;
-                                            let _e2432 = phi_2798_;
-                                            if _e2430 {
-                                                phi_2802_ = false;
-                                            } else {
-                                                phi_2802_ = _e2432;
-                                            }
-                                            let _e2434 = phi_2802_;
-                                            phi_2803_ = _e2428;
-                                            phi_2804_ = _e2434;
-                                        } else {
-                                            phi_2803_ = _e2413;
-                                            phi_2804_ = true;
-                                        }
-                                        let _e2436 = phi_2803_;
-                                        let _e2438 = phi_2804_;
+                                        let _e2436 = phi_2794_;
+                                        let _e2438 = phi_2795_;
                                         if _e2438 {
-                                            let _e2439 = (_e2436 == 0f);
-                                            if _e2439 {
-                                                phi_3120_ = lt_bvh_triangle_Intersection();
-                                                phi_3121_ = false;
+                                            if (_e2379 <= 0f) {
+                                                if (_e2400 <= 0f) {
+                                                    let _e2441 = (_e2421 <= 0f);
+                                                    if _e2441 {
+                                                    }
+                                                    phi_2813_ = ((_e2379 + _e2400) + _e2421);
+                                                    phi_2814_ = false;
+                                                    phi_2815_ = _e2441;
+                                                } else {
+                                                    phi_2813_ = f32();
+                                                    phi_2814_ = true;
+                                                    phi_2815_ = false;
+                                                }
+                                                let _e2445 = phi_2813_;
+                                                let _e2447 = phi_2814_;
+                                                let _e2449 = phi_2815_;
+                                                phi_2816_ = _e2445;
+                                                phi_2817_ = _e2447;
+                                                phi_2818_ = _e2449;
                                             } else {
-                                                let _e2441 = triangles.member[(0u + _e2252)].v0_;
-                                                let _e2443 = (_e2441.x - _e118);
-                                                let _e2445 = (_e2441.y - _e120);
-                                                let _e2447 = (_e2441.z - _e122);
-                                                if (_e1638 == 0u) {
-                                                    phi_2833_ = vec3<f32>(_e2445, _e2447, _e2443);
-                                                } else {
-                                                    if (_e1638 == 1u) {
-                                                        phi_2832_ = vec3<f32>(_e2447, _e2443, _e2445);
-                                                    } else {
-                                                        phi_2832_ = (_e2441 - vec3<f32>(_e118, _e120, _e122));
-                                                    }
-                                                    let _e2455 = phi_2832_;
-                                                    phi_2833_ = _e2455;
-                                                }
-                                                let _e2457 = phi_2833_;
-                                                let _e2459 = triangles.member[(0u + _e2252)].v1_;
-                                                let _e2461 = triangles.member[(0u + _e2252)].v0_;
-                                                let _e2464 = (_e2459.x - _e2461.x);
-                                                let _e2467 = (_e2459.y - _e2461.y);
-                                                let _e2470 = (_e2459.z - _e2461.z);
-                                                if (_e1638 == 0u) {
-                                                    phi_2859_ = vec3<f32>(_e2467, _e2470, _e2464);
-                                                } else {
-                                                    if (_e1638 == 1u) {
-                                                        phi_2858_ = vec3<f32>(_e2470, _e2464, _e2467);
-                                                    } else {
-                                                        phi_2858_ = (_e2459 - _e2461);
-                                                    }
-                                                    let _e2477 = phi_2858_;
-                                                    phi_2859_ = _e2477;
-                                                }
-                                                let _e2479 = phi_2859_;
-                                                let _e2481 = triangles.member[(0u + _e2252)].v2_;
-                                                let _e2483 = triangles.member[(0u + _e2252)].v0_;
-                                                let _e2486 = (_e2481.x - _e2483.x);
-                                                let _e2489 = (_e2481.y - _e2483.y);
-                                                let _e2492 = (_e2481.z - _e2483.z);
-                                                if (_e1638 == 0u) {
-                                                    phi_2885_ = vec3<f32>(_e2489, _e2492, _e2486);
-                                                } else {
-                                                    if (_e1638 == 1u) {
-                                                        phi_2884_ = vec3<f32>(_e2492, _e2486, _e2489);
-                                                    } else {
-                                                        phi_2884_ = (_e2481 - _e2483);
-                                                    }
-                                                    let _e2499 = phi_2884_;
-                                                    phi_2885_ = _e2499;
-                                                }
-                                                let _e2501 = phi_2885_;
-                                                let _e2508 = ((_e2479.y * _e2501.z) - (_e2479.z * _e2501.y));
-                                                let _e2515 = ((_e2479.z * _e2501.x) - (_e2479.x * _e2501.z));
-                                                let _e2522 = ((_e2479.x * _e2501.y) - (_e2479.y * _e2501.x));
-                                                let _e2536 = (((1f / _e1646.z) * (((_e2508 * _e2457.x) + (_e2515 * _e2457.y)) + (_e2522 * _e2457.z))) / (((_e2508 * _e1649) + (_e2515 * _e1652)) + _e2522));
-                                                if (_e2536 > 0f) {
-                                                    if (_e2536 < _e130) {
-                                                        let _e2540 = triangles.member[(0u + _e2252)].v0_;
-                                                        let _e2542 = triangles.member[(0u + _e2252)].v1_;
-                                                        if (_e2540.x < _e2542.x) {
-                                                            phi_2941_ = _e2540.x;
-                                                        } else {
-                                                            phi_2941_ = _e2542.x;
-                                                        }
-                                                        let _e2549 = phi_2941_;
-                                                        if (_e2540.y < _e2542.y) {
-                                                            phi_2950_ = _e2540.y;
-                                                        } else {
-                                                            phi_2950_ = _e2542.y;
-                                                        }
-                                                        let _e2556 = phi_2950_;
-                                                        if (_e2540.z < _e2542.z) {
-                                                            phi_2959_ = _e2540.z;
-                                                        } else {
-                                                            phi_2959_ = _e2542.z;
-                                                        }
-                                                        let _e2563 = phi_2959_;
-                                                        let _e2565 = triangles.member[(0u + _e2252)].v2_;
-                                                        if (_e2549 < _e2565.x) {
-                                                            phi_2968_ = _e2549;
-                                                        } else {
-                                                            phi_2968_ = _e2565.x;
-                                                        }
-                                                        let _e2570 = phi_2968_;
-                                                        if (_e2556 < _e2565.y) {
-                                                            phi_2975_ = _e2556;
-                                                        } else {
-                                                            phi_2975_ = _e2565.y;
-                                                        }
-                                                        let _e2575 = phi_2975_;
-                                                        if (_e2563 < _e2565.z) {
-                                                            phi_2982_ = _e2563;
-                                                        } else {
-                                                            phi_2982_ = _e2565.z;
-                                                        }
-                                                        let _e2580 = phi_2982_;
-                                                        let _e2582 = triangles.member[(0u + _e2252)].v0_;
-                                                        let _e2584 = triangles.member[(0u + _e2252)].v1_;
-                                                        if (_e2582.x > _e2584.x) {
-                                                            phi_2995_ = _e2582.x;
-                                                        } else {
-                                                            phi_2995_ = _e2584.x;
-                                                        }
-                                                        let _e2591 = phi_2995_;
-                                                        if (_e2582.y > _e2584.y) {
-                                                            phi_3004_ = _e2582.y;
-                                                        } else {
-                                                            phi_3004_ = _e2584.y;
-                                                        }
-                                                        let _e2598 = phi_3004_;
-                                                        if (_e2582.z > _e2584.z) {
-                                                            phi_3013_ = _e2582.z;
-                                                        } else {
-                                                            phi_3013_ = _e2584.z;
-                                                        }
-                                                        let _e2605 = phi_3013_;
-                                                        let _e2607 = triangles.member[(0u + _e2252)].v2_;
-                                                        if (_e2591 > _e2607.x) {
-                                                            phi_3022_ = _e2591;
-                                                        } else {
-                                                            phi_3022_ = _e2607.x;
-                                                        }
-                                                        let _e2612 = phi_3022_;
-                                                        if (_e2598 > _e2607.y) {
-                                                            phi_3029_ = _e2598;
-                                                        } else {
-                                                            phi_3029_ = _e2607.y;
-                                                        }
-                                                        let _e2617 = phi_3029_;
-                                                        if (_e2605 > _e2607.z) {
-                                                            phi_3036_ = _e2605;
-                                                        } else {
-                                                            phi_3036_ = _e2607.z;
-                                                        }
-                                                        let _e2622 = phi_3036_;
-                                                        let _e2626 = ((_e2570 - _e118) * _e1563);
-                                                        let _e2627 = ((_e2575 - _e120) * _e1573);
-                                                        let _e2628 = ((_e2580 - _e122) * _e1583);
-                                                        let _e2632 = ((_e2612 - _e118) * _e1563);
-                                                        let _e2633 = ((_e2617 - _e120) * _e1573);
-                                                        let _e2634 = ((_e2622 - _e122) * _e1583);
-                                                        if (_e2626 < _e2632) {
-                                                            phi_3053_ = _e2626;
-                                                        } else {
-                                                            phi_3053_ = _e2632;
-                                                        }
-                                                        let _e2637 = phi_3053_;
-                                                        if (_e2627 < _e2633) {
-                                                            phi_3058_ = _e2627;
-                                                        } else {
-                                                            phi_3058_ = _e2633;
-                                                        }
-                                                        let _e2640 = phi_3058_;
-                                                        if (_e2628 < _e2634) {
-                                                            phi_3063_ = _e2628;
-                                                        } else {
-                                                            phi_3063_ = _e2634;
-                                                        }
-                                                        let _e2643 = phi_3063_;
-                                                        if (_e2626 > _e2632) {
-                                                            phi_3071_ = _e2626;
-                                                        } else {
-                                                            phi_3071_ = _e2632;
-                                                        }
-                                                        let _e2649 = phi_3071_;
-                                                        if (_e2627 > _e2633) {
-                                                            phi_3076_ = _e2627;
-                                                        } else {
-                                                            phi_3076_ = _e2633;
-                                                        }
-                                                        let _e2652 = phi_3076_;
-                                                        if (_e2628 > _e2634) {
-                                                            phi_3081_ = _e2628;
-                                                        } else {
-                                                            phi_3081_ = _e2634;
-                                                        }
-                                                        let _e2655 = phi_3081_;
-                                                        let _e2659 = core_intrinsics_maximum_number_nsz_f32_((_e2637 - _e1622), (_e2640 - _e1623));
-                                                        let _e2660 = core_intrinsics_maximum_number_nsz_f32_(_e2659, (_e2643 - _e1624));
-                                                        let _e2661 = core_intrinsics_minimum_number_nsz_f32_((_e2649 + _e1622), (_e2652 + _e1623));
-                                                        let _e2662 = core_intrinsics_minimum_number_nsz_f32_(_e2661, (_e2655 + _e1624));
-                                                        if (_e2660 > -300000000000000000000000000000000000000f) {
-                                                            phi_3093_ = _e2660;
-                                                        } else {
-                                                            phi_3093_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2665 = phi_3093_;
-                                                        if (_e2662 < 300000000000000000000000000000000000000f) {
-                                                            phi_3098_ = _e2662;
-                                                        } else {
-                                                            phi_3098_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2668 = phi_3098_;
-                                                        if (_e2536 < _e2665) {
-                                                            phi_3103_ = _e2665;
-                                                        } else {
-                                                            phi_3103_ = _e2536;
-                                                        }
-                                                        let _e2671 = phi_3103_;
-                                                        if (_e2671 > _e2668) {
-                                                            phi_3108_ = _e2668;
-                                                        } else {
-                                                            phi_3108_ = _e2671;
-                                                        }
-                                                        let _e2674 = phi_3108_;
-                                                        phi_3113_ = lt_bvh_triangle_Intersection(_e2674, (_e2377 / _e2436), (_e2398 / _e2436), (_e2665 <= _e2668));
-                                                        phi_3114_ = false;
-                                                    } else {
-                                                        phi_3113_ = lt_bvh_triangle_Intersection();
-                                                        phi_3114_ = true;
-                                                    }
-                                                    let _e2680 = phi_3113_;
-                                                    let _e2682 = phi_3114_;
-                                                    phi_3115_ = _e2680;
-                                                    phi_3116_ = _e2682;
-                                                } else {
-                                                    phi_3115_ = lt_bvh_triangle_Intersection();
-                                                    phi_3116_ = true;
-                                                }
-                                                let _e2684 = phi_3115_;
-                                                let _e2686 = phi_3116_;
-                                                if _e2686 {
-                                                }
-                                                phi_3120_ = _e2684;
-                                                phi_3121_ = _e2686;
+                                                phi_2816_ = f32();
+                                                phi_2817_ = true;
+                                                phi_2818_ = false;
                                             }
-                                            let _e2688 = phi_3120_;
-                                            let _e2690 = phi_3121_;
-                                            phi_3122_ = _e2688;
-                                            phi_3123_ = _e2439;
-                                            phi_3124_ = _e2690;
-                                        } else {
-                                            phi_3122_ = lt_bvh_triangle_Intersection();
-                                            phi_3123_ = true;
-                                            phi_3124_ = false;
-                                        }
-                                        let _e2692 = phi_3122_;
-                                        let _e2694 = phi_3123_;
-                                        let _e2696 = phi_3124_;
-                                        if _e2694 {
-                                            phi_3128_ = true;
-                                        } else {
-                                            phi_3128_ = _e2696;
-                                        }
-                                        let _e2698 = phi_3128_;
-                                        if _e2698 {
-                                            phi_3132_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                        } else {
-                                            phi_3132_ = _e2692;
-                                        }
-                                        let _e2700 = phi_3132_;
-                                        if _e2700.is_hit {
-                                            if (_e2700.t > 0f) {
-                                                if (_e2700.t < _e130) {
-                                                    if true {
-                                                        phi_3152_ = false;
-                                                    } else {
-                                                        phi_3152_ = true;
-                                                    }
-                                                    let _e2709 = phi_3152_;
-                                                    phi_3153_ = true;
-                                                    phi_3154_ = _e2709;
-                                                } else {
-                                                    phi_3153_ = _e2243;
-                                                    phi_3154_ = true;
-                                                }
-                                                let _e2711 = phi_3153_;
-                                                let _e2713 = phi_3154_;
-                                                phi_3155_ = _e2711;
-                                                phi_3156_ = _e2713;
+                                            let _e2451 = phi_2816_;
+                                            let _e2453 = phi_2817_;
+                                            let _e2455 = phi_2818_;
+                                            if _e2453 {
+                                                phi_2822_ = false;
                                             } else {
-                                                phi_3155_ = _e2243;
-                                                phi_3156_ = true;
+                                                phi_2822_ = _e2455;
                                             }
-                                            let _e2715 = phi_3155_;
-                                            let _e2717 = phi_3156_;
-                                            phi_3157_ = _e2715;
-                                            phi_3158_ = _e2717;
+                                            let _e2457 = phi_2822_;
+                                            phi_2823_ = _e2451;
+                                            phi_2824_ = _e2457;
                                         } else {
-                                            phi_3157_ = _e2243;
-                                            phi_3158_ = true;
+                                            phi_2823_ = _e2436;
+                                            phi_2824_ = true;
                                         }
-                                        let _e2719 = phi_3157_;
-                                        let _e2721 = phi_3158_;
+                                        let _e2459 = phi_2823_;
+                                        let _e2461 = phi_2824_;
+                                        if _e2461 {
+                                            let _e2462 = (_e2459 == 0f);
+                                            if _e2462 {
+                                                phi_3140_ = lt_bvh_triangle_Intersection();
+                                                phi_3141_ = false;
+                                            } else {
+                                                let _e2464 = triangles.member[(0u + _e2275)].v0_;
+                                                let _e2466 = (_e2464.x - _e118);
+                                                let _e2468 = (_e2464.y - _e120);
+                                                let _e2470 = (_e2464.z - _e122);
+                                                if (_e1661 == 0u) {
+                                                    phi_2853_ = vec3<f32>(_e2468, _e2470, _e2466);
+                                                } else {
+                                                    if (_e1661 == 1u) {
+                                                        phi_2852_ = vec3<f32>(_e2470, _e2466, _e2468);
+                                                    } else {
+                                                        phi_2852_ = (_e2464 - vec3<f32>(_e118, _e120, _e122));
+                                                    }
+                                                    let _e2478 = phi_2852_;
+                                                    phi_2853_ = _e2478;
+                                                }
+                                                let _e2480 = phi_2853_;
+                                                let _e2482 = triangles.member[(0u + _e2275)].v1_;
+                                                let _e2484 = triangles.member[(0u + _e2275)].v0_;
+                                                let _e2487 = (_e2482.x - _e2484.x);
+                                                let _e2490 = (_e2482.y - _e2484.y);
+                                                let _e2493 = (_e2482.z - _e2484.z);
+                                                if (_e1661 == 0u) {
+                                                    phi_2879_ = vec3<f32>(_e2490, _e2493, _e2487);
+                                                } else {
+                                                    if (_e1661 == 1u) {
+                                                        phi_2878_ = vec3<f32>(_e2493, _e2487, _e2490);
+                                                    } else {
+                                                        phi_2878_ = (_e2482 - _e2484);
+                                                    }
+                                                    let _e2500 = phi_2878_;
+                                                    phi_2879_ = _e2500;
+                                                }
+                                                let _e2502 = phi_2879_;
+                                                let _e2504 = triangles.member[(0u + _e2275)].v2_;
+                                                let _e2506 = triangles.member[(0u + _e2275)].v0_;
+                                                let _e2509 = (_e2504.x - _e2506.x);
+                                                let _e2512 = (_e2504.y - _e2506.y);
+                                                let _e2515 = (_e2504.z - _e2506.z);
+                                                if (_e1661 == 0u) {
+                                                    phi_2905_ = vec3<f32>(_e2512, _e2515, _e2509);
+                                                } else {
+                                                    if (_e1661 == 1u) {
+                                                        phi_2904_ = vec3<f32>(_e2515, _e2509, _e2512);
+                                                    } else {
+                                                        phi_2904_ = (_e2504 - _e2506);
+                                                    }
+                                                    let _e2522 = phi_2904_;
+                                                    phi_2905_ = _e2522;
+                                                }
+                                                let _e2524 = phi_2905_;
+                                                let _e2531 = ((_e2502.y * _e2524.z) - (_e2502.z * _e2524.y));
+                                                let _e2538 = ((_e2502.z * _e2524.x) - (_e2502.x * _e2524.z));
+                                                let _e2545 = ((_e2502.x * _e2524.y) - (_e2502.y * _e2524.x));
+                                                let _e2559 = (((1f / _e1669.z) * (((_e2531 * _e2480.x) + (_e2538 * _e2480.y)) + (_e2545 * _e2480.z))) / (((_e2531 * _e1672) + (_e2538 * _e1675)) + _e2545));
+                                                if (_e2559 > 0f) {
+                                                    if (_e2559 < _e130) {
+                                                        let _e2563 = triangles.member[(0u + _e2275)].v0_;
+                                                        let _e2565 = triangles.member[(0u + _e2275)].v1_;
+                                                        if (_e2563.x < _e2565.x) {
+                                                            phi_2961_ = _e2563.x;
+                                                        } else {
+                                                            phi_2961_ = _e2565.x;
+                                                        }
+                                                        let _e2572 = phi_2961_;
+                                                        if (_e2563.y < _e2565.y) {
+                                                            phi_2970_ = _e2563.y;
+                                                        } else {
+                                                            phi_2970_ = _e2565.y;
+                                                        }
+                                                        let _e2579 = phi_2970_;
+                                                        if (_e2563.z < _e2565.z) {
+                                                            phi_2979_ = _e2563.z;
+                                                        } else {
+                                                            phi_2979_ = _e2565.z;
+                                                        }
+                                                        let _e2586 = phi_2979_;
+                                                        let _e2588 = triangles.member[(0u + _e2275)].v2_;
+                                                        if (_e2572 < _e2588.x) {
+                                                            phi_2988_ = _e2572;
+                                                        } else {
+                                                            phi_2988_ = _e2588.x;
+                                                        }
+                                                        let _e2593 = phi_2988_;
+                                                        if (_e2579 < _e2588.y) {
+                                                            phi_2995_ = _e2579;
+                                                        } else {
+                                                            phi_2995_ = _e2588.y;
+                                                        }
+                                                        let _e2598 = phi_2995_;
+                                                        if (_e2586 < _e2588.z) {
+                                                            phi_3002_ = _e2586;
+                                                        } else {
+                                                            phi_3002_ = _e2588.z;
+                                                        }
+                                                        let _e2603 = phi_3002_;
+                                                        let _e2605 = triangles.member[(0u + _e2275)].v0_;
+                                                        let _e2607 = triangles.member[(0u + _e2275)].v1_;
+                                                        if (_e2605.x > _e2607.x) {
+                                                            phi_3015_ = _e2605.x;
+                                                        } else {
+                                                            phi_3015_ = _e2607.x;
+                                                        }
+                                                        let _e2614 = phi_3015_;
+                                                        if (_e2605.y > _e2607.y) {
+                                                            phi_3024_ = _e2605.y;
+                                                        } else {
+                                                            phi_3024_ = _e2607.y;
+                                                        }
+                                                        let _e2621 = phi_3024_;
+                                                        if (_e2605.z > _e2607.z) {
+                                                            phi_3033_ = _e2605.z;
+                                                        } else {
+                                                            phi_3033_ = _e2607.z;
+                                                        }
+                                                        let _e2628 = phi_3033_;
+                                                        let _e2630 = triangles.member[(0u + _e2275)].v2_;
+                                                        if (_e2614 > _e2630.x) {
+                                                            phi_3042_ = _e2614;
+                                                        } else {
+                                                            phi_3042_ = _e2630.x;
+                                                        }
+                                                        let _e2635 = phi_3042_;
+                                                        if (_e2621 > _e2630.y) {
+                                                            phi_3049_ = _e2621;
+                                                        } else {
+                                                            phi_3049_ = _e2630.y;
+                                                        }
+                                                        let _e2640 = phi_3049_;
+                                                        if (_e2628 > _e2630.z) {
+                                                            phi_3056_ = _e2628;
+                                                        } else {
+                                                            phi_3056_ = _e2630.z;
+                                                        }
+                                                        let _e2645 = phi_3056_;
+                                                        let _e2649 = ((_e2593 - _e118) * _e1586);
+                                                        let _e2650 = ((_e2598 - _e120) * _e1596);
+                                                        let _e2651 = ((_e2603 - _e122) * _e1606);
+                                                        let _e2655 = ((_e2635 - _e118) * _e1586);
+                                                        let _e2656 = ((_e2640 - _e120) * _e1596);
+                                                        let _e2657 = ((_e2645 - _e122) * _e1606);
+                                                        if (_e2649 < _e2655) {
+                                                            phi_3073_ = _e2649;
+                                                        } else {
+                                                            phi_3073_ = _e2655;
+                                                        }
+                                                        let _e2660 = phi_3073_;
+                                                        if (_e2650 < _e2656) {
+                                                            phi_3078_ = _e2650;
+                                                        } else {
+                                                            phi_3078_ = _e2656;
+                                                        }
+                                                        let _e2663 = phi_3078_;
+                                                        if (_e2651 < _e2657) {
+                                                            phi_3083_ = _e2651;
+                                                        } else {
+                                                            phi_3083_ = _e2657;
+                                                        }
+                                                        let _e2666 = phi_3083_;
+                                                        if (_e2649 > _e2655) {
+                                                            phi_3091_ = _e2649;
+                                                        } else {
+                                                            phi_3091_ = _e2655;
+                                                        }
+                                                        let _e2672 = phi_3091_;
+                                                        if (_e2650 > _e2656) {
+                                                            phi_3096_ = _e2650;
+                                                        } else {
+                                                            phi_3096_ = _e2656;
+                                                        }
+                                                        let _e2675 = phi_3096_;
+                                                        if (_e2651 > _e2657) {
+                                                            phi_3101_ = _e2651;
+                                                        } else {
+                                                            phi_3101_ = _e2657;
+                                                        }
+                                                        let _e2678 = phi_3101_;
+                                                        let _e2682 = core_intrinsics_maximum_number_nsz_f32_((_e2660 - _e1645), (_e2663 - _e1646));
+                                                        let _e2683 = core_intrinsics_maximum_number_nsz_f32_(_e2682, (_e2666 - _e1647));
+                                                        let _e2684 = core_intrinsics_minimum_number_nsz_f32_((_e2672 + _e1645), (_e2675 + _e1646));
+                                                        let _e2685 = core_intrinsics_minimum_number_nsz_f32_(_e2684, (_e2678 + _e1647));
+                                                        if (_e2683 > -300000000000000000000000000000000000000f) {
+                                                            phi_3113_ = _e2683;
+                                                        } else {
+                                                            phi_3113_ = -300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2688 = phi_3113_;
+                                                        if (_e2685 < 300000000000000000000000000000000000000f) {
+                                                            phi_3118_ = _e2685;
+                                                        } else {
+                                                            phi_3118_ = 300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2691 = phi_3118_;
+                                                        if (_e2559 < _e2688) {
+                                                            phi_3123_ = _e2688;
+                                                        } else {
+                                                            phi_3123_ = _e2559;
+                                                        }
+                                                        let _e2694 = phi_3123_;
+                                                        if (_e2694 > _e2691) {
+                                                            phi_3128_ = _e2691;
+                                                        } else {
+                                                            phi_3128_ = _e2694;
+                                                        }
+                                                        let _e2697 = phi_3128_;
+                                                        phi_3133_ = lt_bvh_triangle_Intersection(_e2697, (_e2400 / _e2459), (_e2421 / _e2459), (_e2688 <= _e2691));
+                                                        phi_3134_ = false;
+                                                    } else {
+                                                        phi_3133_ = lt_bvh_triangle_Intersection();
+                                                        phi_3134_ = true;
+                                                    }
+                                                    let _e2703 = phi_3133_;
+                                                    let _e2705 = phi_3134_;
+                                                    phi_3135_ = _e2703;
+                                                    phi_3136_ = _e2705;
+                                                } else {
+                                                    phi_3135_ = lt_bvh_triangle_Intersection();
+                                                    phi_3136_ = true;
+                                                }
+                                                let _e2707 = phi_3135_;
+                                                let _e2709 = phi_3136_;
+                                                if _e2709 {
+                                                }
+                                                phi_3140_ = _e2707;
+                                                phi_3141_ = _e2709;
+                                            }
+                                            let _e2711 = phi_3140_;
+                                            let _e2713 = phi_3141_;
+                                            phi_3142_ = _e2711;
+                                            phi_3143_ = _e2462;
+                                            phi_3144_ = _e2713;
+                                        } else {
+                                            phi_3142_ = lt_bvh_triangle_Intersection();
+                                            phi_3143_ = true;
+                                            phi_3144_ = false;
+                                        }
+                                        let _e2715 = phi_3142_;
+                                        let _e2717 = phi_3143_;
+                                        let _e2719 = phi_3144_;
+                                        if _e2717 {
+                                            phi_3148_ = true;
+                                        } else {
+                                            phi_3148_ = _e2719;
+                                        }
+                                        let _e2721 = phi_3148_;
                                         if _e2721 {
+                                            phi_3152_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        } else {
+                                            phi_3152_ = _e2715;
                                         }
-                                        phi_2562_ = (_e2241 & (_e2241 - 1u));
-                                        phi_2565_ = _e2719;
-                                        phi_3162_ = _e2721;
+                                        let _e2723 = phi_3152_;
+                                        if _e2723.is_hit {
+                                            if (_e2723.t > 0f) {
+                                                if (_e2723.t < _e130) {
+                                                    if true {
+                                                        phi_3172_ = false;
+                                                    } else {
+                                                        phi_3172_ = true;
+                                                    }
+                                                    let _e2732 = phi_3172_;
+                                                    phi_3173_ = true;
+                                                    phi_3174_ = _e2732;
+                                                } else {
+                                                    phi_3173_ = _e2266;
+                                                    phi_3174_ = true;
+                                                }
+                                                let _e2734 = phi_3173_;
+                                                let _e2736 = phi_3174_;
+                                                phi_3175_ = _e2734;
+                                                phi_3176_ = _e2736;
+                                            } else {
+                                                phi_3175_ = _e2266;
+                                                phi_3176_ = true;
+                                            }
+                                            let _e2738 = phi_3175_;
+                                            let _e2740 = phi_3176_;
+                                            phi_3177_ = _e2738;
+                                            phi_3178_ = _e2740;
+                                        } else {
+                                            phi_3177_ = _e2266;
+                                            phi_3178_ = true;
+                                        }
+                                        let _e2742 = phi_3177_;
+                                        let _e2744 = phi_3178_;
+                                        if _e2744 {
+                                        }
+                                        phi_2582_ = (_e2264 & (_e2264 - 1u));
+                                        phi_2585_ = _e2742;
+                                        phi_3182_ = _e2744;
                                     }
-                                    let _e2723 = phi_2562_;
-                                    let _e2725 = phi_2565_;
-                                    let _e2727 = phi_3162_;
+                                    let _e2746 = phi_2582_;
+                                    let _e2748 = phi_2585_;
+                                    let _e2750 = phi_3182_;
                                     continue;
                                     continuing {
-                                        phi_2561_ = _e2723;
-                                        phi_2564_ = _e2725;
-                                        break if !(_e2727);
+                                        phi_2581_ = _e2746;
+                                        phi_2584_ = _e2748;
+                                        break if !(_e2750);
                                     }
                                 }
-                                let _e2730 = local_7;
-                                if _e2730 {
-                                    let _e2732 = local.group_mask;
-                                    if ((_e2732 & 4278190080u) == 0u) {
-                                        let _e2736 = local.len;
-                                        if (_e2736 == 0u) {
-                                            phi_3204_ = false;
+                                let _e2753 = local_9;
+                                if _e2753 {
+                                    let _e2755 = local.group_mask;
+                                    if ((_e2755 & 4278190080u) == 0u) {
+                                        let _e2759 = local.len;
+                                        if (_e2759 == 0u) {
+                                            phi_3224_ = false;
                                         } else {
-                                            let _e2740 = local.len;
-                                            local.len = (_e2740 - 1u);
-                                            let _e2743 = local.len;
-                                            if (_e2743 < 32u) {
+                                            let _e2763 = local.len;
+                                            local.len = (_e2763 - 1u);
+                                            let _e2766 = local.len;
+                                            if (_e2766 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e2748 = local.first[(0u + _e2743)];
-                                            local.group = _e2748;
-                                            let _e2751 = local.len;
-                                            if (_e2751 < 32u) {
+                                            let _e2771 = local.first[(0u + _e2766)];
+                                            local.group = _e2771;
+                                            let _e2774 = local.len;
+                                            if (_e2774 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e2756 = local.mask[(0u + _e2751)];
-                                            local.group_mask = _e2756;
-                                            phi_3204_ = true;
+                                            let _e2779 = local.mask[(0u + _e2774)];
+                                            local.group_mask = _e2779;
+                                            phi_3224_ = true;
                                         }
-                                        let _e2759 = phi_3204_;
-                                        phi_3205_ = _e2759;
+                                        let _e2782 = phi_3224_;
+                                        phi_3225_ = _e2782;
                                     } else {
-                                        phi_3205_ = true;
+                                        phi_3225_ = true;
                                     }
-                                    let _e2761 = phi_3205_;
-                                    if _e2761 {
-                                        let _e2763 = local.group_mask;
-                                        let _e2769 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2763)), 32u, (_e2763 == 0u)));
-                                        let _e2773 = local.group_mask;
-                                        let _e2787 = local.group_mask;
-                                        local.group_mask = (_e2787 & ~((1u << bitcast<u32>((_e2769 & 31u)))));
-                                        let _e2790 = local.group;
-                                        phi_3236_ = (_e2790 + countOneBits(((_e2773 & ~((4294967295u << bitcast<u32>((((_e2769 - 24u) ^ _e1665) & 31u))))) & 255u)));
+                                    let _e2784 = phi_3225_;
+                                    if _e2784 {
+                                        let _e2786 = local.group_mask;
+                                        let _e2792 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2786)), 32u, (_e2786 == 0u)));
+                                        let _e2796 = local.group_mask;
+                                        let _e2810 = local.group_mask;
+                                        local.group_mask = (_e2810 & ~((1u << bitcast<u32>((_e2792 & 31u)))));
+                                        let _e2813 = local.group;
+                                        phi_3256_ = (_e2813 + countOneBits(((_e2796 & ~((4294967295u << bitcast<u32>((((_e2792 - 24u) ^ _e1688) & 31u))))) & 255u)));
                                     } else {
-                                        phi_3236_ = 4294967295u;
+                                        phi_3256_ = 4294967295u;
                                     }
-                                    let _e2793 = phi_3236_;
-                                    phi_3237_ = _e2793;
+                                    let _e2816 = phi_3256_;
+                                    phi_3257_ = _e2816;
                                 } else {
-                                    phi_3237_ = u32();
+                                    phi_3257_ = u32();
                                 }
-                                let _e2795 = phi_3237_;
-                                phi_2230_ = _e2795;
-                                let _e3229 = local_14;
-                                phi_2233_ = _e3229;
-                                let _e3232 = local_15;
-                                phi_3238_ = _e3232;
-                                phi_3239_ = false;
+                                let _e2818 = phi_3257_;
+                                phi_2250_ = _e2818;
+                                let _e3268 = local_19;
+                                phi_2253_ = _e3268;
+                                let _e3271 = local_20;
+                                phi_3258_ = _e3271;
+                                phi_3259_ = false;
                             } else {
-                                phi_2230_ = u32();
-                                phi_2233_ = bool();
-                                phi_3238_ = false;
-                                phi_3239_ = true;
+                                phi_2250_ = u32();
+                                phi_2253_ = bool();
+                                phi_3258_ = false;
+                                phi_3259_ = true;
                             }
-                            let _e2797 = phi_2230_;
-                            let _e2799 = phi_2233_;
-                            let _e2801 = phi_3238_;
-                            let _e2803 = phi_3239_;
-                            local_8 = _e2803;
+                            let _e2820 = phi_2250_;
+                            let _e2822 = phi_2253_;
+                            let _e2824 = phi_3258_;
+                            let _e2826 = phi_3259_;
+                            local_10 = _e2826;
                             continue;
                             continuing {
-                                phi_2229_ = _e2797;
-                                phi_2232_ = _e2799;
-                                break if !(_e2801);
+                                phi_2249_ = _e2820;
+                                phi_2252_ = _e2822;
+                                break if !(_e2824);
                             }
                         }
-                        let _e2806 = local_8;
-                        if _e2806 {
-                            phi_3243_ = false;
+                        let _e2829 = local_10;
+                        if _e2829 {
+                            phi_3263_ = false;
                         } else {
-                            phi_3243_ = true;
+                            phi_3263_ = true;
                         }
-                        let _e2808 = phi_3243_;
-                        if _e2808 {
-                            phi_3247_ = true;
+                        let _e2831 = phi_3263_;
+                        if _e2831 {
+                            phi_3267_ = true;
                         } else {
-                            let _e3238 = local_16;
-                            phi_3247_ = _e3238;
+                            let _e3277 = local_21;
+                            phi_3267_ = _e3277;
                         }
-                        let _e2810 = phi_3247_;
-                        phi_3248_ = _e2810;
+                        let _e2833 = phi_3267_;
+                        phi_3268_ = _e2833;
                     }
-                    let _e2812 = phi_3248_;
-                    phi_3249_ = _e2812;
-                    phi_3250_ = _e1487;
+                    let _e2835 = phi_3268_;
+                    phi_3269_ = _e2835;
+                    phi_3270_ = _e1510;
                 } else {
-                    phi_3249_ = bool();
-                    phi_3250_ = true;
+                    phi_3269_ = bool();
+                    phi_3270_ = true;
                 }
-                let _e2814 = phi_3249_;
-                let _e2816 = phi_3250_;
-                if _e2816 {
-                    phi_3254_ = false;
+                let _e2837 = phi_3269_;
+                let _e2839 = phi_3270_;
+                if _e2839 {
+                    phi_3274_ = false;
                 } else {
-                    phi_3254_ = _e2814;
+                    phi_3274_ = _e2837;
                 }
-                let _e2818 = phi_3254_;
-                phi_3255_ = _e2818;
+                let _e2841 = phi_3274_;
+                phi_3275_ = _e2841;
             }
-            let _e2820 = phi_3255_;
-            phi_3256_ = _e2820;
+            let _e2843 = phi_3275_;
+            phi_3276_ = _e2843;
         } else {
-            phi_3256_ = false;
+            phi_3276_ = false;
         }
-        let _e2822 = phi_3256_;
-        if _e2822 {
-            phi_3260_ = 0f;
+        let _e2845 = phi_3276_;
+        if _e2845 {
+            phi_3280_ = 0f;
         } else {
-            phi_3260_ = 1f;
+            phi_3280_ = 1f;
         }
-        let _e2824 = phi_3260_;
+        let _e2847 = phi_3280_;
         if (_e97 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e97)] = _e2824;
+        visibility.member[(0u + _e97)] = _e2847;
     }
     return;
 }

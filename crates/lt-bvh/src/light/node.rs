@@ -119,12 +119,17 @@ impl LightNode {
     }
 
     /// The triangle in a slot of a leaf.
-    #[inline(always)]
     pub fn triangle(&self, rows: &[UVec4], slot: u32) -> u32 {
-        let row = rows[(self.rest.z + (slot >> 2)) as usize];
-        let pair = if slot & 2 == 0 { (row.x, row.y) } else { (row.z, row.w) };
-        if slot & 1 == 0 { pair.0 } else { pair.1 }
+        triangle_in(rows, self.rest.z, slot)
     }
+}
+
+/// The triangle in a slot of the leaf whose triangles begin at a row.
+#[inline(always)]
+pub(crate) fn triangle_in(rows: &[UVec4], first: u32, slot: u32) -> u32 {
+    let row = rows[(first + (slot >> 2)) as usize];
+    let pair = if slot & 2 == 0 { (row.x, row.y) } else { (row.z, row.w) };
+    if slot & 1 == 0 { pair.0 } else { pair.1 }
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! this test might say yes to (`lt_irregular::PackedLightBvh` has the proof).
 
 use crate::any_hit::AnyHit;
+use crate::light::node::triangle_in;
 use crate::light::{LightNode, LightSpace};
 use crate::node::Node;
 use crate::probe::{NoProbe, Probe};
@@ -57,35 +58,41 @@ pub fn occluded_in_light_space_probed<A: AnyHit, P: Probe>(
     let mut len = 0;
     let mut group = root << 8 | 1;
     while group != 0 {
-        let at = (group >> 8) + group.trailing_zeros();
-        group &= group - 1;
-        let node = LightNode::load(rows, at);
-        probe.node();
-        let mut hits = node.holders(&point);
-        if node.is_leaf() {
-            while hits != 0 {
-                let index = node.triangle(rows, hits.trailing_zeros());
-                hits &= hits - 1;
-                probe.triangle();
-                let triangle = &triangles[index as usize];
-                let hit = shear.intersect(&ray, &slab, triangle, WHOLE_RAY);
-                let is_met = hit.is_hit && hit.t > ray.tmin && hit.t < ray.tmax;
-                if is_met && (triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v)) {
-                    return true;
+        // Down to a leaf whose boxes hold the point. A loop of its own: threads that run in step test triangles together.
+        let mut hits = 0;
+        let mut ids = 0;
+        while group != 0 && hits == 0 {
+            let node = LightNode::load(rows, (group >> 8) + group.trailing_zeros());
+            probe.node();
+            group &= group - 1;
+            let holders = node.holders(&point);
+            if node.is_leaf() {
+                hits = holders;
+                ids = node.rest.z;
+            } else if holders != 0 {
+                if group & 0xff != 0 && len < MAX_DEPTH {
+                    stack[len] = group;
+                    len += 1;
+                }
+                group = node.rest.z << 8 | holders;
+            }
+            if group & 0xff == 0 {
+                group = 0;
+                if len > 0 {
+                    len -= 1;
+                    group = stack[len];
                 }
             }
-        } else if hits != 0 {
-            if group & 0xff != 0 && len < MAX_DEPTH {
-                stack[len] = group;
-                len += 1;
-            }
-            group = node.rest.z << 8 | hits;
         }
-        if group & 0xff == 0 {
-            group = 0;
-            if len > 0 {
-                len -= 1;
-                group = stack[len];
+        while hits != 0 {
+            let index = triangle_in(rows, ids, hits.trailing_zeros());
+            hits &= hits - 1;
+            probe.triangle();
+            let triangle = &triangles[index as usize];
+            let hit = shear.intersect(&ray, &slab, triangle, WHOLE_RAY);
+            let is_met = hit.is_hit && hit.t > ray.tmin && hit.t < ray.tmax;
+            if is_met && (triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v)) {
+                return true;
             }
         }
     }
