@@ -18,9 +18,10 @@ mod tint;
 
 use std::time::Instant;
 
+use bytemuck::Zeroable;
 use history::History;
 use kept_map::{Draw, StillMap};
-use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
+use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer, memory};
 use lt_irregular::LightBvh;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Vsm};
@@ -115,6 +116,13 @@ fn prepare(scene: &PackedScene) {
     }
 }
 
+/// Makes a buffer one of zeros where it has another length: what a picture or a map holds is not another's.
+fn resize<T: Zeroable>(buffer: &mut Vec<T>, len: usize) {
+    if buffer.len() != len {
+        *buffer = memory::zeroed(len);
+    }
+}
+
 fn tracer(scene: &PackedScene) -> Simd<'_> {
     match scene.trees() {
         Trees::Flat(bvh) => Simd::new(bvh),
@@ -141,9 +149,9 @@ impl Backend for CpuBackend {
     fn camera(&mut self, params: &CameraParams, plan: &EffectPlan) -> Result<Option<f64>, RenderError> {
         self.tiles = Tiles::new(params.size);
         let len = self.tiles.len();
-        self.samples.resize(len, Sample::default());
-        self.previous.resize(if plan.object_motion { len } else { 0 }, Vec3::ZERO);
-        self.visibility.resize(len, 0.0);
+        resize(&mut self.samples, len);
+        resize(&mut self.previous, if plan.object_motion { len } else { 0 });
+        resize(&mut self.visibility, len);
         self.is_doubted.resize(len, false);
         let start = Instant::now();
         let covers = self.scene.coverage(0);
@@ -170,9 +178,9 @@ impl Backend for CpuBackend {
             self.slots.resize_with(job.slot + 1, Slot::default);
         }
         let slot = &mut self.slots[job.slot];
-        slot.depths.resize(map_texels, 1.0);
-        slot.rows.resize(vector_texels, Vec4::ZERO);
-        slot.vectors.resize(vector_texels, Vec4::ZERO);
+        resize(&mut slot.depths, map_texels);
+        resize(&mut slot.rows, vector_texels);
+        resize(&mut slot.vectors, vector_texels);
         slot.history.begin(self.tiles, job.plan.mask);
         if job.clears_history() {
             slot.history.clear();
