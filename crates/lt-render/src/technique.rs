@@ -311,7 +311,7 @@ impl Technique {
             (
                 "light",
                 "ray, ltt-, lt-: the rays' answers from a tree in the light's own space, kept while light and \
-                 casters stand still (CPU)",
+                 casters stand still",
             ),
             ("dac", "ray, ltt-, lt-: the same by dividing points and triangles together, nothing kept (CPU)"),
             (
