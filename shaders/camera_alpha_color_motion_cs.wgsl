@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -169,430 +169,430 @@ var<storage> before: type_26;
 var<storage, read_write> past: type_26;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_220_: lt_mask_LightPlace;
-    var phi_221_: bool;
     var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_228_: lt_mask_LightPlace;
+    var phi_224_: lt_mask_LightPlace;
+    var phi_225_: bool;
+    var phi_230_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_220_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_221_ = false;
+            phi_222_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_223_ = false;
         } else {
-            phi_220_ = lt_mask_LightPlace();
-            phi_221_ = true;
+            phi_222_ = lt_mask_LightPlace();
+            phi_223_ = true;
         }
-        let _e85 = phi_220_;
-        let _e87 = phi_221_;
-        phi_222_ = _e85;
-        phi_223_ = _e87;
+        let _e86 = phi_222_;
+        let _e88 = phi_223_;
+        phi_224_ = _e86;
+        phi_225_ = _e88;
     } else {
-        phi_222_ = lt_mask_LightPlace();
-        phi_223_ = true;
+        phi_224_ = lt_mask_LightPlace();
+        phi_225_ = true;
     }
-    let _e89 = phi_222_;
-    let _e91 = phi_223_;
-    if _e91 {
-        phi_228_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e90 = phi_224_;
+    let _e92 = phi_225_;
+    if _e92 {
+        phi_230_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_228_ = _e89;
+        phi_230_ = _e90;
     }
-    let _e96 = phi_228_;
-    return lt_mask_LightPlace(_e96.word, _e96.shift);
+    let _e97 = phi_230_;
+    return lt_mask_LightPlace(_e97.word, _e97.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_243_: bool;
-    var phi_247_: f32;
+    var phi_245_: bool;
+    var phi_249_: f32;
 
     if (param_3 != param_3) {
-        phi_243_ = true;
+        phi_245_ = true;
     } else {
-        let _e75 = (param_4 >= param_3);
-        if _e75 {
+        let _e76 = (param_4 >= param_3);
+        if _e76 {
         }
-        phi_243_ = _e75;
+        phi_245_ = _e76;
     }
-    let _e77 = phi_243_;
-    if _e77 {
-        phi_247_ = param_4;
+    let _e78 = phi_245_;
+    if _e78 {
+        phi_249_ = param_4;
     } else {
-        phi_247_ = param_3;
+        phi_249_ = param_3;
     }
-    let _e79 = phi_247_;
-    return _e79;
+    let _e80 = phi_249_;
+    return _e80;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_259_: bool;
-    var phi_263_: f32;
+    var phi_261_: bool;
+    var phi_265_: f32;
 
     if (param_5 != param_5) {
-        phi_259_ = true;
+        phi_261_ = true;
     } else {
-        let _e75 = (param_6 <= param_5);
-        if _e75 {
+        let _e76 = (param_6 <= param_5);
+        if _e76 {
         }
-        phi_259_ = _e75;
+        phi_261_ = _e76;
     }
-    let _e77 = phi_259_;
-    if _e77 {
-        phi_263_ = param_6;
+    let _e78 = phi_261_;
+    if _e78 {
+        phi_265_ = param_6;
     } else {
-        phi_263_ = param_5;
+        phi_265_ = param_5;
     }
-    let _e79 = phi_263_;
-    return _e79;
+    let _e80 = phi_265_;
+    return _e80;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_305_: f32;
-    var phi_310_: f32;
-    var phi_311_: bool;
+    var phi_307_: f32;
     var phi_312_: f32;
     var phi_313_: bool;
-    var phi_317_: f32;
-    var phi_343_: f32;
-    var phi_348_: f32;
-    var phi_349_: bool;
+    var phi_314_: f32;
+    var phi_315_: bool;
+    var phi_319_: f32;
+    var phi_345_: f32;
     var phi_350_: f32;
     var phi_351_: bool;
-    var phi_355_: f32;
-    var phi_363_: f32;
-    var phi_364_: f32;
+    var phi_352_: f32;
+    var phi_353_: bool;
+    var phi_357_: f32;
     var phi_365_: f32;
-    var phi_374_: f32;
-    var phi_375_: f32;
-    var phi_393_: u32;
-    var phi_407_: u32;
-    var phi_414_: u32;
-    var phi_419_: u32;
-    var phi_425_: u32;
-    var phi_430_: u32;
-    var phi_432_: texture_Axis;
-    var phi_460_: f32;
-    var phi_465_: f32;
-    var phi_466_: bool;
+    var phi_366_: f32;
+    var phi_367_: f32;
+    var phi_376_: f32;
+    var phi_377_: f32;
+    var phi_395_: u32;
+    var phi_409_: u32;
+    var phi_416_: u32;
+    var phi_421_: u32;
+    var phi_427_: u32;
+    var phi_432_: u32;
+    var phi_434_: texture_Axis;
+    var phi_462_: f32;
     var phi_467_: f32;
     var phi_468_: bool;
-    var phi_472_: f32;
-    var phi_498_: f32;
-    var phi_503_: f32;
-    var phi_504_: bool;
+    var phi_469_: f32;
+    var phi_470_: bool;
+    var phi_474_: f32;
+    var phi_500_: f32;
     var phi_505_: f32;
     var phi_506_: bool;
-    var phi_510_: f32;
-    var phi_518_: f32;
-    var phi_519_: f32;
+    var phi_507_: f32;
+    var phi_508_: bool;
+    var phi_512_: f32;
     var phi_520_: f32;
-    var phi_529_: f32;
-    var phi_530_: f32;
-    var phi_548_: u32;
-    var phi_562_: u32;
-    var phi_569_: u32;
-    var phi_574_: u32;
-    var phi_580_: u32;
-    var phi_585_: u32;
-    var phi_587_: texture_Axis;
+    var phi_521_: f32;
+    var phi_522_: f32;
+    var phi_531_: f32;
+    var phi_532_: f32;
+    var phi_550_: u32;
+    var phi_564_: u32;
+    var phi_571_: u32;
+    var phi_576_: u32;
+    var phi_582_: u32;
+    var phi_587_: u32;
+    var phi_589_: texture_Axis;
 
-    let _e76 = (*param_7).size;
-    let _e77 = (_e76 & 65535u);
-    let _e79 = (*param_7).size;
-    let _e81 = (_e79 >> bitcast<u32>(16i));
-    let _e83 = (*param_7).flags;
-    let _e85 = ((_e83 & 4u) != 0u);
-    let _e87 = (*param_7).flags;
-    let _e90 = ((_e87 >> bitcast<u32>(4u)) & 3u);
-    if (_e90 == 0u) {
+    let _e77 = (*param_7).size;
+    let _e78 = (_e77 & 65535u);
+    let _e80 = (*param_7).size;
+    let _e82 = (_e80 >> bitcast<u32>(16i));
+    let _e84 = (*param_7).flags;
+    let _e86 = ((_e84 & 4u) != 0u);
+    let _e88 = (*param_7).flags;
+    let _e91 = ((_e88 >> bitcast<u32>(4u)) & 3u);
+    if (_e91 == 0u) {
         if (param_8 > -8388608f) {
-            let _e103 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
-            if (_e103 > param_8) {
-                phi_305_ = 1f;
+            let _e104 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e104 > param_8) {
+                phi_307_ = 1f;
             } else {
-                phi_305_ = 0f;
+                phi_307_ = 0f;
             }
-            let _e106 = phi_305_;
+            let _e107 = phi_307_;
             if (param_8 < 8388608f) {
-                phi_310_ = (_e103 - _e106);
-                phi_311_ = false;
+                phi_312_ = (_e104 - _e107);
+                phi_313_ = false;
             } else {
-                phi_310_ = f32();
-                phi_311_ = true;
+                phi_312_ = f32();
+                phi_313_ = true;
             }
-            let _e109 = phi_310_;
-            let _e111 = phi_311_;
-            phi_312_ = _e109;
-            phi_313_ = _e111;
+            let _e110 = phi_312_;
+            let _e112 = phi_313_;
+            phi_314_ = _e110;
+            phi_315_ = _e112;
         } else {
-            phi_312_ = f32();
-            phi_313_ = true;
+            phi_314_ = f32();
+            phi_315_ = true;
         }
-        let _e113 = phi_312_;
-        let _e115 = phi_313_;
-        if _e115 {
-            phi_317_ = param_8;
+        let _e114 = phi_314_;
+        let _e116 = phi_315_;
+        if _e116 {
+            phi_319_ = param_8;
         } else {
-            phi_317_ = _e113;
+            phi_319_ = _e114;
         }
-        let _e117 = phi_317_;
-        phi_365_ = (param_8 - _e117);
+        let _e118 = phi_319_;
+        phi_367_ = (param_8 - _e118);
     } else {
-        if (_e90 == 1u) {
-            let _e120 = (param_8 * 0.5f);
-            if (_e120 > -8388608f) {
-                let _e132 = f32(select(0i, select(select(i32(_e120), i32(-2147483648), (_e120 < bitcast<f32>(3472883712u))), 2147483647i, (_e120 > bitcast<f32>(1325400063u))), (_e120 == _e120)));
-                if (_e132 > _e120) {
-                    phi_343_ = 1f;
+        if (_e91 == 1u) {
+            let _e121 = (param_8 * 0.5f);
+            if (_e121 > -8388608f) {
+                let _e133 = f32(select(0i, select(select(i32(_e121), i32(-2147483648), (_e121 < bitcast<f32>(3472883712u))), 2147483647i, (_e121 > bitcast<f32>(1325400063u))), (_e121 == _e121)));
+                if (_e133 > _e121) {
+                    phi_345_ = 1f;
                 } else {
-                    phi_343_ = 0f;
+                    phi_345_ = 0f;
                 }
-                let _e135 = phi_343_;
-                if (_e120 < 8388608f) {
-                    phi_348_ = (_e132 - _e135);
-                    phi_349_ = false;
+                let _e136 = phi_345_;
+                if (_e121 < 8388608f) {
+                    phi_350_ = (_e133 - _e136);
+                    phi_351_ = false;
                 } else {
-                    phi_348_ = f32();
-                    phi_349_ = true;
+                    phi_350_ = f32();
+                    phi_351_ = true;
                 }
-                let _e138 = phi_348_;
-                let _e140 = phi_349_;
-                phi_350_ = _e138;
-                phi_351_ = _e140;
+                let _e139 = phi_350_;
+                let _e141 = phi_351_;
+                phi_352_ = _e139;
+                phi_353_ = _e141;
             } else {
-                phi_350_ = f32();
-                phi_351_ = true;
+                phi_352_ = f32();
+                phi_353_ = true;
             }
-            let _e142 = phi_350_;
-            let _e144 = phi_351_;
-            if _e144 {
-                phi_355_ = _e120;
+            let _e143 = phi_352_;
+            let _e145 = phi_353_;
+            if _e145 {
+                phi_357_ = _e121;
             } else {
-                phi_355_ = _e142;
+                phi_357_ = _e143;
             }
-            let _e146 = phi_355_;
-            let _e148 = (param_8 - (2f * _e146));
-            if (_e148 > 1f) {
-                phi_363_ = (2f - _e148);
+            let _e147 = phi_357_;
+            let _e149 = (param_8 - (2f * _e147));
+            if (_e149 > 1f) {
+                phi_365_ = (2f - _e149);
             } else {
-                phi_363_ = _e148;
+                phi_365_ = _e149;
             }
-            let _e152 = phi_363_;
-            phi_364_ = _e152;
+            let _e153 = phi_365_;
+            phi_366_ = _e153;
         } else {
-            phi_364_ = param_8;
+            phi_366_ = param_8;
         }
-        let _e154 = phi_364_;
-        phi_365_ = _e154;
+        let _e155 = phi_366_;
+        phi_367_ = _e155;
     }
-    let _e156 = phi_365_;
-    if (_e156 > 0f) {
-        if (_e156 < 1f) {
-            phi_374_ = _e156;
+    let _e157 = phi_367_;
+    if (_e157 > 0f) {
+        if (_e157 < 1f) {
+            phi_376_ = _e157;
         } else {
-            phi_374_ = 1f;
+            phi_376_ = 1f;
         }
-        let _e160 = phi_374_;
-        phi_375_ = _e160;
+        let _e161 = phi_376_;
+        phi_377_ = _e161;
     } else {
-        phi_375_ = 0f;
+        phi_377_ = 0f;
     }
-    let _e162 = phi_375_;
-    let _e163 = (_e77 - 1u);
-    let _e165 = (_e162 * f32(_e77));
-    if _e85 {
-        let _e172 = select(select(u32(_e165), 0u, (_e165 < bitcast<f32>(0u))), 4294967295u, (_e165 > bitcast<f32>(1333788671u)));
-        if (_e163 < _e172) {
-            phi_393_ = _e163;
+    let _e163 = phi_377_;
+    let _e164 = (_e78 - 1u);
+    let _e166 = (_e163 * f32(_e78));
+    if _e86 {
+        let _e173 = select(select(u32(_e166), 0u, (_e166 < bitcast<f32>(0u))), 4294967295u, (_e166 > bitcast<f32>(1333788671u)));
+        if (_e164 < _e173) {
+            phi_395_ = _e164;
         } else {
-            phi_393_ = _e172;
+            phi_395_ = _e173;
         }
-        let _e175 = phi_393_;
-        phi_432_ = texture_Axis(_e175, _e175, 0f);
+        let _e176 = phi_395_;
+        phi_434_ = texture_Axis(_e176, _e176, 0f);
     } else {
-        let _e177 = (_e165 + 0.5f);
-        let _e184 = select(select(u32(_e177), 0u, (_e177 < bitcast<f32>(0u))), 4294967295u, (_e177 > bitcast<f32>(1333788671u)));
-        if (_e77 < _e184) {
-            phi_407_ = _e77;
+        let _e178 = (_e166 + 0.5f);
+        let _e185 = select(select(u32(_e178), 0u, (_e178 < bitcast<f32>(0u))), 4294967295u, (_e178 > bitcast<f32>(1333788671u)));
+        if (_e78 < _e185) {
+            phi_409_ = _e78;
         } else {
-            phi_407_ = _e184;
+            phi_409_ = _e185;
         }
-        let _e187 = phi_407_;
-        if (_e90 == 0u) {
-            phi_414_ = _e163;
+        let _e188 = phi_409_;
+        if (_e91 == 0u) {
+            phi_416_ = _e164;
         } else {
-            phi_414_ = 0u;
+            phi_416_ = 0u;
         }
-        let _e192 = phi_414_;
-        if (_e90 == 0u) {
-            phi_419_ = 0u;
+        let _e193 = phi_416_;
+        if (_e91 == 0u) {
+            phi_421_ = 0u;
         } else {
-            phi_419_ = _e163;
+            phi_421_ = _e164;
         }
-        let _e195 = phi_419_;
-        if (_e187 == 0u) {
-            phi_425_ = _e192;
+        let _e196 = phi_421_;
+        if (_e188 == 0u) {
+            phi_427_ = _e193;
         } else {
-            phi_425_ = (_e187 - 1u);
+            phi_427_ = (_e188 - 1u);
         }
-        let _e199 = phi_425_;
-        if (_e187 > _e163) {
-            phi_430_ = _e195;
+        let _e200 = phi_427_;
+        if (_e188 > _e164) {
+            phi_432_ = _e196;
         } else {
-            phi_430_ = _e187;
+            phi_432_ = _e188;
         }
-        let _e202 = phi_430_;
-        phi_432_ = texture_Axis(_e199, _e202, (_e177 - f32(_e187)));
+        let _e203 = phi_432_;
+        phi_434_ = texture_Axis(_e200, _e203, (_e178 - f32(_e188)));
     }
-    let _e205 = phi_432_;
-    let _e207 = (*param_7).flags;
-    let _e210 = ((_e207 >> bitcast<u32>(6u)) & 3u);
-    if (_e210 == 0u) {
+    let _e206 = phi_434_;
+    let _e208 = (*param_7).flags;
+    let _e211 = ((_e208 >> bitcast<u32>(6u)) & 3u);
+    if (_e211 == 0u) {
         if (param_9 > -8388608f) {
-            let _e223 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
-            if (_e223 > param_9) {
-                phi_460_ = 1f;
+            let _e224 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e224 > param_9) {
+                phi_462_ = 1f;
             } else {
-                phi_460_ = 0f;
+                phi_462_ = 0f;
             }
-            let _e226 = phi_460_;
+            let _e227 = phi_462_;
             if (param_9 < 8388608f) {
-                phi_465_ = (_e223 - _e226);
-                phi_466_ = false;
+                phi_467_ = (_e224 - _e227);
+                phi_468_ = false;
             } else {
-                phi_465_ = f32();
-                phi_466_ = true;
+                phi_467_ = f32();
+                phi_468_ = true;
             }
-            let _e229 = phi_465_;
-            let _e231 = phi_466_;
-            phi_467_ = _e229;
-            phi_468_ = _e231;
+            let _e230 = phi_467_;
+            let _e232 = phi_468_;
+            phi_469_ = _e230;
+            phi_470_ = _e232;
         } else {
-            phi_467_ = f32();
-            phi_468_ = true;
+            phi_469_ = f32();
+            phi_470_ = true;
         }
-        let _e233 = phi_467_;
-        let _e235 = phi_468_;
-        if _e235 {
-            phi_472_ = param_9;
+        let _e234 = phi_469_;
+        let _e236 = phi_470_;
+        if _e236 {
+            phi_474_ = param_9;
         } else {
-            phi_472_ = _e233;
+            phi_474_ = _e234;
         }
-        let _e237 = phi_472_;
-        phi_520_ = (param_9 - _e237);
+        let _e238 = phi_474_;
+        phi_522_ = (param_9 - _e238);
     } else {
-        if (_e210 == 1u) {
-            let _e240 = (param_9 * 0.5f);
-            if (_e240 > -8388608f) {
-                let _e252 = f32(select(0i, select(select(i32(_e240), i32(-2147483648), (_e240 < bitcast<f32>(3472883712u))), 2147483647i, (_e240 > bitcast<f32>(1325400063u))), (_e240 == _e240)));
-                if (_e252 > _e240) {
-                    phi_498_ = 1f;
+        if (_e211 == 1u) {
+            let _e241 = (param_9 * 0.5f);
+            if (_e241 > -8388608f) {
+                let _e253 = f32(select(0i, select(select(i32(_e241), i32(-2147483648), (_e241 < bitcast<f32>(3472883712u))), 2147483647i, (_e241 > bitcast<f32>(1325400063u))), (_e241 == _e241)));
+                if (_e253 > _e241) {
+                    phi_500_ = 1f;
                 } else {
-                    phi_498_ = 0f;
+                    phi_500_ = 0f;
                 }
-                let _e255 = phi_498_;
-                if (_e240 < 8388608f) {
-                    phi_503_ = (_e252 - _e255);
-                    phi_504_ = false;
+                let _e256 = phi_500_;
+                if (_e241 < 8388608f) {
+                    phi_505_ = (_e253 - _e256);
+                    phi_506_ = false;
                 } else {
-                    phi_503_ = f32();
-                    phi_504_ = true;
+                    phi_505_ = f32();
+                    phi_506_ = true;
                 }
-                let _e258 = phi_503_;
-                let _e260 = phi_504_;
-                phi_505_ = _e258;
-                phi_506_ = _e260;
+                let _e259 = phi_505_;
+                let _e261 = phi_506_;
+                phi_507_ = _e259;
+                phi_508_ = _e261;
             } else {
-                phi_505_ = f32();
-                phi_506_ = true;
+                phi_507_ = f32();
+                phi_508_ = true;
             }
-            let _e262 = phi_505_;
-            let _e264 = phi_506_;
-            if _e264 {
-                phi_510_ = _e240;
+            let _e263 = phi_507_;
+            let _e265 = phi_508_;
+            if _e265 {
+                phi_512_ = _e241;
             } else {
-                phi_510_ = _e262;
+                phi_512_ = _e263;
             }
-            let _e266 = phi_510_;
-            let _e268 = (param_9 - (2f * _e266));
-            if (_e268 > 1f) {
-                phi_518_ = (2f - _e268);
+            let _e267 = phi_512_;
+            let _e269 = (param_9 - (2f * _e267));
+            if (_e269 > 1f) {
+                phi_520_ = (2f - _e269);
             } else {
-                phi_518_ = _e268;
+                phi_520_ = _e269;
             }
-            let _e272 = phi_518_;
-            phi_519_ = _e272;
+            let _e273 = phi_520_;
+            phi_521_ = _e273;
         } else {
-            phi_519_ = param_9;
+            phi_521_ = param_9;
         }
-        let _e274 = phi_519_;
-        phi_520_ = _e274;
+        let _e275 = phi_521_;
+        phi_522_ = _e275;
     }
-    let _e276 = phi_520_;
-    if (_e276 > 0f) {
-        if (_e276 < 1f) {
-            phi_529_ = _e276;
+    let _e277 = phi_522_;
+    if (_e277 > 0f) {
+        if (_e277 < 1f) {
+            phi_531_ = _e277;
         } else {
-            phi_529_ = 1f;
+            phi_531_ = 1f;
         }
-        let _e280 = phi_529_;
-        phi_530_ = _e280;
+        let _e281 = phi_531_;
+        phi_532_ = _e281;
     } else {
-        phi_530_ = 0f;
+        phi_532_ = 0f;
     }
-    let _e282 = phi_530_;
-    let _e283 = (_e81 - 1u);
-    let _e285 = (_e282 * f32(_e81));
-    if _e85 {
-        let _e292 = select(select(u32(_e285), 0u, (_e285 < bitcast<f32>(0u))), 4294967295u, (_e285 > bitcast<f32>(1333788671u)));
-        if (_e283 < _e292) {
-            phi_548_ = _e283;
+    let _e283 = phi_532_;
+    let _e284 = (_e82 - 1u);
+    let _e286 = (_e283 * f32(_e82));
+    if _e86 {
+        let _e293 = select(select(u32(_e286), 0u, (_e286 < bitcast<f32>(0u))), 4294967295u, (_e286 > bitcast<f32>(1333788671u)));
+        if (_e284 < _e293) {
+            phi_550_ = _e284;
         } else {
-            phi_548_ = _e292;
+            phi_550_ = _e293;
         }
-        let _e295 = phi_548_;
-        phi_587_ = texture_Axis(_e295, _e295, 0f);
+        let _e296 = phi_550_;
+        phi_589_ = texture_Axis(_e296, _e296, 0f);
     } else {
-        let _e297 = (_e285 + 0.5f);
-        let _e304 = select(select(u32(_e297), 0u, (_e297 < bitcast<f32>(0u))), 4294967295u, (_e297 > bitcast<f32>(1333788671u)));
-        if (_e81 < _e304) {
-            phi_562_ = _e81;
+        let _e298 = (_e286 + 0.5f);
+        let _e305 = select(select(u32(_e298), 0u, (_e298 < bitcast<f32>(0u))), 4294967295u, (_e298 > bitcast<f32>(1333788671u)));
+        if (_e82 < _e305) {
+            phi_564_ = _e82;
         } else {
-            phi_562_ = _e304;
+            phi_564_ = _e305;
         }
-        let _e307 = phi_562_;
-        if (_e210 == 0u) {
-            phi_569_ = _e283;
+        let _e308 = phi_564_;
+        if (_e211 == 0u) {
+            phi_571_ = _e284;
         } else {
-            phi_569_ = 0u;
+            phi_571_ = 0u;
         }
-        let _e312 = phi_569_;
-        if (_e210 == 0u) {
-            phi_574_ = 0u;
+        let _e313 = phi_571_;
+        if (_e211 == 0u) {
+            phi_576_ = 0u;
         } else {
-            phi_574_ = _e283;
+            phi_576_ = _e284;
         }
-        let _e315 = phi_574_;
-        if (_e307 == 0u) {
-            phi_580_ = _e312;
+        let _e316 = phi_576_;
+        if (_e308 == 0u) {
+            phi_582_ = _e313;
         } else {
-            phi_580_ = (_e307 - 1u);
+            phi_582_ = (_e308 - 1u);
         }
-        let _e319 = phi_580_;
-        if (_e307 > _e283) {
-            phi_585_ = _e315;
+        let _e320 = phi_582_;
+        if (_e308 > _e284) {
+            phi_587_ = _e316;
         } else {
-            phi_585_ = _e307;
+            phi_587_ = _e308;
         }
-        let _e322 = phi_585_;
-        phi_587_ = texture_Axis(_e319, _e322, (_e297 - f32(_e307)));
+        let _e323 = phi_587_;
+        phi_589_ = texture_Axis(_e320, _e323, (_e298 - f32(_e308)));
     }
-    let _e325 = phi_587_;
-    let _e329 = (*param_7).offset;
-    let _e336 = (*param_7).offset;
-    let _e343 = (*param_7).offset;
-    let _e350 = (*param_7).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e329 + (_e325.low * _e77)) + _e205.low), ((_e336 + (_e325.low * _e77)) + _e205.high), ((_e343 + (_e325.high * _e77)) + _e205.low), ((_e350 + (_e325.high * _e77)) + _e205.high)), vec4<f32>(((1f - _e205.fraction) * (1f - _e325.fraction)), (_e205.fraction * (1f - _e325.fraction)), ((1f - _e205.fraction) * _e325.fraction), (_e205.fraction * _e325.fraction)));
+    let _e326 = phi_589_;
+    let _e330 = (*param_7).offset;
+    let _e337 = (*param_7).offset;
+    let _e344 = (*param_7).offset;
+    let _e351 = (*param_7).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e330 + (_e326.low * _e78)) + _e206.low), ((_e337 + (_e326.low * _e78)) + _e206.high), ((_e344 + (_e326.high * _e78)) + _e206.low), ((_e351 + (_e326.high * _e78)) + _e206.high)), vec4<f32>(((1f - _e206.fraction) * (1f - _e326.fraction)), (_e206.fraction * (1f - _e326.fraction)), ((1f - _e206.fraction) * _e326.fraction), (_e206.fraction * _e326.fraction)));
 }
 
 fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
@@ -600,15 +600,15 @@ fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
-    var phi_646_: f32;
+    var phi_648_: f32;
 
     if (param_12 > param_13) {
-        phi_646_ = param_12;
+        phi_648_ = param_12;
     } else {
-        phi_646_ = param_13;
+        phi_648_ = param_13;
     }
-    let _e76 = phi_646_;
-    return _e76;
+    let _e77 = phi_648_;
+    return _e77;
 }
 
 fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_14: vec3<f32>) -> vec3<f32> {
@@ -623,1808 +623,1810 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: texture_TextureView;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_788_: bool;
+    var phi_800_: bool;
     var phi_801_: bool;
     var phi_802_: bool;
     var phi_803_: bool;
-    var phi_804_: bool;
-    var phi_808_: bool;
+    var phi_807_: bool;
+    var phi_820_: bool;
     var phi_821_: bool;
     var phi_822_: bool;
     var phi_823_: bool;
     var phi_827_: bool;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_835_: bool;
-    var phi_911_: f32;
-    var phi_918_: f32;
-    var phi_926_: f32;
-    var phi_933_: f32;
-    var phi_941_: f32;
-    var phi_948_: f32;
-    var phi_971_: f32;
-    var phi_976_: f32;
-    var phi_981_: f32;
-    var phi_986_: f32;
-    var phi_991_: f32;
-    var phi_1022_: bool;
-    var phi_1023_: bool;
-    var phi_1031_: u32;
-    var phi_1032_: u32;
-    var phi_1049_: vec3<f32>;
-    var phi_1050_: vec3<f32>;
-    var phi_1063_: u32;
-    var phi_1068_: u32;
-    var phi_1073_: u32;
-    var phi_1187_: bool;
-    var phi_1188_: bool;
-    var phi_1219_: u32;
-    var phi_1221_: lt_bvh_Hit;
-    var phi_1224_: u32;
-    var phi_1309_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1336_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1363_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1369_: u32;
-    var phi_1372_: u32;
-    var phi_1386_: u32;
-    var phi_1396_: u32;
-    var phi_1406_: u32;
-    var phi_1424_: u32;
-    var phi_1434_: u32;
-    var phi_1444_: u32;
-    var phi_1480_: u32;
-    var phi_1493_: u32;
-    var phi_1498_: u32;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_846_: bool;
+    var phi_847_: bool;
+    var phi_848_: bool;
+    var phi_849_: bool;
+    var phi_850_: bool;
+    var phi_854_: bool;
+    var phi_930_: f32;
+    var phi_937_: f32;
+    var phi_945_: f32;
+    var phi_952_: f32;
+    var phi_960_: f32;
+    var phi_967_: f32;
+    var phi_990_: f32;
+    var phi_995_: f32;
+    var phi_1000_: f32;
+    var phi_1005_: f32;
+    var phi_1010_: f32;
+    var phi_1041_: bool;
+    var phi_1042_: bool;
+    var phi_1050_: u32;
+    var phi_1051_: u32;
+    var phi_1068_: vec3<f32>;
+    var phi_1069_: vec3<f32>;
+    var phi_1082_: u32;
+    var phi_1087_: u32;
+    var phi_1092_: u32;
+    var phi_1206_: bool;
+    var phi_1207_: bool;
+    var phi_1238_: u32;
+    var phi_1240_: lt_bvh_Hit;
+    var phi_1243_: u32;
+    var phi_1328_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1355_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1382_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1388_: u32;
+    var phi_1391_: u32;
+    var phi_1405_: u32;
+    var phi_1415_: u32;
+    var phi_1425_: u32;
+    var phi_1443_: u32;
+    var phi_1453_: u32;
+    var phi_1463_: u32;
     var phi_1499_: u32;
-    var phi_1500_: u32;
-    var phi_1370_: u32;
-    var phi_1373_: u32;
+    var phi_1512_: u32;
+    var phi_1517_: u32;
+    var phi_1518_: u32;
+    var phi_1519_: u32;
+    var phi_1389_: u32;
+    var phi_1392_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1558_: lt_bvh_Hit;
-    var phi_1561_: u32;
-    var phi_1607_: vec3<f32>;
-    var phi_1608_: vec3<f32>;
-    var phi_1639_: vec3<f32>;
-    var phi_1640_: vec3<f32>;
-    var phi_1671_: vec3<f32>;
-    var phi_1672_: vec3<f32>;
-    var phi_1690_: bool;
-    var phi_1691_: bool;
-    var phi_1695_: f32;
-    var phi_1696_: f32;
-    var phi_1697_: f32;
-    var phi_1698_: f32;
-    var phi_1706_: f32;
-    var phi_1716_: bool;
-    var phi_1717_: bool;
-    var phi_1721_: f32;
-    var phi_1722_: f32;
-    var phi_1723_: f32;
-    var phi_1724_: f32;
-    var phi_1732_: f32;
-    var phi_1742_: bool;
-    var phi_1743_: bool;
-    var phi_1747_: f32;
-    var phi_1748_: f32;
-    var phi_1749_: f32;
-    var phi_1750_: f32;
-    var phi_1758_: f32;
-    var phi_1773_: f32;
-    var phi_1774_: bool;
-    var phi_1775_: f32;
-    var phi_1776_: bool;
+    var phi_1577_: lt_bvh_Hit;
+    var phi_1580_: u32;
+    var phi_1626_: vec3<f32>;
+    var phi_1627_: vec3<f32>;
+    var phi_1658_: vec3<f32>;
+    var phi_1659_: vec3<f32>;
+    var phi_1690_: vec3<f32>;
+    var phi_1691_: vec3<f32>;
+    var phi_1709_: bool;
+    var phi_1710_: bool;
+    var phi_1714_: f32;
+    var phi_1715_: f32;
+    var phi_1716_: f32;
+    var phi_1717_: f32;
+    var phi_1725_: f32;
+    var phi_1735_: bool;
+    var phi_1736_: bool;
+    var phi_1740_: f32;
+    var phi_1741_: f32;
+    var phi_1742_: f32;
+    var phi_1743_: f32;
+    var phi_1751_: f32;
+    var phi_1761_: bool;
+    var phi_1762_: bool;
+    var phi_1766_: f32;
+    var phi_1767_: f32;
+    var phi_1768_: f32;
+    var phi_1769_: f32;
     var phi_1777_: f32;
-    var phi_1778_: bool;
+    var phi_1792_: f32;
+    var phi_1793_: bool;
+    var phi_1794_: f32;
+    var phi_1795_: bool;
     var phi_1796_: f32;
     var phi_1797_: bool;
-    var phi_1798_: bool;
-    var phi_1799_: f32;
-    var phi_1800_: bool;
-    var phi_1801_: bool;
-    var phi_1805_: bool;
-    var phi_1806_: f32;
-    var phi_1807_: bool;
-    var phi_1837_: vec3<f32>;
-    var phi_1838_: vec3<f32>;
-    var phi_1863_: vec3<f32>;
-    var phi_1864_: vec3<f32>;
-    var phi_1889_: vec3<f32>;
-    var phi_1890_: vec3<f32>;
-    var phi_1948_: f32;
-    var phi_1957_: f32;
-    var phi_1966_: f32;
-    var phi_1975_: f32;
-    var phi_1982_: f32;
-    var phi_1989_: f32;
-    var phi_2002_: f32;
-    var phi_2011_: f32;
-    var phi_2020_: f32;
-    var phi_2029_: f32;
-    var phi_2036_: f32;
-    var phi_2043_: f32;
-    var phi_2066_: f32;
-    var phi_2071_: f32;
-    var phi_2076_: f32;
-    var phi_2084_: f32;
-    var phi_2089_: f32;
-    var phi_2094_: f32;
-    var phi_2106_: f32;
-    var phi_2111_: f32;
-    var phi_2116_: f32;
-    var phi_2121_: f32;
-    var phi_2126_: lt_bvh_triangle_Intersection;
-    var phi_2127_: bool;
-    var phi_2128_: lt_bvh_triangle_Intersection;
-    var phi_2129_: bool;
-    var phi_2133_: lt_bvh_triangle_Intersection;
-    var phi_2134_: bool;
-    var phi_2135_: lt_bvh_triangle_Intersection;
-    var phi_2136_: bool;
-    var phi_2137_: bool;
-    var phi_2141_: bool;
+    var phi_1815_: f32;
+    var phi_1816_: bool;
+    var phi_1817_: bool;
+    var phi_1818_: f32;
+    var phi_1819_: bool;
+    var phi_1820_: bool;
+    var phi_1824_: bool;
+    var phi_1825_: f32;
+    var phi_1826_: bool;
+    var phi_1856_: vec3<f32>;
+    var phi_1857_: vec3<f32>;
+    var phi_1882_: vec3<f32>;
+    var phi_1883_: vec3<f32>;
+    var phi_1908_: vec3<f32>;
+    var phi_1909_: vec3<f32>;
+    var phi_1967_: f32;
+    var phi_1976_: f32;
+    var phi_1985_: f32;
+    var phi_1994_: f32;
+    var phi_2001_: f32;
+    var phi_2008_: f32;
+    var phi_2021_: f32;
+    var phi_2030_: f32;
+    var phi_2039_: f32;
+    var phi_2048_: f32;
+    var phi_2055_: f32;
+    var phi_2062_: f32;
+    var phi_2085_: f32;
+    var phi_2090_: f32;
+    var phi_2095_: f32;
+    var phi_2103_: f32;
+    var phi_2108_: f32;
+    var phi_2113_: f32;
+    var phi_2125_: f32;
+    var phi_2130_: f32;
+    var phi_2135_: f32;
+    var phi_2140_: f32;
     var phi_2145_: lt_bvh_triangle_Intersection;
-    var phi_2184_: bool;
-    var phi_2185_: bool;
-    var phi_2186_: bool;
-    var phi_2187_: bool;
-    var phi_2188_: bool;
-    var phi_2189_: bool;
-    var phi_2193_: bool;
-    var phi_2194_: bool;
-    var phi_2397_: f32;
-    var phi_2400_: bool;
-    var phi_2401_: bool;
-    var phi_2405_: bool;
-    var phi_2413_: lt_bvh_Hit;
-    var phi_2414_: lt_bvh_Hit;
-    var phi_2415_: lt_bvh_Hit;
-    var phi_2416_: lt_bvh_Hit;
-    var phi_1559_: lt_bvh_Hit;
-    var phi_1562_: u32;
-    var phi_2417_: bool;
-    var phi_2456_: bool;
-    var phi_2457_: bool;
-    var phi_2488_: u32;
-    var phi_1222_: lt_bvh_Hit;
-    var phi_1225_: u32;
-    var phi_2489_: lt_bvh_Hit;
-    var phi_2490_: lt_bvh_Hit;
-    var phi_2491_: bool;
-    var phi_2495_: lt_bvh_Hit;
-    var phi_2559_: f32;
-    var phi_2564_: f32;
-    var phi_2569_: f32;
-    var phi_2580_: f32;
-    var phi_2585_: f32;
-    var phi_2590_: f32;
-    var phi_2666_: vec3<f32>;
-    var phi_2909_: vec3<f32>;
-    var phi_2924_: u32;
-    var phi_2951_: f32;
-    var phi_2958_: f32;
-    var phi_2965_: f32;
-    var phi_3000_: f32;
-    var phi_3007_: f32;
-    var phi_3014_: f32;
-    var phi_3052_: f32;
-    var phi_3059_: f32;
-    var phi_3066_: f32;
-    var phi_3125_: vec3<f32>;
-    var phi_3126_: vec3<f32>;
-    var phi_3127_: vec3<f32>;
-    var phi_3136_: f32;
-    var phi_3137_: f32;
-    var phi_3147_: f32;
-    var phi_3148_: f32;
-    var phi_3158_: f32;
-    var phi_3159_: f32;
-    var phi_3194_: abi_Sample;
-    var phi_3285_: vec3<f32>;
+    var phi_2146_: bool;
+    var phi_2147_: lt_bvh_triangle_Intersection;
+    var phi_2148_: bool;
+    var phi_2152_: lt_bvh_triangle_Intersection;
+    var phi_2153_: bool;
+    var phi_2154_: lt_bvh_triangle_Intersection;
+    var phi_2155_: bool;
+    var phi_2156_: bool;
+    var phi_2160_: bool;
+    var phi_2164_: lt_bvh_triangle_Intersection;
+    var phi_2203_: bool;
+    var phi_2204_: bool;
+    var phi_2205_: bool;
+    var phi_2206_: bool;
+    var phi_2207_: bool;
+    var phi_2208_: bool;
+    var phi_2212_: bool;
+    var phi_2213_: bool;
+    var phi_2416_: f32;
+    var phi_2419_: bool;
+    var phi_2420_: bool;
+    var phi_2424_: bool;
+    var phi_2432_: lt_bvh_Hit;
+    var phi_2433_: lt_bvh_Hit;
+    var phi_2434_: lt_bvh_Hit;
+    var phi_2435_: lt_bvh_Hit;
+    var phi_1578_: lt_bvh_Hit;
+    var phi_1581_: u32;
+    var phi_2436_: bool;
+    var phi_2475_: bool;
+    var phi_2476_: bool;
+    var phi_2507_: u32;
+    var phi_1241_: lt_bvh_Hit;
+    var phi_1244_: u32;
+    var phi_2508_: lt_bvh_Hit;
+    var phi_2509_: lt_bvh_Hit;
+    var phi_2510_: bool;
+    var phi_2514_: lt_bvh_Hit;
+    var phi_2578_: f32;
+    var phi_2583_: f32;
+    var phi_2588_: f32;
+    var phi_2599_: f32;
+    var phi_2604_: f32;
+    var phi_2609_: f32;
+    var phi_2685_: vec3<f32>;
+    var phi_2928_: vec3<f32>;
+    var phi_2943_: u32;
+    var phi_2970_: f32;
+    var phi_2977_: f32;
+    var phi_2984_: f32;
+    var phi_3019_: f32;
+    var phi_3026_: f32;
+    var phi_3033_: f32;
+    var phi_3071_: f32;
+    var phi_3078_: f32;
+    var phi_3085_: f32;
+    var phi_3144_: vec3<f32>;
+    var phi_3145_: vec3<f32>;
+    var phi_3146_: vec3<f32>;
+    var phi_3155_: f32;
+    var phi_3156_: f32;
+    var phi_3166_: f32;
+    var phi_3167_: f32;
+    var phi_3177_: f32;
+    var phi_3178_: f32;
+    var phi_3213_: abi_Sample;
+    var phi_3304_: vec3<f32>;
     var local_6: lt_bvh_Hit;
     var local_7: lt_bvh_Hit;
 
-    let _e75 = id_1;
-    let _e79 = arrayLength((&nodes.member));
-    let _e82 = arrayLength((&triangles.member));
-    let _e85 = arrayLength((&vertices.member));
-    let _e88 = arrayLength((&materials.member));
-    let _e94 = arrayLength((&alpha_texels.member));
-    let _e97 = arrayLength((&color_texels.member));
-    let _e100 = arrayLength((&before.member));
-    let _e106 = p.member.size[0u];
-    let _e108 = p.member.size[1u];
-    let _e109 = lt_shaders_entry_pixel_index(_e75, _e106, _e108);
-    if (bitcast<i32>(_e109.word) != 0i) {
-        let _e117 = p.member.eye;
-        let _e122 = p.member.size[0u];
-        let _e126 = ((((f32(_e75.x) + 0.5f) / f32(_e122)) * 2f) - 1f);
-        let _e131 = p.member.size[1u];
-        let _e135 = (1f - (((f32(_e75.y) + 0.5f) / f32(_e131)) * 2f));
-        let _e137 = p.member.forward;
-        let _e139 = p.member.right;
-        let _e153 = p.member.up;
-        let _e164 = _lt_bvh_ray_Ray_new(_e117, vec3<f32>(((_e137.x + (_e139.x * _e126)) + (_e153.x * _e135)), ((_e137.y + (_e139.y * _e126)) + (_e153.y * _e135)), ((_e137.z + (_e139.z * _e126)) + (_e153.z * _e135))));
-        let _e166 = lt_bvh_Hit(_e164.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e169 = abs(_e164.direction.x);
-        let _e171 = abs(_e164.direction.y);
-        let _e173 = abs(_e164.direction.z);
-        if (abs(_e164.origin.x) < 1000000000000000f) {
-            if (abs(_e164.origin.y) < 1000000000000000f) {
-                phi_781_ = (abs(_e164.origin.z) < 1000000000000000f);
-                phi_782_ = false;
+    let _e76 = id_1;
+    let _e80 = arrayLength((&nodes.member));
+    let _e83 = arrayLength((&triangles.member));
+    let _e86 = arrayLength((&vertices.member));
+    let _e89 = arrayLength((&materials.member));
+    let _e95 = arrayLength((&alpha_texels.member));
+    let _e98 = arrayLength((&color_texels.member));
+    let _e101 = arrayLength((&before.member));
+    let _e107 = p.member.size[0u];
+    let _e109 = p.member.size[1u];
+    let _e110 = lt_shaders_entry_pixel_index(_e76, _e107, _e109);
+    if (bitcast<i32>(_e110.word) != 0i) {
+        let _e118 = p.member.eye;
+        let _e121 = p.member.grid[0u];
+        let _e123 = p.member.grid[1u];
+        let _e142 = p.member.size[0u];
+        let _e146 = ((((f32(_e76.x) + ((f32((_e76.y & (_e123 - 1u))) + 0.5f) / f32(_e123))) / f32(_e142)) * 2f) - 1f);
+        let _e149 = p.member.size[1u];
+        let _e153 = (1f - (((f32(_e76.y) + ((f32((_e76.x & (_e121 - 1u))) + 0.5f) / f32(_e121))) / f32(_e149)) * 2f));
+        let _e155 = p.member.forward;
+        let _e157 = p.member.right;
+        let _e171 = p.member.up;
+        let _e182 = _lt_bvh_ray_Ray_new(_e118, vec3<f32>(((_e155.x + (_e157.x * _e146)) + (_e171.x * _e153)), ((_e155.y + (_e157.y * _e146)) + (_e171.y * _e153)), ((_e155.z + (_e157.z * _e146)) + (_e171.z * _e153))));
+        let _e184 = lt_bvh_Hit(_e182.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e187 = abs(_e182.direction.x);
+        let _e189 = abs(_e182.direction.y);
+        let _e191 = abs(_e182.direction.z);
+        if (abs(_e182.origin.x) < 1000000000000000f) {
+            if (abs(_e182.origin.y) < 1000000000000000f) {
+                phi_800_ = (abs(_e182.origin.z) < 1000000000000000f);
+                phi_801_ = false;
             } else {
-                phi_781_ = bool();
-                phi_782_ = true;
+                phi_800_ = bool();
+                phi_801_ = true;
             }
-            let _e185 = phi_781_;
-            let _e187 = phi_782_;
-            phi_783_ = _e185;
-            phi_784_ = _e187;
+            let _e203 = phi_800_;
+            let _e205 = phi_801_;
+            phi_802_ = _e203;
+            phi_803_ = _e205;
         } else {
-            phi_783_ = bool();
-            phi_784_ = true;
+            phi_802_ = bool();
+            phi_803_ = true;
         }
-        let _e189 = phi_783_;
-        let _e191 = phi_784_;
-        if _e191 {
-            phi_788_ = false;
+        let _e207 = phi_802_;
+        let _e209 = phi_803_;
+        if _e209 {
+            phi_807_ = false;
         } else {
-            phi_788_ = _e189;
+            phi_807_ = _e207;
         }
-        let _e193 = phi_788_;
-        if _e193 {
-            if (_e169 < 1000000000000000f) {
-                if (_e171 < 1000000000000000f) {
-                    phi_801_ = (_e173 < 1000000000000000f);
-                    phi_802_ = false;
+        let _e211 = phi_807_;
+        if _e211 {
+            if (_e187 < 1000000000000000f) {
+                if (_e189 < 1000000000000000f) {
+                    phi_820_ = (_e191 < 1000000000000000f);
+                    phi_821_ = false;
                 } else {
-                    phi_801_ = bool();
-                    phi_802_ = true;
+                    phi_820_ = bool();
+                    phi_821_ = true;
                 }
-                let _e198 = phi_801_;
-                let _e200 = phi_802_;
-                phi_803_ = _e198;
-                phi_804_ = _e200;
+                let _e216 = phi_820_;
+                let _e218 = phi_821_;
+                phi_822_ = _e216;
+                phi_823_ = _e218;
             } else {
-                phi_803_ = bool();
-                phi_804_ = true;
+                phi_822_ = bool();
+                phi_823_ = true;
             }
-            let _e202 = phi_803_;
-            let _e204 = phi_804_;
-            if _e204 {
-                phi_808_ = false;
+            let _e220 = phi_822_;
+            let _e222 = phi_823_;
+            if _e222 {
+                phi_827_ = false;
             } else {
-                phi_808_ = _e202;
+                phi_827_ = _e220;
             }
-            let _e206 = phi_808_;
-            if _e206 {
-                if (_e169 > 0f) {
-                    phi_822_ = bool();
-                    phi_823_ = true;
+            let _e224 = phi_827_;
+            if _e224 {
+                if (_e187 > 0f) {
+                    phi_841_ = bool();
+                    phi_842_ = true;
                 } else {
-                    let _e208 = (_e171 > 0f);
-                    if _e208 {
-                        phi_821_ = bool();
+                    let _e226 = (_e189 > 0f);
+                    if _e226 {
+                        phi_840_ = bool();
                     } else {
-                        phi_821_ = (_e173 > 0f);
+                        phi_840_ = (_e191 > 0f);
                     }
-                    let _e211 = phi_821_;
-                    phi_822_ = _e211;
-                    phi_823_ = _e208;
+                    let _e229 = phi_840_;
+                    phi_841_ = _e229;
+                    phi_842_ = _e226;
                 }
-                let _e213 = phi_822_;
-                let _e215 = phi_823_;
-                if _e215 {
-                    phi_827_ = true;
+                let _e231 = phi_841_;
+                let _e233 = phi_842_;
+                if _e233 {
+                    phi_846_ = true;
                 } else {
-                    phi_827_ = _e213;
+                    phi_846_ = _e231;
                 }
-                let _e217 = phi_827_;
-                phi_828_ = _e217;
-                phi_829_ = false;
+                let _e235 = phi_846_;
+                phi_847_ = _e235;
+                phi_848_ = false;
             } else {
-                phi_828_ = bool();
-                phi_829_ = true;
+                phi_847_ = bool();
+                phi_848_ = true;
             }
-            let _e219 = phi_828_;
-            let _e221 = phi_829_;
-            phi_830_ = _e219;
-            phi_831_ = _e221;
+            let _e237 = phi_847_;
+            let _e239 = phi_848_;
+            phi_849_ = _e237;
+            phi_850_ = _e239;
         } else {
-            phi_830_ = bool();
-            phi_831_ = true;
+            phi_849_ = bool();
+            phi_850_ = true;
         }
-        let _e223 = phi_830_;
-        let _e225 = phi_831_;
-        if _e225 {
-            phi_835_ = false;
+        let _e241 = phi_849_;
+        let _e243 = phi_850_;
+        if _e243 {
+            phi_854_ = false;
         } else {
-            phi_835_ = _e223;
+            phi_854_ = _e241;
         }
-        let _e227 = phi_835_;
-        if _e227 {
-            let _e228 = (0u >= _e79);
-            if _e228 {
-                phi_2489_ = lt_bvh_Hit();
+        let _e245 = phi_854_;
+        if _e245 {
+            let _e246 = (0u >= _e80);
+            if _e246 {
+                phi_2508_ = lt_bvh_Hit();
             } else {
-                if (0u < _e79) {
+                if (0u < _e80) {
                 } else {
                     return;
                 }
-                let _e234 = nodes.member[(0u + 0u)].frame[0u];
-                let _e238 = nodes.member[(0u + 0u)].frame[1u];
-                let _e242 = nodes.member[(0u + 0u)].frame[2u];
-                let _e246 = nodes.member[(0u + 0u)].frame[0u];
-                let _e250 = nodes.member[(0u + 0u)].frame[1u];
-                let _e254 = nodes.member[(0u + 0u)].frame[2u];
-                let _e258 = nodes.member[(0u + 0u)].frame[3u];
-                let _e297 = core_intrinsics_maximum_number_nsz_f32_(abs(_e164.direction.x), abs(_e164.direction.y));
-                let _e298 = core_intrinsics_maximum_number_nsz_f32_(_e297, abs(_e164.direction.z));
-                let _e299 = (_e298 * 0.0000000000009094947f);
-                if (abs(_e164.direction.x) < _e299) {
-                    phi_911_ = _e299;
+                let _e252 = nodes.member[(0u + 0u)].frame[0u];
+                let _e256 = nodes.member[(0u + 0u)].frame[1u];
+                let _e260 = nodes.member[(0u + 0u)].frame[2u];
+                let _e264 = nodes.member[(0u + 0u)].frame[0u];
+                let _e268 = nodes.member[(0u + 0u)].frame[1u];
+                let _e272 = nodes.member[(0u + 0u)].frame[2u];
+                let _e276 = nodes.member[(0u + 0u)].frame[3u];
+                let _e315 = core_intrinsics_maximum_number_nsz_f32_(abs(_e182.direction.x), abs(_e182.direction.y));
+                let _e316 = core_intrinsics_maximum_number_nsz_f32_(_e315, abs(_e182.direction.z));
+                let _e317 = (_e316 * 0.0000000000009094947f);
+                if (abs(_e182.direction.x) < _e317) {
+                    phi_930_ = _e317;
                 } else {
-                    phi_911_ = abs(_e164.direction.x);
+                    phi_930_ = abs(_e182.direction.x);
                 }
-                let _e305 = phi_911_;
-                if (_e164.direction.x < 0f) {
-                    phi_918_ = (-1f / _e305);
+                let _e323 = phi_930_;
+                if (_e182.direction.x < 0f) {
+                    phi_937_ = (-1f / _e323);
                 } else {
-                    phi_918_ = (1f / _e305);
+                    phi_937_ = (1f / _e323);
                 }
-                let _e310 = phi_918_;
-                if (abs(_e164.direction.y) < _e299) {
-                    phi_926_ = _e299;
+                let _e328 = phi_937_;
+                if (abs(_e182.direction.y) < _e317) {
+                    phi_945_ = _e317;
                 } else {
-                    phi_926_ = abs(_e164.direction.y);
+                    phi_945_ = abs(_e182.direction.y);
                 }
-                let _e316 = phi_926_;
-                if (_e164.direction.y < 0f) {
-                    phi_933_ = (-1f / _e316);
+                let _e334 = phi_945_;
+                if (_e182.direction.y < 0f) {
+                    phi_952_ = (-1f / _e334);
                 } else {
-                    phi_933_ = (1f / _e316);
+                    phi_952_ = (1f / _e334);
                 }
-                let _e321 = phi_933_;
-                if (abs(_e164.direction.z) < _e299) {
-                    phi_941_ = _e299;
+                let _e339 = phi_952_;
+                if (abs(_e182.direction.z) < _e317) {
+                    phi_960_ = _e317;
                 } else {
-                    phi_941_ = abs(_e164.direction.z);
+                    phi_960_ = abs(_e182.direction.z);
                 }
-                let _e327 = phi_941_;
-                if (_e164.direction.z < 0f) {
-                    phi_948_ = (-1f / _e327);
+                let _e345 = phi_960_;
+                if (_e182.direction.z < 0f) {
+                    phi_967_ = (-1f / _e345);
                 } else {
-                    phi_948_ = (1f / _e327);
+                    phi_967_ = (1f / _e345);
                 }
-                let _e332 = phi_948_;
-                let _e339 = abs((bitcast<f32>(_e234) - _e164.origin.x));
-                let _e340 = abs((bitcast<f32>(_e238) - _e164.origin.y));
-                let _e341 = abs((bitcast<f32>(_e242) - _e164.origin.z));
-                let _e348 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e258 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.x));
-                let _e349 = abs(((bitcast<f32>(_e250) + (bitcast<f32>((((_e258 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.y));
-                let _e350 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e258 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.z));
-                if (_e339 > _e348) {
-                    phi_971_ = _e339;
+                let _e350 = phi_967_;
+                let _e357 = abs((bitcast<f32>(_e252) - _e182.origin.x));
+                let _e358 = abs((bitcast<f32>(_e256) - _e182.origin.y));
+                let _e359 = abs((bitcast<f32>(_e260) - _e182.origin.z));
+                let _e366 = abs(((bitcast<f32>(_e264) + (bitcast<f32>((((_e276 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e182.origin.x));
+                let _e367 = abs(((bitcast<f32>(_e268) + (bitcast<f32>((((_e276 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e182.origin.y));
+                let _e368 = abs(((bitcast<f32>(_e272) + (bitcast<f32>((((_e276 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e182.origin.z));
+                if (_e357 > _e366) {
+                    phi_990_ = _e357;
                 } else {
-                    phi_971_ = _e348;
+                    phi_990_ = _e366;
                 }
-                let _e353 = phi_971_;
-                if (_e340 > _e349) {
-                    phi_976_ = _e340;
+                let _e371 = phi_990_;
+                if (_e358 > _e367) {
+                    phi_995_ = _e358;
                 } else {
-                    phi_976_ = _e349;
+                    phi_995_ = _e367;
                 }
-                let _e356 = phi_976_;
-                if (_e341 > _e350) {
-                    phi_981_ = _e341;
+                let _e374 = phi_995_;
+                if (_e359 > _e368) {
+                    phi_1000_ = _e359;
                 } else {
-                    phi_981_ = _e350;
+                    phi_1000_ = _e368;
                 }
-                let _e359 = phi_981_;
-                if (_e353 > _e356) {
-                    phi_986_ = _e353;
+                let _e377 = phi_1000_;
+                if (_e371 > _e374) {
+                    phi_1005_ = _e371;
                 } else {
-                    phi_986_ = _e356;
+                    phi_1005_ = _e374;
                 }
-                let _e362 = phi_986_;
-                if (_e362 > _e359) {
-                    phi_991_ = _e362;
+                let _e380 = phi_1005_;
+                if (_e380 > _e377) {
+                    phi_1010_ = _e380;
                 } else {
-                    phi_991_ = _e359;
+                    phi_1010_ = _e377;
                 }
-                let _e365 = phi_991_;
-                let _e369 = (_e365 * 0.0000019073486f);
-                let _e370 = (abs(_e310) * _e369);
-                let _e371 = (abs(_e321) * _e369);
-                let _e372 = (abs(_e332) * _e369);
-                let _e376 = (_e365 * 0.0000009536743f);
-                let _e377 = (abs(_e310) * _e376);
-                let _e378 = (abs(_e321) * _e376);
-                let _e379 = (abs(_e332) * _e376);
-                let _e383 = abs(_e164.direction.x);
-                let _e385 = abs(_e164.direction.y);
-                let _e387 = abs(_e164.direction.z);
-                if (_e383 >= _e385) {
-                    if (_e383 >= _e387) {
-                        phi_1022_ = false;
+                let _e383 = phi_1010_;
+                let _e387 = (_e383 * 0.0000019073486f);
+                let _e388 = (abs(_e328) * _e387);
+                let _e389 = (abs(_e339) * _e387);
+                let _e390 = (abs(_e350) * _e387);
+                let _e394 = (_e383 * 0.0000009536743f);
+                let _e395 = (abs(_e328) * _e394);
+                let _e396 = (abs(_e339) * _e394);
+                let _e397 = (abs(_e350) * _e394);
+                let _e401 = abs(_e182.direction.x);
+                let _e403 = abs(_e182.direction.y);
+                let _e405 = abs(_e182.direction.z);
+                if (_e401 >= _e403) {
+                    if (_e401 >= _e405) {
+                        phi_1041_ = false;
                     } else {
-                        phi_1022_ = true;
+                        phi_1041_ = true;
                     }
-                    let _e391 = phi_1022_;
-                    phi_1023_ = _e391;
+                    let _e409 = phi_1041_;
+                    phi_1042_ = _e409;
                 } else {
-                    phi_1023_ = true;
+                    phi_1042_ = true;
                 }
-                let _e393 = phi_1023_;
-                if _e393 {
-                    if (_e385 >= _e387) {
-                        phi_1031_ = 1u;
+                let _e411 = phi_1042_;
+                if _e411 {
+                    if (_e403 >= _e405) {
+                        phi_1050_ = 1u;
                     } else {
-                        phi_1031_ = 2u;
+                        phi_1050_ = 2u;
                     }
-                    let _e396 = phi_1031_;
-                    phi_1032_ = _e396;
+                    let _e414 = phi_1050_;
+                    phi_1051_ = _e414;
                 } else {
-                    phi_1032_ = 0u;
+                    phi_1051_ = 0u;
                 }
-                let _e398 = phi_1032_;
-                if (_e398 == 0u) {
-                    phi_1050_ = vec3<f32>(_e164.direction.y, _e164.direction.z, _e164.direction.x);
+                let _e416 = phi_1051_;
+                if (_e416 == 0u) {
+                    phi_1069_ = vec3<f32>(_e182.direction.y, _e182.direction.z, _e182.direction.x);
                 } else {
-                    if (_e398 == 1u) {
-                        phi_1049_ = vec3<f32>(_e164.direction.z, _e164.direction.x, _e164.direction.y);
+                    if (_e416 == 1u) {
+                        phi_1068_ = vec3<f32>(_e182.direction.z, _e182.direction.x, _e182.direction.y);
                     } else {
-                        phi_1049_ = _e164.direction;
+                        phi_1068_ = _e182.direction;
                     }
-                    let _e410 = phi_1049_;
-                    phi_1050_ = _e410;
+                    let _e428 = phi_1068_;
+                    phi_1069_ = _e428;
                 }
-                let _e412 = phi_1050_;
-                let _e415 = (_e412.x / _e412.z);
-                let _e418 = (_e412.y / _e412.z);
-                if (_e310 < 0f) {
-                    phi_1063_ = 0u;
+                let _e430 = phi_1069_;
+                let _e433 = (_e430.x / _e430.z);
+                let _e436 = (_e430.y / _e430.z);
+                if (_e328 < 0f) {
+                    phi_1082_ = 0u;
                 } else {
-                    phi_1063_ = 1u;
+                    phi_1082_ = 1u;
                 }
-                let _e423 = phi_1063_;
-                if (_e321 < 0f) {
-                    phi_1068_ = 0u;
+                let _e441 = phi_1082_;
+                if (_e339 < 0f) {
+                    phi_1087_ = 0u;
                 } else {
-                    phi_1068_ = 2u;
+                    phi_1087_ = 2u;
                 }
-                let _e426 = phi_1068_;
-                if (_e332 < 0f) {
-                    phi_1073_ = 0u;
+                let _e444 = phi_1087_;
+                if (_e350 < 0f) {
+                    phi_1092_ = 0u;
                 } else {
-                    phi_1073_ = 4u;
+                    phi_1092_ = 4u;
                 }
-                let _e429 = phi_1073_;
-                let _e431 = ((_e423 | _e426) | _e429);
-                let _e432 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e432.first[0], _e432.first[1], _e432.first[2], _e432.first[3], _e432.first[4], _e432.first[5], _e432.first[6], _e432.first[7], _e432.first[8], _e432.first[9], _e432.first[10], _e432.first[11], _e432.first[12], _e432.first[13], _e432.first[14], _e432.first[15], _e432.first[16], _e432.first[17], _e432.first[18], _e432.first[19], _e432.first[20], _e432.first[21], _e432.first[22], _e432.first[23], _e432.first[24], _e432.first[25], _e432.first[26], _e432.first[27], _e432.first[28], _e432.first[29], _e432.first[30], _e432.first[31]), array<u32, 32>(_e432.mask[0], _e432.mask[1], _e432.mask[2], _e432.mask[3], _e432.mask[4], _e432.mask[5], _e432.mask[6], _e432.mask[7], _e432.mask[8], _e432.mask[9], _e432.mask[10], _e432.mask[11], _e432.mask[12], _e432.mask[13], _e432.mask[14], _e432.mask[15], _e432.mask[16], _e432.mask[17], _e432.mask[18], _e432.mask[19], _e432.mask[20], _e432.mask[21], _e432.mask[22], _e432.mask[23], _e432.mask[24], _e432.mask[25], _e432.mask[26], _e432.mask[27], _e432.mask[28], _e432.mask[29], _e432.mask[30], _e432.mask[31]), _e432.len, _e432.group, _e432.group_mask);
-                let _e506 = local_2.group_mask;
-                if ((_e506 & 4278190080u) == 0u) {
-                    let _e510 = local_2.len;
-                    if (_e510 == 0u) {
-                        phi_1187_ = false;
+                let _e447 = phi_1092_;
+                let _e449 = ((_e441 | _e444) | _e447);
+                let _e450 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e450.first[0], _e450.first[1], _e450.first[2], _e450.first[3], _e450.first[4], _e450.first[5], _e450.first[6], _e450.first[7], _e450.first[8], _e450.first[9], _e450.first[10], _e450.first[11], _e450.first[12], _e450.first[13], _e450.first[14], _e450.first[15], _e450.first[16], _e450.first[17], _e450.first[18], _e450.first[19], _e450.first[20], _e450.first[21], _e450.first[22], _e450.first[23], _e450.first[24], _e450.first[25], _e450.first[26], _e450.first[27], _e450.first[28], _e450.first[29], _e450.first[30], _e450.first[31]), array<u32, 32>(_e450.mask[0], _e450.mask[1], _e450.mask[2], _e450.mask[3], _e450.mask[4], _e450.mask[5], _e450.mask[6], _e450.mask[7], _e450.mask[8], _e450.mask[9], _e450.mask[10], _e450.mask[11], _e450.mask[12], _e450.mask[13], _e450.mask[14], _e450.mask[15], _e450.mask[16], _e450.mask[17], _e450.mask[18], _e450.mask[19], _e450.mask[20], _e450.mask[21], _e450.mask[22], _e450.mask[23], _e450.mask[24], _e450.mask[25], _e450.mask[26], _e450.mask[27], _e450.mask[28], _e450.mask[29], _e450.mask[30], _e450.mask[31]), _e450.len, _e450.group, _e450.group_mask);
+                let _e524 = local_2.group_mask;
+                if ((_e524 & 4278190080u) == 0u) {
+                    let _e528 = local_2.len;
+                    if (_e528 == 0u) {
+                        phi_1206_ = false;
                     } else {
-                        let _e514 = local_2.len;
-                        local_2.len = (_e514 - 1u);
-                        let _e517 = local_2.len;
-                        if (_e517 < 32u) {
+                        let _e532 = local_2.len;
+                        local_2.len = (_e532 - 1u);
+                        let _e535 = local_2.len;
+                        if (_e535 < 32u) {
                         } else {
                             return;
                         }
-                        let _e522 = local_2.first[(0u + _e517)];
-                        local_2.group = _e522;
-                        let _e525 = local_2.len;
-                        if (_e525 < 32u) {
+                        let _e540 = local_2.first[(0u + _e535)];
+                        local_2.group = _e540;
+                        let _e543 = local_2.len;
+                        if (_e543 < 32u) {
                         } else {
                             return;
                         }
-                        let _e530 = local_2.mask[(0u + _e525)];
-                        local_2.group_mask = _e530;
-                        phi_1187_ = true;
+                        let _e548 = local_2.mask[(0u + _e543)];
+                        local_2.group_mask = _e548;
+                        phi_1206_ = true;
                     }
-                    let _e533 = phi_1187_;
-                    phi_1188_ = _e533;
+                    let _e551 = phi_1206_;
+                    phi_1207_ = _e551;
                 } else {
-                    phi_1188_ = true;
+                    phi_1207_ = true;
                 }
-                let _e535 = phi_1188_;
-                if _e535 {
-                    let _e537 = local_2.group_mask;
-                    let _e543 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e537)), 32u, (_e537 == 0u)));
-                    let _e547 = local_2.group_mask;
-                    let _e561 = local_2.group_mask;
-                    local_2.group_mask = (_e561 & ~((1u << bitcast<u32>((_e543 & 31u)))));
-                    let _e564 = local_2.group;
-                    phi_1219_ = (_e564 + countOneBits(((_e547 & ~((4294967295u << bitcast<u32>((((_e543 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e553 = phi_1207_;
+                if _e553 {
+                    let _e555 = local_2.group_mask;
+                    let _e561 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e555)), 32u, (_e555 == 0u)));
+                    let _e565 = local_2.group_mask;
+                    let _e579 = local_2.group_mask;
+                    local_2.group_mask = (_e579 & ~((1u << bitcast<u32>((_e561 & 31u)))));
+                    let _e582 = local_2.group;
+                    phi_1238_ = (_e582 + countOneBits(((_e565 & ~((4294967295u << bitcast<u32>((((_e561 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1219_ = 4294967295u;
+                    phi_1238_ = 4294967295u;
                 }
-                let _e567 = phi_1219_;
-                phi_1221_ = _e166;
-                phi_1224_ = _e567;
+                let _e585 = phi_1238_;
+                phi_1240_ = _e184;
+                phi_1243_ = _e585;
                 loop {
-                    let _e569 = phi_1221_;
-                    let _e571 = phi_1224_;
-                    local_7 = _e569;
-                    let _e572 = (_e571 != 4294967295u);
-                    if _e572 {
-                        if (_e571 < _e79) {
+                    let _e587 = phi_1240_;
+                    let _e589 = phi_1243_;
+                    local_7 = _e587;
+                    let _e590 = (_e589 != 4294967295u);
+                    if _e590 {
+                        if (_e589 < _e80) {
                         } else {
                             return;
                         }
-                        let _e580 = nodes.member[(0u + _e571)].frame[3u];
-                        let _e605 = (bitcast<f32>((((_e580 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
-                        let _e606 = (bitcast<f32>((((_e580 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e321);
-                        let _e607 = (bitcast<f32>((((_e580 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e332);
-                        let _e610 = nodes.member[(0u + _e571)].frame[0u];
-                        let _e614 = nodes.member[(0u + _e571)].frame[1u];
-                        let _e618 = nodes.member[(0u + _e571)].frame[2u];
-                        let _e626 = ((bitcast<f32>(_e610) - _e164.origin.x) * _e310);
-                        let _e627 = ((bitcast<f32>(_e614) - _e164.origin.y) * _e321);
-                        let _e628 = ((bitcast<f32>(_e618) - _e164.origin.z) * _e332);
-                        let _e636 = nodes.member[(0u + _e571)].x;
-                        if (_e310 < 0f) {
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e647.unnamed.word, _e636.w), _e647.unnamed_1);
-                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e636.x, _e653.unnamed_1.shift));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e659.unnamed, lt_mask_LightPlace(_e659.unnamed_1.word, _e636.y));
+                        let _e598 = nodes.member[(0u + _e589)].frame[3u];
+                        let _e623 = (bitcast<f32>((((_e598 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e328);
+                        let _e624 = (bitcast<f32>((((_e598 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e339);
+                        let _e625 = (bitcast<f32>((((_e598 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e350);
+                        let _e628 = nodes.member[(0u + _e589)].frame[0u];
+                        let _e632 = nodes.member[(0u + _e589)].frame[1u];
+                        let _e636 = nodes.member[(0u + _e589)].frame[2u];
+                        let _e644 = ((bitcast<f32>(_e628) - _e182.origin.x) * _e328);
+                        let _e645 = ((bitcast<f32>(_e632) - _e182.origin.y) * _e339);
+                        let _e646 = ((bitcast<f32>(_e636) - _e182.origin.z) * _e350);
+                        let _e654 = nodes.member[(0u + _e589)].x;
+                        if (_e328 < 0f) {
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.unnamed.word, _e654.w), _e665.unnamed_1);
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_mask_LightPlace(_e654.x, _e671.unnamed_1.shift));
+                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_mask_LightPlace(_e677.unnamed_1.word, _e654.y));
                         } else {
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e675.unnamed.word, _e636.y), _e675.unnamed_1);
-                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_mask_LightPlace(_e636.z, _e681.unnamed_1.shift));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e687.unnamed, lt_mask_LightPlace(_e687.unnamed_1.word, _e636.w));
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e693.unnamed.word, _e654.y), _e693.unnamed_1);
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_mask_LightPlace(_e654.z, _e699.unnamed_1.shift));
+                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_mask_LightPlace(_e705.unnamed_1.word, _e654.w));
                         }
-                        let _e695 = phi_1309_;
-                        let _e705 = nodes.member[(0u + _e571)].y;
-                        if (_e321 < 0f) {
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e716.unnamed.word, _e705.w), _e716.unnamed_1);
-                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e705.x, _e722.unnamed_1.shift));
-                            phi_1336_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e728.unnamed, lt_mask_LightPlace(_e728.unnamed_1.word, _e705.y));
+                        let _e713 = phi_1328_;
+                        let _e723 = nodes.member[(0u + _e589)].y;
+                        if (_e339 < 0f) {
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.unnamed.word, _e723.w), _e734.unnamed_1);
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_mask_LightPlace(_e723.x, _e740.unnamed_1.shift));
+                            phi_1355_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_mask_LightPlace(_e746.unnamed_1.word, _e723.y));
                         } else {
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e744.unnamed.word, _e705.y), _e744.unnamed_1);
-                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_mask_LightPlace(_e705.z, _e750.unnamed_1.shift));
-                            phi_1336_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e756.unnamed, lt_mask_LightPlace(_e756.unnamed_1.word, _e705.w));
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e762.unnamed.word, _e723.y), _e762.unnamed_1);
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_mask_LightPlace(_e723.z, _e768.unnamed_1.shift));
+                            phi_1355_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_mask_LightPlace(_e774.unnamed_1.word, _e723.w));
                         }
-                        let _e764 = phi_1336_;
-                        let _e774 = nodes.member[(0u + _e571)].z;
-                        if (_e332 < 0f) {
-                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e785.unnamed.word, _e774.w), _e785.unnamed_1);
-                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e774.x, _e791.unnamed_1.shift));
-                            phi_1363_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_mask_LightPlace(_e797.unnamed_1.word, _e774.y));
+                        let _e782 = phi_1355_;
+                        let _e792 = nodes.member[(0u + _e589)].z;
+                        if (_e350 < 0f) {
+                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e792.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e803.unnamed.word, _e792.w), _e803.unnamed_1);
+                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e809.unnamed, lt_mask_LightPlace(_e792.x, _e809.unnamed_1.shift));
+                            phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e815.unnamed, lt_mask_LightPlace(_e815.unnamed_1.word, _e792.y));
                         } else {
-                            let _e813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e813.unnamed.word, _e774.y), _e813.unnamed_1);
-                            let _e825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e819.unnamed, lt_mask_LightPlace(_e774.z, _e819.unnamed_1.shift));
-                            phi_1363_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e825.unnamed, lt_mask_LightPlace(_e825.unnamed_1.word, _e774.w));
+                            let _e831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e792.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e831.unnamed.word, _e792.y), _e831.unnamed_1);
+                            let _e843 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e837.unnamed, lt_mask_LightPlace(_e792.z, _e837.unnamed_1.shift));
+                            phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e843.unnamed, lt_mask_LightPlace(_e843.unnamed_1.word, _e792.w));
                         }
-                        let _e833 = phi_1363_;
-                        phi_1369_ = 0u;
-                        phi_1372_ = 0u;
+                        let _e851 = phi_1382_;
+                        phi_1388_ = 0u;
+                        phi_1391_ = 0u;
                         loop {
-                            let _e843 = phi_1369_;
-                            let _e845 = phi_1372_;
-                            local_3 = _e845;
-                            local_4 = _e845;
-                            local_5 = _e845;
-                            let _e846 = (_e843 < 8u);
-                            if _e846 {
-                                let _e848 = (_e843 >> bitcast<u32>(2i));
-                                let _e849 = (_e843 & 3u);
-                                if (_e848 == 0u) {
-                                    phi_1386_ = _e695.unnamed.word;
+                            let _e861 = phi_1388_;
+                            let _e863 = phi_1391_;
+                            local_3 = _e863;
+                            local_4 = _e863;
+                            local_5 = _e863;
+                            let _e864 = (_e861 < 8u);
+                            if _e864 {
+                                let _e866 = (_e861 >> bitcast<u32>(2i));
+                                let _e867 = (_e861 & 3u);
+                                if (_e866 == 0u) {
+                                    phi_1405_ = _e713.unnamed.word;
                                 } else {
-                                    phi_1386_ = _e695.unnamed.shift;
+                                    phi_1405_ = _e713.unnamed.shift;
                                 }
-                                let _e852 = phi_1386_;
-                                if (_e848 == 0u) {
-                                    phi_1396_ = _e764.unnamed.word;
+                                let _e870 = phi_1405_;
+                                if (_e866 == 0u) {
+                                    phi_1415_ = _e782.unnamed.word;
                                 } else {
-                                    phi_1396_ = _e764.unnamed.shift;
+                                    phi_1415_ = _e782.unnamed.shift;
                                 }
-                                let _e861 = phi_1396_;
-                                if (_e848 == 0u) {
-                                    phi_1406_ = _e833.unnamed.word;
+                                let _e879 = phi_1415_;
+                                if (_e866 == 0u) {
+                                    phi_1425_ = _e851.unnamed.word;
                                 } else {
-                                    phi_1406_ = _e833.unnamed.shift;
+                                    phi_1425_ = _e851.unnamed.shift;
                                 }
-                                let _e870 = phi_1406_;
-                                let _e883 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e852 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e605) + (_e626 - _e370)), ((f32(((_e861 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e606) + (_e627 - _e371)));
-                                let _e884 = core_intrinsics_maximum_number_nsz_f32_(_e883, ((f32(((_e870 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e372)));
-                                if (_e848 == 0u) {
-                                    phi_1424_ = _e695.unnamed_1.word;
+                                let _e888 = phi_1425_;
+                                let _e901 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e870 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e623) + (_e644 - _e388)), ((f32(((_e879 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e624) + (_e645 - _e389)));
+                                let _e902 = core_intrinsics_maximum_number_nsz_f32_(_e901, ((f32(((_e888 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e625) + (_e646 - _e390)));
+                                if (_e866 == 0u) {
+                                    phi_1443_ = _e713.unnamed_1.word;
                                 } else {
-                                    phi_1424_ = _e695.unnamed_1.shift;
+                                    phi_1443_ = _e713.unnamed_1.shift;
                                 }
-                                let _e887 = phi_1424_;
-                                if (_e848 == 0u) {
-                                    phi_1434_ = _e764.unnamed_1.word;
+                                let _e905 = phi_1443_;
+                                if (_e866 == 0u) {
+                                    phi_1453_ = _e782.unnamed_1.word;
                                 } else {
-                                    phi_1434_ = _e764.unnamed_1.shift;
+                                    phi_1453_ = _e782.unnamed_1.shift;
                                 }
-                                let _e896 = phi_1434_;
-                                if (_e848 == 0u) {
-                                    phi_1444_ = _e833.unnamed_1.word;
+                                let _e914 = phi_1453_;
+                                if (_e866 == 0u) {
+                                    phi_1463_ = _e851.unnamed_1.word;
                                 } else {
-                                    phi_1444_ = _e833.unnamed_1.shift;
+                                    phi_1463_ = _e851.unnamed_1.shift;
                                 }
-                                let _e905 = phi_1444_;
-                                let _e918 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e887 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e605) + (_e626 + _e370)), ((f32(((_e896 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e606) + (_e627 + _e371)));
-                                let _e919 = core_intrinsics_minimum_number_nsz_f32_(_e918, ((f32(((_e905 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e372)));
-                                if (_e884 <= _e919) {
-                                    if (_e884 <= _e569.t) {
-                                        if (_e919 >= _e164.tmin) {
-                                            if (_e848 == 0u) {
-                                                let _e926 = nodes.member[(0u + _e571)].links[2u];
-                                                phi_1480_ = _e926;
+                                let _e923 = phi_1463_;
+                                let _e936 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e905 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e623) + (_e644 + _e388)), ((f32(((_e914 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e624) + (_e645 + _e389)));
+                                let _e937 = core_intrinsics_minimum_number_nsz_f32_(_e936, ((f32(((_e923 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e625) + (_e646 + _e390)));
+                                if (_e902 <= _e937) {
+                                    if (_e902 <= _e587.t) {
+                                        if (_e937 >= _e182.tmin) {
+                                            if (_e866 == 0u) {
+                                                let _e944 = nodes.member[(0u + _e589)].links[2u];
+                                                phi_1499_ = _e944;
                                             } else {
-                                                let _e929 = nodes.member[(0u + _e571)].links[3u];
-                                                phi_1480_ = _e929;
+                                                let _e947 = nodes.member[(0u + _e589)].links[3u];
+                                                phi_1499_ = _e947;
                                             }
-                                            let _e931 = phi_1480_;
-                                            let _e936 = ((_e931 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u);
-                                            let _e937 = (_e936 & 31u);
-                                            if (_e937 >= 24u) {
-                                                phi_1493_ = (24u + ((_e937 - 24u) ^ _e431));
+                                            let _e949 = phi_1499_;
+                                            let _e954 = ((_e949 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u);
+                                            let _e955 = (_e954 & 31u);
+                                            if (_e955 >= 24u) {
+                                                phi_1512_ = (24u + ((_e955 - 24u) ^ _e449));
                                             } else {
-                                                phi_1493_ = _e937;
+                                                phi_1512_ = _e955;
                                             }
-                                            let _e943 = phi_1493_;
-                                            phi_1498_ = (_e845 | ((_e936 >> bitcast<u32>(5i)) << bitcast<u32>((_e943 & 31u))));
+                                            let _e961 = phi_1512_;
+                                            phi_1517_ = (_e863 | ((_e954 >> bitcast<u32>(5i)) << bitcast<u32>((_e961 & 31u))));
                                         } else {
-                                            phi_1498_ = _e845;
+                                            phi_1517_ = _e863;
                                         }
-                                        let _e951 = phi_1498_;
-                                        phi_1499_ = _e951;
+                                        let _e969 = phi_1517_;
+                                        phi_1518_ = _e969;
                                     } else {
-                                        phi_1499_ = _e845;
+                                        phi_1518_ = _e863;
                                     }
-                                    let _e953 = phi_1499_;
-                                    phi_1500_ = _e953;
+                                    let _e971 = phi_1518_;
+                                    phi_1519_ = _e971;
                                 } else {
-                                    phi_1500_ = _e845;
+                                    phi_1519_ = _e863;
                                 }
-                                let _e955 = phi_1500_;
-                                phi_1370_ = (_e843 + 1u);
-                                phi_1373_ = _e955;
+                                let _e973 = phi_1519_;
+                                phi_1389_ = (_e861 + 1u);
+                                phi_1392_ = _e973;
                             } else {
-                                phi_1370_ = u32();
-                                phi_1373_ = u32();
+                                phi_1389_ = u32();
+                                phi_1392_ = u32();
                             }
-                            let _e958 = phi_1370_;
-                            let _e960 = phi_1373_;
+                            let _e976 = phi_1389_;
+                            let _e978 = phi_1392_;
                             continue;
                             continuing {
-                                phi_1369_ = _e958;
-                                phi_1372_ = _e960;
-                                break if !(_e846);
+                                phi_1388_ = _e976;
+                                phi_1391_ = _e978;
+                                break if !(_e864);
                             }
                         }
-                        let _e964 = nodes.member[(0u + _e571)].links[0u];
-                        let _e968 = nodes.member[(0u + _e571)].frame[3u];
-                        let _e972 = local_3;
-                        if ((_e972 & 4278190080u) == 0u) {
+                        let _e982 = nodes.member[(0u + _e589)].links[0u];
+                        let _e986 = nodes.member[(0u + _e589)].frame[3u];
+                        let _e990 = local_3;
+                        if ((_e990 & 4278190080u) == 0u) {
                         } else {
-                            let _e976 = local_2.group_mask;
-                            if ((_e976 & 4278190080u) == 0u) {
+                            let _e994 = local_2.group_mask;
+                            if ((_e994 & 4278190080u) == 0u) {
                             } else {
-                                let _e980 = local_2.len;
-                                if (_e980 < 32u) {
-                                    let _e983 = local_2.group;
-                                    let _e985 = local_2.len;
-                                    if (_e985 < 32u) {
+                                let _e998 = local_2.len;
+                                if (_e998 < 32u) {
+                                    let _e1001 = local_2.group;
+                                    let _e1003 = local_2.len;
+                                    if (_e1003 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e985)] = _e983;
-                                    let _e991 = local_2.group_mask;
-                                    let _e993 = local_2.len;
-                                    if (_e993 < 32u) {
+                                    local_2.first[(0u + _e1003)] = _e1001;
+                                    let _e1009 = local_2.group_mask;
+                                    let _e1011 = local_2.len;
+                                    if (_e1011 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e993)] = _e991;
-                                    let _e1000 = local_2.len;
-                                    local_2.len = (_e1000 + 1u);
+                                    local_2.mask[(0u + _e1011)] = _e1009;
+                                    let _e1018 = local_2.len;
+                                    local_2.len = (_e1018 + 1u);
                                 }
                             }
-                            local_2.group = (0u + _e964);
-                            let _e1004 = local_4;
-                            local_2.group_mask = ((_e1004 & 4278190080u) | (_e968 >> bitcast<u32>(24i)));
+                            local_2.group = (0u + _e982);
+                            let _e1022 = local_4;
+                            local_2.group_mask = ((_e1022 & 4278190080u) | (_e986 >> bitcast<u32>(24i)));
                         }
-                        let _e1009 = local_5;
-                        phi_1558_ = _e569;
-                        phi_1561_ = (_e1009 & 16777215u);
+                        let _e1027 = local_5;
+                        phi_1577_ = _e587;
+                        phi_1580_ = (_e1027 & 16777215u);
                         loop {
-                            let _e1012 = phi_1558_;
-                            let _e1014 = phi_1561_;
-                            local_6 = _e1012;
-                            if (_e1014 == 0u) {
-                                phi_1559_ = lt_bvh_Hit();
-                                phi_1562_ = u32();
-                                phi_2417_ = false;
+                            let _e1030 = phi_1577_;
+                            let _e1032 = phi_1580_;
+                            local_6 = _e1030;
+                            if (_e1032 == 0u) {
+                                phi_1578_ = lt_bvh_Hit();
+                                phi_1581_ = u32();
+                                phi_2436_ = false;
                             } else {
-                                let _e1018 = nodes.member[(0u + _e571)].links[1u];
-                                let _e1023 = ((0u + _e1018) + select(firstTrailingBit(_e1014), 32u, (_e1014 == 0u)));
-                                if (_e1023 < _e82) {
+                                let _e1036 = nodes.member[(0u + _e589)].links[1u];
+                                let _e1041 = ((0u + _e1036) + select(firstTrailingBit(_e1032), 32u, (_e1032 == 0u)));
+                                if (_e1041 < _e83) {
                                 } else {
                                     return;
                                 }
-                                let _e1030 = triangles.member[(0u + _e1023)].v0_;
-                                let _e1033 = (_e1030.x - _e164.origin.x);
-                                let _e1036 = (_e1030.y - _e164.origin.y);
-                                let _e1039 = (_e1030.z - _e164.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1608_ = vec3<f32>(_e1036, _e1039, _e1033);
+                                let _e1048 = triangles.member[(0u + _e1041)].v0_;
+                                let _e1051 = (_e1048.x - _e182.origin.x);
+                                let _e1054 = (_e1048.y - _e182.origin.y);
+                                let _e1057 = (_e1048.z - _e182.origin.z);
+                                if (_e416 == 0u) {
+                                    phi_1627_ = vec3<f32>(_e1054, _e1057, _e1051);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1607_ = vec3<f32>(_e1039, _e1033, _e1036);
+                                    if (_e416 == 1u) {
+                                        phi_1626_ = vec3<f32>(_e1057, _e1051, _e1054);
                                     } else {
-                                        phi_1607_ = (_e1030 - _e164.origin);
+                                        phi_1626_ = (_e1048 - _e182.origin);
                                     }
-                                    let _e1046 = phi_1607_;
-                                    phi_1608_ = _e1046;
+                                    let _e1064 = phi_1626_;
+                                    phi_1627_ = _e1064;
                                 }
-                                let _e1048 = phi_1608_;
-                                let _e1052 = (_e1048.x - (_e415 * _e1048.z));
-                                let _e1056 = (_e1048.y - (_e418 * _e1048.z));
-                                let _e1058 = triangles.member[(0u + _e1023)].v1_;
-                                let _e1061 = (_e1058.x - _e164.origin.x);
-                                let _e1064 = (_e1058.y - _e164.origin.y);
-                                let _e1067 = (_e1058.z - _e164.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1640_ = vec3<f32>(_e1064, _e1067, _e1061);
+                                let _e1066 = phi_1627_;
+                                let _e1070 = (_e1066.x - (_e433 * _e1066.z));
+                                let _e1074 = (_e1066.y - (_e436 * _e1066.z));
+                                let _e1076 = triangles.member[(0u + _e1041)].v1_;
+                                let _e1079 = (_e1076.x - _e182.origin.x);
+                                let _e1082 = (_e1076.y - _e182.origin.y);
+                                let _e1085 = (_e1076.z - _e182.origin.z);
+                                if (_e416 == 0u) {
+                                    phi_1659_ = vec3<f32>(_e1082, _e1085, _e1079);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1639_ = vec3<f32>(_e1067, _e1061, _e1064);
+                                    if (_e416 == 1u) {
+                                        phi_1658_ = vec3<f32>(_e1085, _e1079, _e1082);
                                     } else {
-                                        phi_1639_ = (_e1058 - _e164.origin);
+                                        phi_1658_ = (_e1076 - _e182.origin);
                                     }
-                                    let _e1074 = phi_1639_;
-                                    phi_1640_ = _e1074;
+                                    let _e1092 = phi_1658_;
+                                    phi_1659_ = _e1092;
                                 }
-                                let _e1076 = phi_1640_;
-                                let _e1080 = (_e1076.x - (_e415 * _e1076.z));
-                                let _e1084 = (_e1076.y - (_e418 * _e1076.z));
-                                let _e1086 = triangles.member[(0u + _e1023)].v2_;
-                                let _e1089 = (_e1086.x - _e164.origin.x);
-                                let _e1092 = (_e1086.y - _e164.origin.y);
-                                let _e1095 = (_e1086.z - _e164.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1672_ = vec3<f32>(_e1092, _e1095, _e1089);
+                                let _e1094 = phi_1659_;
+                                let _e1098 = (_e1094.x - (_e433 * _e1094.z));
+                                let _e1102 = (_e1094.y - (_e436 * _e1094.z));
+                                let _e1104 = triangles.member[(0u + _e1041)].v2_;
+                                let _e1107 = (_e1104.x - _e182.origin.x);
+                                let _e1110 = (_e1104.y - _e182.origin.y);
+                                let _e1113 = (_e1104.z - _e182.origin.z);
+                                if (_e416 == 0u) {
+                                    phi_1691_ = vec3<f32>(_e1110, _e1113, _e1107);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1671_ = vec3<f32>(_e1095, _e1089, _e1092);
+                                    if (_e416 == 1u) {
+                                        phi_1690_ = vec3<f32>(_e1113, _e1107, _e1110);
                                     } else {
-                                        phi_1671_ = (_e1086 - _e164.origin);
+                                        phi_1690_ = (_e1104 - _e182.origin);
                                     }
-                                    let _e1102 = phi_1671_;
-                                    phi_1672_ = _e1102;
+                                    let _e1120 = phi_1690_;
+                                    phi_1691_ = _e1120;
                                 }
-                                let _e1104 = phi_1672_;
-                                let _e1108 = (_e1104.x - (_e415 * _e1104.z));
-                                let _e1112 = (_e1104.y - (_e418 * _e1104.z));
-                                if (_e1080 < _e1108) {
-                                    phi_1691_ = true;
+                                let _e1122 = phi_1691_;
+                                let _e1126 = (_e1122.x - (_e433 * _e1122.z));
+                                let _e1130 = (_e1122.y - (_e436 * _e1122.z));
+                                if (_e1098 < _e1126) {
+                                    phi_1710_ = true;
                                 } else {
-                                    if (_e1080 == _e1108) {
-                                        phi_1690_ = (_e1084 < _e1112);
+                                    if (_e1098 == _e1126) {
+                                        phi_1709_ = (_e1102 < _e1130);
                                     } else {
-                                        phi_1690_ = false;
+                                        phi_1709_ = false;
                                     }
-                                    let _e1117 = phi_1690_;
-                                    phi_1691_ = _e1117;
+                                    let _e1135 = phi_1709_;
+                                    phi_1710_ = _e1135;
                                 }
-                                let _e1119 = phi_1691_;
-                                if _e1119 {
-                                    phi_1695_ = _e1112;
-                                    phi_1696_ = _e1108;
-                                    phi_1697_ = _e1084;
-                                    phi_1698_ = _e1080;
+                                let _e1137 = phi_1710_;
+                                if _e1137 {
+                                    phi_1714_ = _e1130;
+                                    phi_1715_ = _e1126;
+                                    phi_1716_ = _e1102;
+                                    phi_1717_ = _e1098;
                                 } else {
-                                    phi_1695_ = _e1084;
-                                    phi_1696_ = _e1080;
-                                    phi_1697_ = _e1112;
-                                    phi_1698_ = _e1108;
+                                    phi_1714_ = _e1102;
+                                    phi_1715_ = _e1098;
+                                    phi_1716_ = _e1130;
+                                    phi_1717_ = _e1126;
                                 }
-                                let _e1121 = phi_1695_;
-                                let _e1123 = phi_1696_;
-                                let _e1125 = phi_1697_;
-                                let _e1127 = phi_1698_;
-                                let _e1130 = ((_e1127 * _e1121) - (_e1125 * _e1123));
-                                if _e1119 {
-                                    phi_1706_ = -(_e1130);
+                                let _e1139 = phi_1714_;
+                                let _e1141 = phi_1715_;
+                                let _e1143 = phi_1716_;
+                                let _e1145 = phi_1717_;
+                                let _e1148 = ((_e1145 * _e1139) - (_e1143 * _e1141));
+                                if _e1137 {
+                                    phi_1725_ = -(_e1148);
                                 } else {
-                                    phi_1706_ = _e1130;
+                                    phi_1725_ = _e1148;
                                 }
-                                let _e1133 = phi_1706_;
-                                if (_e1108 < _e1052) {
-                                    phi_1717_ = true;
+                                let _e1151 = phi_1725_;
+                                if (_e1126 < _e1070) {
+                                    phi_1736_ = true;
                                 } else {
-                                    if (_e1108 == _e1052) {
-                                        phi_1716_ = (_e1112 < _e1056);
+                                    if (_e1126 == _e1070) {
+                                        phi_1735_ = (_e1130 < _e1074);
                                     } else {
-                                        phi_1716_ = false;
+                                        phi_1735_ = false;
                                     }
-                                    let _e1138 = phi_1716_;
-                                    phi_1717_ = _e1138;
+                                    let _e1156 = phi_1735_;
+                                    phi_1736_ = _e1156;
                                 }
-                                let _e1140 = phi_1717_;
-                                if _e1140 {
-                                    phi_1721_ = _e1056;
-                                    phi_1722_ = _e1052;
-                                    phi_1723_ = _e1112;
-                                    phi_1724_ = _e1108;
+                                let _e1158 = phi_1736_;
+                                if _e1158 {
+                                    phi_1740_ = _e1074;
+                                    phi_1741_ = _e1070;
+                                    phi_1742_ = _e1130;
+                                    phi_1743_ = _e1126;
                                 } else {
-                                    phi_1721_ = _e1112;
-                                    phi_1722_ = _e1108;
-                                    phi_1723_ = _e1056;
-                                    phi_1724_ = _e1052;
+                                    phi_1740_ = _e1130;
+                                    phi_1741_ = _e1126;
+                                    phi_1742_ = _e1074;
+                                    phi_1743_ = _e1070;
                                 }
-                                let _e1142 = phi_1721_;
-                                let _e1144 = phi_1722_;
-                                let _e1146 = phi_1723_;
-                                let _e1148 = phi_1724_;
-                                let _e1151 = ((_e1148 * _e1142) - (_e1146 * _e1144));
-                                if _e1140 {
-                                    phi_1732_ = -(_e1151);
+                                let _e1160 = phi_1740_;
+                                let _e1162 = phi_1741_;
+                                let _e1164 = phi_1742_;
+                                let _e1166 = phi_1743_;
+                                let _e1169 = ((_e1166 * _e1160) - (_e1164 * _e1162));
+                                if _e1158 {
+                                    phi_1751_ = -(_e1169);
                                 } else {
-                                    phi_1732_ = _e1151;
+                                    phi_1751_ = _e1169;
                                 }
-                                let _e1154 = phi_1732_;
-                                if (_e1052 < _e1080) {
-                                    phi_1743_ = true;
+                                let _e1172 = phi_1751_;
+                                if (_e1070 < _e1098) {
+                                    phi_1762_ = true;
                                 } else {
-                                    if (_e1052 == _e1080) {
-                                        phi_1742_ = (_e1056 < _e1084);
+                                    if (_e1070 == _e1098) {
+                                        phi_1761_ = (_e1074 < _e1102);
                                     } else {
-                                        phi_1742_ = false;
+                                        phi_1761_ = false;
                                     }
-                                    let _e1159 = phi_1742_;
-                                    phi_1743_ = _e1159;
+                                    let _e1177 = phi_1761_;
+                                    phi_1762_ = _e1177;
                                 }
-                                let _e1161 = phi_1743_;
-                                if _e1161 {
-                                    phi_1747_ = _e1084;
-                                    phi_1748_ = _e1080;
-                                    phi_1749_ = _e1056;
-                                    phi_1750_ = _e1052;
+                                let _e1179 = phi_1762_;
+                                if _e1179 {
+                                    phi_1766_ = _e1102;
+                                    phi_1767_ = _e1098;
+                                    phi_1768_ = _e1074;
+                                    phi_1769_ = _e1070;
                                 } else {
-                                    phi_1747_ = _e1056;
-                                    phi_1748_ = _e1052;
-                                    phi_1749_ = _e1084;
-                                    phi_1750_ = _e1080;
+                                    phi_1766_ = _e1074;
+                                    phi_1767_ = _e1070;
+                                    phi_1768_ = _e1102;
+                                    phi_1769_ = _e1098;
                                 }
-                                let _e1163 = phi_1747_;
-                                let _e1165 = phi_1748_;
-                                let _e1167 = phi_1749_;
-                                let _e1169 = phi_1750_;
-                                let _e1172 = ((_e1169 * _e1163) - (_e1167 * _e1165));
-                                if _e1161 {
-                                    phi_1758_ = -(_e1172);
+                                let _e1181 = phi_1766_;
+                                let _e1183 = phi_1767_;
+                                let _e1185 = phi_1768_;
+                                let _e1187 = phi_1769_;
+                                let _e1190 = ((_e1187 * _e1181) - (_e1185 * _e1183));
+                                if _e1179 {
+                                    phi_1777_ = -(_e1190);
                                 } else {
-                                    phi_1758_ = _e1172;
+                                    phi_1777_ = _e1190;
                                 }
-                                let _e1175 = phi_1758_;
-                                if (_e1133 >= 0f) {
-                                    if (_e1154 >= 0f) {
-                                        if (_e1175 >= 0f) {
-                                            phi_1773_ = ((_e1133 + _e1154) + _e1175);
-                                            phi_1774_ = false;
+                                let _e1193 = phi_1777_;
+                                if (_e1151 >= 0f) {
+                                    if (_e1172 >= 0f) {
+                                        if (_e1193 >= 0f) {
+                                            phi_1792_ = ((_e1151 + _e1172) + _e1193);
+                                            phi_1793_ = false;
                                         } else {
-                                            phi_1773_ = f32();
-                                            phi_1774_ = true;
+                                            phi_1792_ = f32();
+                                            phi_1793_ = true;
                                         }
-                                        let _e1182 = phi_1773_;
-                                        let _e1184 = phi_1774_;
-                                        phi_1775_ = _e1182;
-                                        phi_1776_ = _e1184;
+                                        let _e1200 = phi_1792_;
+                                        let _e1202 = phi_1793_;
+                                        phi_1794_ = _e1200;
+                                        phi_1795_ = _e1202;
                                     } else {
-                                        phi_1775_ = f32();
-                                        phi_1776_ = true;
+                                        phi_1794_ = f32();
+                                        phi_1795_ = true;
                                     }
-                                    let _e1186 = phi_1775_;
-                                    let _e1188 = phi_1776_;
-                                    phi_1777_ = _e1186;
-                                    phi_1778_ = _e1188;
+                                    let _e1204 = phi_1794_;
+                                    let _e1206 = phi_1795_;
+                                    phi_1796_ = _e1204;
+                                    phi_1797_ = _e1206;
                                 } else {
-                                    phi_1777_ = f32();
-                                    phi_1778_ = true;
+                                    phi_1796_ = f32();
+                                    phi_1797_ = true;
                                 }
-                                let _e1190 = phi_1777_;
-                                let _e1192 = phi_1778_;
-                                if _e1192 {
-                                    if (_e1133 <= 0f) {
-                                        if (_e1154 <= 0f) {
-                                            let _e1195 = (_e1175 <= 0f);
-                                            if _e1195 {
+                                let _e1208 = phi_1796_;
+                                let _e1210 = phi_1797_;
+                                if _e1210 {
+                                    if (_e1151 <= 0f) {
+                                        if (_e1172 <= 0f) {
+                                            let _e1213 = (_e1193 <= 0f);
+                                            if _e1213 {
                                             }
-                                            phi_1796_ = ((_e1133 + _e1154) + _e1175);
-                                            phi_1797_ = false;
-                                            phi_1798_ = _e1195;
+                                            phi_1815_ = ((_e1151 + _e1172) + _e1193);
+                                            phi_1816_ = false;
+                                            phi_1817_ = _e1213;
                                         } else {
-                                            phi_1796_ = f32();
-                                            phi_1797_ = true;
-                                            phi_1798_ = false;
+                                            phi_1815_ = f32();
+                                            phi_1816_ = true;
+                                            phi_1817_ = false;
                                         }
-                                        let _e1199 = phi_1796_;
-                                        let _e1201 = phi_1797_;
-                                        let _e1203 = phi_1798_;
-                                        phi_1799_ = _e1199;
-                                        phi_1800_ = _e1201;
-                                        phi_1801_ = _e1203;
+                                        let _e1217 = phi_1815_;
+                                        let _e1219 = phi_1816_;
+                                        let _e1221 = phi_1817_;
+                                        phi_1818_ = _e1217;
+                                        phi_1819_ = _e1219;
+                                        phi_1820_ = _e1221;
                                     } else {
-                                        phi_1799_ = f32();
-                                        phi_1800_ = true;
-                                        phi_1801_ = false;
+                                        phi_1818_ = f32();
+                                        phi_1819_ = true;
+                                        phi_1820_ = false;
                                     }
-                                    let _e1205 = phi_1799_;
-                                    let _e1207 = phi_1800_;
-                                    let _e1209 = phi_1801_;
-                                    if _e1207 {
-                                        phi_1805_ = false;
+                                    let _e1223 = phi_1818_;
+                                    let _e1225 = phi_1819_;
+                                    let _e1227 = phi_1820_;
+                                    if _e1225 {
+                                        phi_1824_ = false;
                                     } else {
-                                        phi_1805_ = _e1209;
+                                        phi_1824_ = _e1227;
                                     }
-                                    let _e1211 = phi_1805_;
-                                    phi_1806_ = _e1205;
-                                    phi_1807_ = _e1211;
+                                    let _e1229 = phi_1824_;
+                                    phi_1825_ = _e1223;
+                                    phi_1826_ = _e1229;
                                 } else {
-                                    phi_1806_ = _e1190;
-                                    phi_1807_ = true;
+                                    phi_1825_ = _e1208;
+                                    phi_1826_ = true;
                                 }
-                                let _e1213 = phi_1806_;
-                                let _e1215 = phi_1807_;
-                                if _e1215 {
-                                    let _e1216 = (_e1213 == 0f);
-                                    if _e1216 {
-                                        phi_2133_ = lt_bvh_triangle_Intersection();
-                                        phi_2134_ = false;
+                                let _e1231 = phi_1825_;
+                                let _e1233 = phi_1826_;
+                                if _e1233 {
+                                    let _e1234 = (_e1231 == 0f);
+                                    if _e1234 {
+                                        phi_2152_ = lt_bvh_triangle_Intersection();
+                                        phi_2153_ = false;
                                     } else {
-                                        let _e1218 = triangles.member[(0u + _e1023)].v0_;
-                                        let _e1221 = (_e1218.x - _e164.origin.x);
-                                        let _e1224 = (_e1218.y - _e164.origin.y);
-                                        let _e1227 = (_e1218.z - _e164.origin.z);
-                                        if (_e398 == 0u) {
-                                            phi_1838_ = vec3<f32>(_e1224, _e1227, _e1221);
+                                        let _e1236 = triangles.member[(0u + _e1041)].v0_;
+                                        let _e1239 = (_e1236.x - _e182.origin.x);
+                                        let _e1242 = (_e1236.y - _e182.origin.y);
+                                        let _e1245 = (_e1236.z - _e182.origin.z);
+                                        if (_e416 == 0u) {
+                                            phi_1857_ = vec3<f32>(_e1242, _e1245, _e1239);
                                         } else {
-                                            if (_e398 == 1u) {
-                                                phi_1837_ = vec3<f32>(_e1227, _e1221, _e1224);
+                                            if (_e416 == 1u) {
+                                                phi_1856_ = vec3<f32>(_e1245, _e1239, _e1242);
                                             } else {
-                                                phi_1837_ = (_e1218 - _e164.origin);
+                                                phi_1856_ = (_e1236 - _e182.origin);
                                             }
-                                            let _e1234 = phi_1837_;
-                                            phi_1838_ = _e1234;
+                                            let _e1252 = phi_1856_;
+                                            phi_1857_ = _e1252;
                                         }
-                                        let _e1236 = phi_1838_;
-                                        let _e1238 = triangles.member[(0u + _e1023)].v1_;
-                                        let _e1240 = triangles.member[(0u + _e1023)].v0_;
-                                        let _e1243 = (_e1238.x - _e1240.x);
-                                        let _e1246 = (_e1238.y - _e1240.y);
-                                        let _e1249 = (_e1238.z - _e1240.z);
-                                        if (_e398 == 0u) {
-                                            phi_1864_ = vec3<f32>(_e1246, _e1249, _e1243);
+                                        let _e1254 = phi_1857_;
+                                        let _e1256 = triangles.member[(0u + _e1041)].v1_;
+                                        let _e1258 = triangles.member[(0u + _e1041)].v0_;
+                                        let _e1261 = (_e1256.x - _e1258.x);
+                                        let _e1264 = (_e1256.y - _e1258.y);
+                                        let _e1267 = (_e1256.z - _e1258.z);
+                                        if (_e416 == 0u) {
+                                            phi_1883_ = vec3<f32>(_e1264, _e1267, _e1261);
                                         } else {
-                                            if (_e398 == 1u) {
-                                                phi_1863_ = vec3<f32>(_e1249, _e1243, _e1246);
+                                            if (_e416 == 1u) {
+                                                phi_1882_ = vec3<f32>(_e1267, _e1261, _e1264);
                                             } else {
-                                                phi_1863_ = (_e1238 - _e1240);
+                                                phi_1882_ = (_e1256 - _e1258);
                                             }
-                                            let _e1256 = phi_1863_;
-                                            phi_1864_ = _e1256;
+                                            let _e1274 = phi_1882_;
+                                            phi_1883_ = _e1274;
                                         }
-                                        let _e1258 = phi_1864_;
-                                        let _e1260 = triangles.member[(0u + _e1023)].v2_;
-                                        let _e1262 = triangles.member[(0u + _e1023)].v0_;
-                                        let _e1265 = (_e1260.x - _e1262.x);
-                                        let _e1268 = (_e1260.y - _e1262.y);
-                                        let _e1271 = (_e1260.z - _e1262.z);
-                                        if (_e398 == 0u) {
-                                            phi_1890_ = vec3<f32>(_e1268, _e1271, _e1265);
+                                        let _e1276 = phi_1883_;
+                                        let _e1278 = triangles.member[(0u + _e1041)].v2_;
+                                        let _e1280 = triangles.member[(0u + _e1041)].v0_;
+                                        let _e1283 = (_e1278.x - _e1280.x);
+                                        let _e1286 = (_e1278.y - _e1280.y);
+                                        let _e1289 = (_e1278.z - _e1280.z);
+                                        if (_e416 == 0u) {
+                                            phi_1909_ = vec3<f32>(_e1286, _e1289, _e1283);
                                         } else {
-                                            if (_e398 == 1u) {
-                                                phi_1889_ = vec3<f32>(_e1271, _e1265, _e1268);
+                                            if (_e416 == 1u) {
+                                                phi_1908_ = vec3<f32>(_e1289, _e1283, _e1286);
                                             } else {
-                                                phi_1889_ = (_e1260 - _e1262);
+                                                phi_1908_ = (_e1278 - _e1280);
                                             }
-                                            let _e1278 = phi_1889_;
-                                            phi_1890_ = _e1278;
+                                            let _e1296 = phi_1908_;
+                                            phi_1909_ = _e1296;
                                         }
-                                        let _e1280 = phi_1890_;
-                                        let _e1287 = ((_e1258.y * _e1280.z) - (_e1258.z * _e1280.y));
-                                        let _e1294 = ((_e1258.z * _e1280.x) - (_e1258.x * _e1280.z));
-                                        let _e1301 = ((_e1258.x * _e1280.y) - (_e1258.y * _e1280.x));
-                                        let _e1315 = (((1f / _e412.z) * (((_e1287 * _e1236.x) + (_e1294 * _e1236.y)) + (_e1301 * _e1236.z))) / (((_e1287 * _e415) + (_e1294 * _e418)) + _e1301));
-                                        if (_e1315 > _e164.tmin) {
-                                            if (_e1315 < _e164.tmax) {
-                                                let _e1321 = triangles.member[(0u + _e1023)].v0_;
-                                                let _e1323 = triangles.member[(0u + _e1023)].v1_;
-                                                if (_e1321.x < _e1323.x) {
-                                                    phi_1948_ = _e1321.x;
+                                        let _e1298 = phi_1909_;
+                                        let _e1305 = ((_e1276.y * _e1298.z) - (_e1276.z * _e1298.y));
+                                        let _e1312 = ((_e1276.z * _e1298.x) - (_e1276.x * _e1298.z));
+                                        let _e1319 = ((_e1276.x * _e1298.y) - (_e1276.y * _e1298.x));
+                                        let _e1333 = (((1f / _e430.z) * (((_e1305 * _e1254.x) + (_e1312 * _e1254.y)) + (_e1319 * _e1254.z))) / (((_e1305 * _e433) + (_e1312 * _e436)) + _e1319));
+                                        if (_e1333 > _e182.tmin) {
+                                            if (_e1333 < _e182.tmax) {
+                                                let _e1339 = triangles.member[(0u + _e1041)].v0_;
+                                                let _e1341 = triangles.member[(0u + _e1041)].v1_;
+                                                if (_e1339.x < _e1341.x) {
+                                                    phi_1967_ = _e1339.x;
                                                 } else {
-                                                    phi_1948_ = _e1323.x;
+                                                    phi_1967_ = _e1341.x;
                                                 }
-                                                let _e1330 = phi_1948_;
-                                                if (_e1321.y < _e1323.y) {
-                                                    phi_1957_ = _e1321.y;
+                                                let _e1348 = phi_1967_;
+                                                if (_e1339.y < _e1341.y) {
+                                                    phi_1976_ = _e1339.y;
                                                 } else {
-                                                    phi_1957_ = _e1323.y;
+                                                    phi_1976_ = _e1341.y;
                                                 }
-                                                let _e1337 = phi_1957_;
-                                                if (_e1321.z < _e1323.z) {
-                                                    phi_1966_ = _e1321.z;
+                                                let _e1355 = phi_1976_;
+                                                if (_e1339.z < _e1341.z) {
+                                                    phi_1985_ = _e1339.z;
                                                 } else {
-                                                    phi_1966_ = _e1323.z;
+                                                    phi_1985_ = _e1341.z;
                                                 }
-                                                let _e1344 = phi_1966_;
-                                                let _e1346 = triangles.member[(0u + _e1023)].v2_;
-                                                if (_e1330 < _e1346.x) {
-                                                    phi_1975_ = _e1330;
+                                                let _e1362 = phi_1985_;
+                                                let _e1364 = triangles.member[(0u + _e1041)].v2_;
+                                                if (_e1348 < _e1364.x) {
+                                                    phi_1994_ = _e1348;
                                                 } else {
-                                                    phi_1975_ = _e1346.x;
+                                                    phi_1994_ = _e1364.x;
                                                 }
-                                                let _e1351 = phi_1975_;
-                                                if (_e1337 < _e1346.y) {
-                                                    phi_1982_ = _e1337;
+                                                let _e1369 = phi_1994_;
+                                                if (_e1355 < _e1364.y) {
+                                                    phi_2001_ = _e1355;
                                                 } else {
-                                                    phi_1982_ = _e1346.y;
+                                                    phi_2001_ = _e1364.y;
                                                 }
-                                                let _e1356 = phi_1982_;
-                                                if (_e1344 < _e1346.z) {
-                                                    phi_1989_ = _e1344;
+                                                let _e1374 = phi_2001_;
+                                                if (_e1362 < _e1364.z) {
+                                                    phi_2008_ = _e1362;
                                                 } else {
-                                                    phi_1989_ = _e1346.z;
+                                                    phi_2008_ = _e1364.z;
                                                 }
-                                                let _e1361 = phi_1989_;
-                                                let _e1363 = triangles.member[(0u + _e1023)].v0_;
-                                                let _e1365 = triangles.member[(0u + _e1023)].v1_;
-                                                if (_e1363.x > _e1365.x) {
-                                                    phi_2002_ = _e1363.x;
+                                                let _e1379 = phi_2008_;
+                                                let _e1381 = triangles.member[(0u + _e1041)].v0_;
+                                                let _e1383 = triangles.member[(0u + _e1041)].v1_;
+                                                if (_e1381.x > _e1383.x) {
+                                                    phi_2021_ = _e1381.x;
                                                 } else {
-                                                    phi_2002_ = _e1365.x;
+                                                    phi_2021_ = _e1383.x;
                                                 }
-                                                let _e1372 = phi_2002_;
-                                                if (_e1363.y > _e1365.y) {
-                                                    phi_2011_ = _e1363.y;
+                                                let _e1390 = phi_2021_;
+                                                if (_e1381.y > _e1383.y) {
+                                                    phi_2030_ = _e1381.y;
                                                 } else {
-                                                    phi_2011_ = _e1365.y;
+                                                    phi_2030_ = _e1383.y;
                                                 }
-                                                let _e1379 = phi_2011_;
-                                                if (_e1363.z > _e1365.z) {
-                                                    phi_2020_ = _e1363.z;
+                                                let _e1397 = phi_2030_;
+                                                if (_e1381.z > _e1383.z) {
+                                                    phi_2039_ = _e1381.z;
                                                 } else {
-                                                    phi_2020_ = _e1365.z;
+                                                    phi_2039_ = _e1383.z;
                                                 }
-                                                let _e1386 = phi_2020_;
-                                                let _e1388 = triangles.member[(0u + _e1023)].v2_;
-                                                if (_e1372 > _e1388.x) {
-                                                    phi_2029_ = _e1372;
+                                                let _e1404 = phi_2039_;
+                                                let _e1406 = triangles.member[(0u + _e1041)].v2_;
+                                                if (_e1390 > _e1406.x) {
+                                                    phi_2048_ = _e1390;
                                                 } else {
-                                                    phi_2029_ = _e1388.x;
+                                                    phi_2048_ = _e1406.x;
                                                 }
-                                                let _e1393 = phi_2029_;
-                                                if (_e1379 > _e1388.y) {
-                                                    phi_2036_ = _e1379;
+                                                let _e1411 = phi_2048_;
+                                                if (_e1397 > _e1406.y) {
+                                                    phi_2055_ = _e1397;
                                                 } else {
-                                                    phi_2036_ = _e1388.y;
+                                                    phi_2055_ = _e1406.y;
                                                 }
-                                                let _e1398 = phi_2036_;
-                                                if (_e1386 > _e1388.z) {
-                                                    phi_2043_ = _e1386;
+                                                let _e1416 = phi_2055_;
+                                                if (_e1404 > _e1406.z) {
+                                                    phi_2062_ = _e1404;
                                                 } else {
-                                                    phi_2043_ = _e1388.z;
+                                                    phi_2062_ = _e1406.z;
                                                 }
-                                                let _e1403 = phi_2043_;
-                                                let _e1410 = ((_e1351 - _e164.origin.x) * _e310);
-                                                let _e1411 = ((_e1356 - _e164.origin.y) * _e321);
-                                                let _e1412 = ((_e1361 - _e164.origin.z) * _e332);
-                                                let _e1419 = ((_e1393 - _e164.origin.x) * _e310);
-                                                let _e1420 = ((_e1398 - _e164.origin.y) * _e321);
-                                                let _e1421 = ((_e1403 - _e164.origin.z) * _e332);
-                                                if (_e1410 < _e1419) {
-                                                    phi_2066_ = _e1410;
+                                                let _e1421 = phi_2062_;
+                                                let _e1428 = ((_e1369 - _e182.origin.x) * _e328);
+                                                let _e1429 = ((_e1374 - _e182.origin.y) * _e339);
+                                                let _e1430 = ((_e1379 - _e182.origin.z) * _e350);
+                                                let _e1437 = ((_e1411 - _e182.origin.x) * _e328);
+                                                let _e1438 = ((_e1416 - _e182.origin.y) * _e339);
+                                                let _e1439 = ((_e1421 - _e182.origin.z) * _e350);
+                                                if (_e1428 < _e1437) {
+                                                    phi_2085_ = _e1428;
                                                 } else {
-                                                    phi_2066_ = _e1419;
+                                                    phi_2085_ = _e1437;
                                                 }
-                                                let _e1424 = phi_2066_;
-                                                if (_e1411 < _e1420) {
-                                                    phi_2071_ = _e1411;
+                                                let _e1442 = phi_2085_;
+                                                if (_e1429 < _e1438) {
+                                                    phi_2090_ = _e1429;
                                                 } else {
-                                                    phi_2071_ = _e1420;
+                                                    phi_2090_ = _e1438;
                                                 }
-                                                let _e1427 = phi_2071_;
-                                                if (_e1412 < _e1421) {
-                                                    phi_2076_ = _e1412;
+                                                let _e1445 = phi_2090_;
+                                                if (_e1430 < _e1439) {
+                                                    phi_2095_ = _e1430;
                                                 } else {
-                                                    phi_2076_ = _e1421;
+                                                    phi_2095_ = _e1439;
                                                 }
-                                                let _e1430 = phi_2076_;
-                                                if (_e1410 > _e1419) {
-                                                    phi_2084_ = _e1410;
+                                                let _e1448 = phi_2095_;
+                                                if (_e1428 > _e1437) {
+                                                    phi_2103_ = _e1428;
                                                 } else {
-                                                    phi_2084_ = _e1419;
+                                                    phi_2103_ = _e1437;
                                                 }
-                                                let _e1436 = phi_2084_;
-                                                if (_e1411 > _e1420) {
-                                                    phi_2089_ = _e1411;
+                                                let _e1454 = phi_2103_;
+                                                if (_e1429 > _e1438) {
+                                                    phi_2108_ = _e1429;
                                                 } else {
-                                                    phi_2089_ = _e1420;
+                                                    phi_2108_ = _e1438;
                                                 }
-                                                let _e1439 = phi_2089_;
-                                                if (_e1412 > _e1421) {
-                                                    phi_2094_ = _e1412;
+                                                let _e1457 = phi_2108_;
+                                                if (_e1430 > _e1439) {
+                                                    phi_2113_ = _e1430;
                                                 } else {
-                                                    phi_2094_ = _e1421;
+                                                    phi_2113_ = _e1439;
                                                 }
-                                                let _e1442 = phi_2094_;
-                                                let _e1446 = core_intrinsics_maximum_number_nsz_f32_((_e1424 - _e377), (_e1427 - _e378));
-                                                let _e1447 = core_intrinsics_maximum_number_nsz_f32_(_e1446, (_e1430 - _e379));
-                                                let _e1448 = core_intrinsics_minimum_number_nsz_f32_((_e1436 + _e377), (_e1439 + _e378));
-                                                let _e1449 = core_intrinsics_minimum_number_nsz_f32_(_e1448, (_e1442 + _e379));
-                                                if (_e1447 > -300000000000000000000000000000000000000f) {
-                                                    phi_2106_ = _e1447;
+                                                let _e1460 = phi_2113_;
+                                                let _e1464 = core_intrinsics_maximum_number_nsz_f32_((_e1442 - _e395), (_e1445 - _e396));
+                                                let _e1465 = core_intrinsics_maximum_number_nsz_f32_(_e1464, (_e1448 - _e397));
+                                                let _e1466 = core_intrinsics_minimum_number_nsz_f32_((_e1454 + _e395), (_e1457 + _e396));
+                                                let _e1467 = core_intrinsics_minimum_number_nsz_f32_(_e1466, (_e1460 + _e397));
+                                                if (_e1465 > -300000000000000000000000000000000000000f) {
+                                                    phi_2125_ = _e1465;
                                                 } else {
-                                                    phi_2106_ = -300000000000000000000000000000000000000f;
+                                                    phi_2125_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1452 = phi_2106_;
-                                                if (_e1449 < 300000000000000000000000000000000000000f) {
-                                                    phi_2111_ = _e1449;
+                                                let _e1470 = phi_2125_;
+                                                if (_e1467 < 300000000000000000000000000000000000000f) {
+                                                    phi_2130_ = _e1467;
                                                 } else {
-                                                    phi_2111_ = 300000000000000000000000000000000000000f;
+                                                    phi_2130_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1455 = phi_2111_;
-                                                if (_e1315 < _e1452) {
-                                                    phi_2116_ = _e1452;
+                                                let _e1473 = phi_2130_;
+                                                if (_e1333 < _e1470) {
+                                                    phi_2135_ = _e1470;
                                                 } else {
-                                                    phi_2116_ = _e1315;
+                                                    phi_2135_ = _e1333;
                                                 }
-                                                let _e1458 = phi_2116_;
-                                                if (_e1458 > _e1455) {
-                                                    phi_2121_ = _e1455;
+                                                let _e1476 = phi_2135_;
+                                                if (_e1476 > _e1473) {
+                                                    phi_2140_ = _e1473;
                                                 } else {
-                                                    phi_2121_ = _e1458;
+                                                    phi_2140_ = _e1476;
                                                 }
-                                                let _e1461 = phi_2121_;
-                                                phi_2126_ = lt_bvh_triangle_Intersection(_e1461, (_e1154 / _e1213), (_e1175 / _e1213), (_e1452 <= _e1455));
-                                                phi_2127_ = false;
+                                                let _e1479 = phi_2140_;
+                                                phi_2145_ = lt_bvh_triangle_Intersection(_e1479, (_e1172 / _e1231), (_e1193 / _e1231), (_e1470 <= _e1473));
+                                                phi_2146_ = false;
                                             } else {
-                                                phi_2126_ = lt_bvh_triangle_Intersection();
-                                                phi_2127_ = true;
+                                                phi_2145_ = lt_bvh_triangle_Intersection();
+                                                phi_2146_ = true;
                                             }
-                                            let _e1467 = phi_2126_;
-                                            let _e1469 = phi_2127_;
-                                            phi_2128_ = _e1467;
-                                            phi_2129_ = _e1469;
+                                            let _e1485 = phi_2145_;
+                                            let _e1487 = phi_2146_;
+                                            phi_2147_ = _e1485;
+                                            phi_2148_ = _e1487;
                                         } else {
-                                            phi_2128_ = lt_bvh_triangle_Intersection();
-                                            phi_2129_ = true;
+                                            phi_2147_ = lt_bvh_triangle_Intersection();
+                                            phi_2148_ = true;
                                         }
-                                        let _e1471 = phi_2128_;
-                                        let _e1473 = phi_2129_;
-                                        if _e1473 {
+                                        let _e1489 = phi_2147_;
+                                        let _e1491 = phi_2148_;
+                                        if _e1491 {
                                         }
-                                        phi_2133_ = _e1471;
-                                        phi_2134_ = _e1473;
+                                        phi_2152_ = _e1489;
+                                        phi_2153_ = _e1491;
                                     }
-                                    let _e1475 = phi_2133_;
-                                    let _e1477 = phi_2134_;
-                                    phi_2135_ = _e1475;
-                                    phi_2136_ = _e1216;
-                                    phi_2137_ = _e1477;
+                                    let _e1493 = phi_2152_;
+                                    let _e1495 = phi_2153_;
+                                    phi_2154_ = _e1493;
+                                    phi_2155_ = _e1234;
+                                    phi_2156_ = _e1495;
                                 } else {
-                                    phi_2135_ = lt_bvh_triangle_Intersection();
-                                    phi_2136_ = true;
-                                    phi_2137_ = false;
+                                    phi_2154_ = lt_bvh_triangle_Intersection();
+                                    phi_2155_ = true;
+                                    phi_2156_ = false;
                                 }
-                                let _e1479 = phi_2135_;
-                                let _e1481 = phi_2136_;
-                                let _e1483 = phi_2137_;
-                                if _e1481 {
-                                    phi_2141_ = true;
+                                let _e1497 = phi_2154_;
+                                let _e1499 = phi_2155_;
+                                let _e1501 = phi_2156_;
+                                if _e1499 {
+                                    phi_2160_ = true;
                                 } else {
-                                    phi_2141_ = _e1483;
+                                    phi_2160_ = _e1501;
                                 }
-                                let _e1485 = phi_2141_;
-                                if _e1485 {
-                                    phi_2145_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1503 = phi_2160_;
+                                if _e1503 {
+                                    phi_2164_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2145_ = _e1479;
+                                    phi_2164_ = _e1497;
                                 }
-                                let _e1487 = phi_2145_;
-                                if _e1487.is_hit {
-                                    if (_e1487.t > _e164.tmin) {
-                                        if (_e1487.t < _e1012.t) {
-                                            phi_2194_ = true;
+                                let _e1505 = phi_2164_;
+                                if _e1505.is_hit {
+                                    if (_e1505.t > _e182.tmin) {
+                                        if (_e1505.t < _e1030.t) {
+                                            phi_2213_ = true;
                                         } else {
-                                            if (_e1487.t == _e1012.t) {
-                                                if (_e1012.triangle != 4294967295u) {
-                                                    if (_e1023 < _e1012.triangle) {
-                                                        phi_2185_ = true;
+                                            if (_e1505.t == _e1030.t) {
+                                                if (_e1030.triangle != 4294967295u) {
+                                                    if (_e1041 < _e1030.triangle) {
+                                                        phi_2204_ = true;
                                                     } else {
-                                                        if (_e1023 == _e1012.triangle) {
-                                                            phi_2184_ = (4294967295u < _e1012.instance);
+                                                        if (_e1041 == _e1030.triangle) {
+                                                            phi_2203_ = (4294967295u < _e1030.instance);
                                                         } else {
-                                                            phi_2184_ = false;
+                                                            phi_2203_ = false;
                                                         }
-                                                        let _e1506 = phi_2184_;
-                                                        phi_2185_ = _e1506;
+                                                        let _e1524 = phi_2203_;
+                                                        phi_2204_ = _e1524;
                                                     }
-                                                    let _e1508 = phi_2185_;
-                                                    phi_2186_ = _e1508;
-                                                    phi_2187_ = false;
+                                                    let _e1526 = phi_2204_;
+                                                    phi_2205_ = _e1526;
+                                                    phi_2206_ = false;
                                                 } else {
-                                                    phi_2186_ = bool();
-                                                    phi_2187_ = true;
+                                                    phi_2205_ = bool();
+                                                    phi_2206_ = true;
                                                 }
-                                                let _e1510 = phi_2186_;
-                                                let _e1512 = phi_2187_;
-                                                phi_2188_ = _e1510;
-                                                phi_2189_ = _e1512;
+                                                let _e1528 = phi_2205_;
+                                                let _e1530 = phi_2206_;
+                                                phi_2207_ = _e1528;
+                                                phi_2208_ = _e1530;
                                             } else {
-                                                phi_2188_ = bool();
-                                                phi_2189_ = true;
+                                                phi_2207_ = bool();
+                                                phi_2208_ = true;
                                             }
-                                            let _e1514 = phi_2188_;
-                                            let _e1516 = phi_2189_;
-                                            if _e1516 {
-                                                phi_2193_ = false;
+                                            let _e1532 = phi_2207_;
+                                            let _e1534 = phi_2208_;
+                                            if _e1534 {
+                                                phi_2212_ = false;
                                             } else {
-                                                phi_2193_ = _e1514;
+                                                phi_2212_ = _e1532;
                                             }
-                                            let _e1518 = phi_2193_;
-                                            phi_2194_ = _e1518;
+                                            let _e1536 = phi_2212_;
+                                            phi_2213_ = _e1536;
                                         }
-                                        let _e1520 = phi_2194_;
-                                        if _e1520 {
-                                            let _e1522 = triangles.member[(0u + _e1023)].i0_;
-                                            if ((_e1522 & 2147483648u) == 0u) {
-                                                phi_2405_ = true;
+                                        let _e1538 = phi_2213_;
+                                        if _e1538 {
+                                            let _e1540 = triangles.member[(0u + _e1041)].i0_;
+                                            if ((_e1540 & 2147483648u) == 0u) {
+                                                phi_2424_ = true;
                                             } else {
-                                                if (_e1023 < _e82) {
+                                                if (_e1041 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1531 = triangles.member[(0u + _e1023)].i0_;
-                                                let _e1532 = (_e1531 & 2147483647u);
-                                                let _e1534 = triangles.member[(0u + _e1023)].i1_;
-                                                let _e1536 = triangles.member[(0u + _e1023)].i2_;
-                                                if (_e1532 < _e85) {
+                                                let _e1549 = triangles.member[(0u + _e1041)].i0_;
+                                                let _e1550 = (_e1549 & 2147483647u);
+                                                let _e1552 = triangles.member[(0u + _e1041)].i1_;
+                                                let _e1554 = triangles.member[(0u + _e1041)].i2_;
+                                                if (_e1550 < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1540 = vertices.member[(0u + _e1532)];
-                                                if (_e1534 < _e85) {
+                                                let _e1558 = vertices.member[(0u + _e1550)];
+                                                if (_e1552 < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1544 = vertices.member[(0u + _e1534)];
-                                                if (_e1536 < _e85) {
+                                                let _e1562 = vertices.member[(0u + _e1552)];
+                                                if (_e1554 < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1548 = vertices.member[(0u + _e1536)];
-                                                let _e1549 = array<abi_Vertex, 3>(_e1540, _e1544, _e1548);
-                                                if (_e1549[0].material < _e88) {
+                                                let _e1566 = vertices.member[(0u + _e1554)];
+                                                let _e1567 = array<abi_Vertex, 3>(_e1558, _e1562, _e1566);
+                                                if (_e1567[0].material < _e89) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1555 = materials.member[(0u + _e1549[0].material)];
-                                                if ((_e1555.flags & 0u) == 0u) {
-                                                    let _e1560 = ((1f - _e1487.u) - _e1487.v);
-                                                    if (_e1555.cutoff <= 0f) {
-                                                        phi_2400_ = true;
+                                                let _e1573 = materials.member[(0u + _e1567[0].material)];
+                                                if ((_e1573.flags & 0u) == 0u) {
+                                                    let _e1578 = ((1f - _e1505.u) - _e1505.v);
+                                                    if (_e1573.cutoff <= 0f) {
+                                                        phi_2419_ = true;
                                                     } else {
-                                                        let _e1587 = (_e1555.base_color.w * ((((f32((_e1549[0].color >> bitcast<u32>(24i))) * _e1560) + (f32((_e1549[1].color >> bitcast<u32>(24i))) * _e1487.u)) + (f32((_e1549[2].color >> bitcast<u32>(24i))) * _e1487.v)) * (1f / 255f)));
-                                                        if (_e1555.alpha_size == 0u) {
-                                                            phi_2397_ = _e1587;
+                                                        let _e1605 = (_e1573.base_color.w * ((((f32((_e1567[0].color >> bitcast<u32>(24i))) * _e1578) + (f32((_e1567[1].color >> bitcast<u32>(24i))) * _e1505.u)) + (f32((_e1567[2].color >> bitcast<u32>(24i))) * _e1505.v)) * (1f / 255f)));
+                                                        if (_e1573.alpha_size == 0u) {
+                                                            phi_2416_ = _e1605;
                                                         } else {
-                                                            local_1.offset = _e1555.alpha_offset;
-                                                            local_1.size = _e1555.alpha_size;
-                                                            local_1.flags = _e1555.flags;
-                                                            let _e1618 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1549[0].u * _e1560) + (_e1549[1].u * _e1487.u)) + (_e1549[2].u * _e1487.v)), (((_e1549[0].v * _e1560) + (_e1549[1].v * _e1487.u)) + (_e1549[2].v * _e1487.v)));
-                                                            let _e1622 = (_e1618.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1622 < _e94) {
+                                                            local_1.offset = _e1573.alpha_offset;
+                                                            local_1.size = _e1573.alpha_size;
+                                                            local_1.flags = _e1573.flags;
+                                                            let _e1636 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1567[0].u * _e1578) + (_e1567[1].u * _e1505.u)) + (_e1567[2].u * _e1505.v)), (((_e1567[0].v * _e1578) + (_e1567[1].v * _e1505.u)) + (_e1567[2].v * _e1505.v)));
+                                                            let _e1640 = (_e1636.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1640 < _e95) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1626 = alpha_texels.member[(0u + _e1622)];
-                                                            let _e1642 = (_e1618.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1642 < _e94) {
+                                                            let _e1644 = alpha_texels.member[(0u + _e1640)];
+                                                            let _e1660 = (_e1636.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1660 < _e95) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1646 = alpha_texels.member[(0u + _e1642)];
-                                                            let _e1663 = (_e1618.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1663 < _e94) {
+                                                            let _e1664 = alpha_texels.member[(0u + _e1660)];
+                                                            let _e1681 = (_e1636.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1681 < _e95) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1667 = alpha_texels.member[(0u + _e1663)];
-                                                            let _e1684 = (_e1618.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1684 < _e94) {
+                                                            let _e1685 = alpha_texels.member[(0u + _e1681)];
+                                                            let _e1702 = (_e1636.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1702 < _e95) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1688 = alpha_texels.member[(0u + _e1684)];
-                                                            phi_2397_ = (_e1587 * (((((f32(((_e1626 >> bitcast<u32>((((_e1618.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.x) + ((f32(((_e1646 >> bitcast<u32>((((_e1618.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.y)) + ((f32(((_e1667 >> bitcast<u32>((((_e1618.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.z)) + ((f32(((_e1688 >> bitcast<u32>((((_e1618.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.w)));
+                                                            let _e1706 = alpha_texels.member[(0u + _e1702)];
+                                                            phi_2416_ = (_e1605 * (((((f32(((_e1644 >> bitcast<u32>((((_e1636.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1636.weights.x) + ((f32(((_e1664 >> bitcast<u32>((((_e1636.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1636.weights.y)) + ((f32(((_e1685 >> bitcast<u32>((((_e1636.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1636.weights.z)) + ((f32(((_e1706 >> bitcast<u32>((((_e1636.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1636.weights.w)));
                                                         }
-                                                        let _e1704 = phi_2397_;
-                                                        phi_2400_ = (_e1704 >= _e1555.cutoff);
+                                                        let _e1722 = phi_2416_;
+                                                        phi_2419_ = (_e1722 >= _e1573.cutoff);
                                                     }
-                                                    let _e1708 = phi_2400_;
-                                                    phi_2401_ = _e1708;
+                                                    let _e1726 = phi_2419_;
+                                                    phi_2420_ = _e1726;
                                                 } else {
-                                                    phi_2401_ = false;
+                                                    phi_2420_ = false;
                                                 }
-                                                let _e1710 = phi_2401_;
-                                                if _e1710 {
+                                                let _e1728 = phi_2420_;
+                                                if _e1728 {
                                                 }
-                                                phi_2405_ = _e1710;
+                                                phi_2424_ = _e1728;
                                             }
-                                            let _e1712 = phi_2405_;
-                                            if _e1712 {
-                                                phi_2413_ = lt_bvh_Hit(_e1487.t, _e1487.u, _e1487.v, _e1023, 4294967295u);
+                                            let _e1730 = phi_2424_;
+                                            if _e1730 {
+                                                phi_2432_ = lt_bvh_Hit(_e1505.t, _e1505.u, _e1505.v, _e1041, 4294967295u);
                                             } else {
-                                                phi_2413_ = _e1012;
+                                                phi_2432_ = _e1030;
                                             }
-                                            let _e1718 = phi_2413_;
-                                            phi_2414_ = _e1718;
+                                            let _e1736 = phi_2432_;
+                                            phi_2433_ = _e1736;
                                         } else {
-                                            phi_2414_ = _e1012;
+                                            phi_2433_ = _e1030;
                                         }
-                                        let _e1720 = phi_2414_;
-                                        phi_2415_ = _e1720;
+                                        let _e1738 = phi_2433_;
+                                        phi_2434_ = _e1738;
                                     } else {
-                                        phi_2415_ = _e1012;
+                                        phi_2434_ = _e1030;
                                     }
-                                    let _e1722 = phi_2415_;
-                                    phi_2416_ = _e1722;
+                                    let _e1740 = phi_2434_;
+                                    phi_2435_ = _e1740;
                                 } else {
-                                    phi_2416_ = _e1012;
+                                    phi_2435_ = _e1030;
                                 }
-                                let _e1724 = phi_2416_;
-                                phi_1559_ = _e1724;
-                                phi_1562_ = (_e1014 & (_e1014 - 1u));
-                                phi_2417_ = true;
+                                let _e1742 = phi_2435_;
+                                phi_1578_ = _e1742;
+                                phi_1581_ = (_e1032 & (_e1032 - 1u));
+                                phi_2436_ = true;
                             }
-                            let _e1726 = phi_1559_;
-                            let _e1728 = phi_1562_;
-                            let _e1730 = phi_2417_;
+                            let _e1744 = phi_1578_;
+                            let _e1746 = phi_1581_;
+                            let _e1748 = phi_2436_;
                             continue;
                             continuing {
-                                phi_1558_ = _e1726;
-                                phi_1561_ = _e1728;
-                                break if !(_e1730);
+                                phi_1577_ = _e1744;
+                                phi_1580_ = _e1746;
+                                break if !(_e1748);
                             }
                         }
-                        let _e1733 = local_2.group_mask;
-                        if ((_e1733 & 4278190080u) == 0u) {
-                            let _e1737 = local_2.len;
-                            if (_e1737 == 0u) {
-                                phi_2456_ = false;
+                        let _e1751 = local_2.group_mask;
+                        if ((_e1751 & 4278190080u) == 0u) {
+                            let _e1755 = local_2.len;
+                            if (_e1755 == 0u) {
+                                phi_2475_ = false;
                             } else {
-                                let _e1741 = local_2.len;
-                                local_2.len = (_e1741 - 1u);
-                                let _e1744 = local_2.len;
-                                if (_e1744 < 32u) {
+                                let _e1759 = local_2.len;
+                                local_2.len = (_e1759 - 1u);
+                                let _e1762 = local_2.len;
+                                if (_e1762 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1749 = local_2.first[(0u + _e1744)];
-                                local_2.group = _e1749;
-                                let _e1752 = local_2.len;
-                                if (_e1752 < 32u) {
+                                let _e1767 = local_2.first[(0u + _e1762)];
+                                local_2.group = _e1767;
+                                let _e1770 = local_2.len;
+                                if (_e1770 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1757 = local_2.mask[(0u + _e1752)];
-                                local_2.group_mask = _e1757;
-                                phi_2456_ = true;
+                                let _e1775 = local_2.mask[(0u + _e1770)];
+                                local_2.group_mask = _e1775;
+                                phi_2475_ = true;
                             }
-                            let _e1760 = phi_2456_;
-                            phi_2457_ = _e1760;
+                            let _e1778 = phi_2475_;
+                            phi_2476_ = _e1778;
                         } else {
-                            phi_2457_ = true;
+                            phi_2476_ = true;
                         }
-                        let _e1762 = phi_2457_;
-                        if _e1762 {
-                            let _e1764 = local_2.group_mask;
-                            let _e1770 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1764)), 32u, (_e1764 == 0u)));
-                            let _e1774 = local_2.group_mask;
-                            let _e1788 = local_2.group_mask;
-                            local_2.group_mask = (_e1788 & ~((1u << bitcast<u32>((_e1770 & 31u)))));
-                            let _e1791 = local_2.group;
-                            phi_2488_ = (_e1791 + countOneBits(((_e1774 & ~((4294967295u << bitcast<u32>((((_e1770 - 24u) ^ _e431) & 31u))))) & 255u)));
+                        let _e1780 = phi_2476_;
+                        if _e1780 {
+                            let _e1782 = local_2.group_mask;
+                            let _e1788 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1782)), 32u, (_e1782 == 0u)));
+                            let _e1792 = local_2.group_mask;
+                            let _e1806 = local_2.group_mask;
+                            local_2.group_mask = (_e1806 & ~((1u << bitcast<u32>((_e1788 & 31u)))));
+                            let _e1809 = local_2.group;
+                            phi_2507_ = (_e1809 + countOneBits(((_e1792 & ~((4294967295u << bitcast<u32>((((_e1788 - 24u) ^ _e449) & 31u))))) & 255u)));
                         } else {
-                            phi_2488_ = 4294967295u;
+                            phi_2507_ = 4294967295u;
                         }
-                        let _e1794 = phi_2488_;
-                        let _e2715 = local_6;
-                        phi_1222_ = _e2715;
-                        phi_1225_ = _e1794;
+                        let _e1812 = phi_2507_;
+                        let _e2733 = local_6;
+                        phi_1241_ = _e2733;
+                        phi_1244_ = _e1812;
                     } else {
-                        phi_1222_ = lt_bvh_Hit();
-                        phi_1225_ = u32();
+                        phi_1241_ = lt_bvh_Hit();
+                        phi_1244_ = u32();
                     }
-                    let _e1796 = phi_1222_;
-                    let _e1798 = phi_1225_;
+                    let _e1814 = phi_1241_;
+                    let _e1816 = phi_1244_;
                     continue;
                     continuing {
-                        phi_1221_ = _e1796;
-                        phi_1224_ = _e1798;
-                        break if !(_e572);
+                        phi_1240_ = _e1814;
+                        phi_1243_ = _e1816;
+                        break if !(_e590);
                     }
                 }
-                let _e2719 = local_7;
-                phi_2489_ = _e2719;
+                let _e2737 = local_7;
+                phi_2508_ = _e2737;
             }
-            let _e1801 = phi_2489_;
-            phi_2490_ = _e1801;
-            phi_2491_ = _e228;
+            let _e1819 = phi_2508_;
+            phi_2509_ = _e1819;
+            phi_2510_ = _e246;
         } else {
-            phi_2490_ = lt_bvh_Hit();
-            phi_2491_ = true;
+            phi_2509_ = lt_bvh_Hit();
+            phi_2510_ = true;
         }
-        let _e1803 = phi_2490_;
-        let _e1805 = phi_2491_;
-        if _e1805 {
-            phi_2495_ = _e166;
+        let _e1821 = phi_2509_;
+        let _e1823 = phi_2510_;
+        if _e1823 {
+            phi_2514_ = _e184;
         } else {
-            phi_2495_ = _e1803;
+            phi_2514_ = _e1821;
         }
-        let _e1807 = phi_2495_;
-        if (_e1807.triangle != 4294967295u) {
-            let _e1813 = ((1f - _e1807.u) - _e1807.v);
-            if (_e1807.triangle < _e82) {
+        let _e1825 = phi_2514_;
+        if (_e1825.triangle != 4294967295u) {
+            let _e1831 = ((1f - _e1825.u) - _e1825.v);
+            if (_e1825.triangle < _e83) {
             } else {
                 return;
             }
-            let _e1818 = triangles.member[(0u + _e1807.triangle)];
-            let _e1843 = (((_e1818.v0_.x * _e1813) + (_e1818.v1_.x * _e1807.u)) + (_e1818.v2_.x * _e1807.v));
-            let _e1844 = (((_e1818.v0_.y * _e1813) + (_e1818.v1_.y * _e1807.u)) + (_e1818.v2_.y * _e1807.v));
-            let _e1845 = (((_e1818.v0_.z * _e1813) + (_e1818.v1_.z * _e1807.u)) + (_e1818.v2_.z * _e1807.v));
-            let _e1848 = abs(_e1818.v0_.x);
-            let _e1850 = abs(_e1818.v0_.y);
-            let _e1852 = abs(_e1818.v0_.z);
-            let _e1854 = abs(_e1818.v1_.x);
-            let _e1856 = abs(_e1818.v1_.y);
-            let _e1858 = abs(_e1818.v1_.z);
-            if (_e1848 > _e1854) {
-                phi_2559_ = _e1848;
+            let _e1836 = triangles.member[(0u + _e1825.triangle)];
+            let _e1861 = (((_e1836.v0_.x * _e1831) + (_e1836.v1_.x * _e1825.u)) + (_e1836.v2_.x * _e1825.v));
+            let _e1862 = (((_e1836.v0_.y * _e1831) + (_e1836.v1_.y * _e1825.u)) + (_e1836.v2_.y * _e1825.v));
+            let _e1863 = (((_e1836.v0_.z * _e1831) + (_e1836.v1_.z * _e1825.u)) + (_e1836.v2_.z * _e1825.v));
+            let _e1866 = abs(_e1836.v0_.x);
+            let _e1868 = abs(_e1836.v0_.y);
+            let _e1870 = abs(_e1836.v0_.z);
+            let _e1872 = abs(_e1836.v1_.x);
+            let _e1874 = abs(_e1836.v1_.y);
+            let _e1876 = abs(_e1836.v1_.z);
+            if (_e1866 > _e1872) {
+                phi_2578_ = _e1866;
             } else {
-                phi_2559_ = _e1854;
+                phi_2578_ = _e1872;
             }
-            let _e1861 = phi_2559_;
-            if (_e1850 > _e1856) {
-                phi_2564_ = _e1850;
+            let _e1879 = phi_2578_;
+            if (_e1868 > _e1874) {
+                phi_2583_ = _e1868;
             } else {
-                phi_2564_ = _e1856;
+                phi_2583_ = _e1874;
             }
-            let _e1864 = phi_2564_;
-            if (_e1852 > _e1858) {
-                phi_2569_ = _e1852;
+            let _e1882 = phi_2583_;
+            if (_e1870 > _e1876) {
+                phi_2588_ = _e1870;
             } else {
-                phi_2569_ = _e1858;
+                phi_2588_ = _e1876;
             }
-            let _e1867 = phi_2569_;
-            let _e1869 = abs(_e1818.v2_.x);
-            let _e1871 = abs(_e1818.v2_.y);
-            let _e1873 = abs(_e1818.v2_.z);
-            if (_e1861 > _e1869) {
-                phi_2580_ = _e1861;
+            let _e1885 = phi_2588_;
+            let _e1887 = abs(_e1836.v2_.x);
+            let _e1889 = abs(_e1836.v2_.y);
+            let _e1891 = abs(_e1836.v2_.z);
+            if (_e1879 > _e1887) {
+                phi_2599_ = _e1879;
             } else {
-                phi_2580_ = _e1869;
+                phi_2599_ = _e1887;
             }
-            let _e1876 = phi_2580_;
-            if (_e1864 > _e1871) {
-                phi_2585_ = _e1864;
+            let _e1894 = phi_2599_;
+            if (_e1882 > _e1889) {
+                phi_2604_ = _e1882;
             } else {
-                phi_2585_ = _e1871;
+                phi_2604_ = _e1889;
             }
-            let _e1879 = phi_2585_;
-            if (_e1867 > _e1873) {
-                phi_2590_ = _e1867;
+            let _e1897 = phi_2604_;
+            if (_e1885 > _e1891) {
+                phi_2609_ = _e1885;
             } else {
-                phi_2590_ = _e1873;
+                phi_2609_ = _e1891;
             }
-            let _e1882 = phi_2590_;
-            let _e1885 = (_e1818.v1_.x - _e1818.v0_.x);
-            let _e1888 = (_e1818.v1_.y - _e1818.v0_.y);
-            let _e1891 = (_e1818.v1_.z - _e1818.v0_.z);
-            let _e1894 = (_e1818.v2_.x - _e1818.v0_.x);
-            let _e1897 = (_e1818.v2_.y - _e1818.v0_.y);
-            let _e1900 = (_e1818.v2_.z - _e1818.v0_.z);
-            let _e1904 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1888), abs(_e1891));
-            let _e1905 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1885), _e1904);
-            let _e1906 = (_e1885 / _e1905);
-            let _e1907 = (_e1888 / _e1905);
-            let _e1908 = (_e1891 / _e1905);
-            let _e1912 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1897), abs(_e1900));
-            let _e1913 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1894), _e1912);
-            let _e1914 = (_e1894 / _e1913);
-            let _e1915 = (_e1897 / _e1913);
-            let _e1916 = (_e1900 / _e1913);
-            let _e1919 = ((_e1907 * _e1916) - (_e1915 * _e1908));
-            let _e1922 = ((_e1908 * _e1914) - (_e1916 * _e1906));
-            let _e1925 = ((_e1906 * _e1915) - (_e1914 * _e1907));
-            let _e1927 = p.member.eye;
-            let _e1940 = (1f / sqrt((((_e1919 * _e1919) + (_e1922 * _e1922)) + (_e1925 * _e1925))));
-            let _e1941 = (_e1919 * _e1940);
-            let _e1942 = (_e1922 * _e1940);
-            let _e1943 = (_e1925 * _e1940);
-            if ((((_e1941 * (_e1927.x - _e1843)) + (_e1942 * (_e1927.y - _e1844))) + (_e1943 * (_e1927.z - _e1845))) < 0f) {
-                phi_2666_ = vec3<f32>(-(_e1941), -(_e1942), -(_e1943));
+            let _e1900 = phi_2609_;
+            let _e1903 = (_e1836.v1_.x - _e1836.v0_.x);
+            let _e1906 = (_e1836.v1_.y - _e1836.v0_.y);
+            let _e1909 = (_e1836.v1_.z - _e1836.v0_.z);
+            let _e1912 = (_e1836.v2_.x - _e1836.v0_.x);
+            let _e1915 = (_e1836.v2_.y - _e1836.v0_.y);
+            let _e1918 = (_e1836.v2_.z - _e1836.v0_.z);
+            let _e1922 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1906), abs(_e1909));
+            let _e1923 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1903), _e1922);
+            let _e1924 = (_e1903 / _e1923);
+            let _e1925 = (_e1906 / _e1923);
+            let _e1926 = (_e1909 / _e1923);
+            let _e1930 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1915), abs(_e1918));
+            let _e1931 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1912), _e1930);
+            let _e1932 = (_e1912 / _e1931);
+            let _e1933 = (_e1915 / _e1931);
+            let _e1934 = (_e1918 / _e1931);
+            let _e1937 = ((_e1925 * _e1934) - (_e1933 * _e1926));
+            let _e1940 = ((_e1926 * _e1932) - (_e1934 * _e1924));
+            let _e1943 = ((_e1924 * _e1933) - (_e1932 * _e1925));
+            let _e1945 = p.member.eye;
+            let _e1958 = (1f / sqrt((((_e1937 * _e1937) + (_e1940 * _e1940)) + (_e1943 * _e1943))));
+            let _e1959 = (_e1937 * _e1958);
+            let _e1960 = (_e1940 * _e1958);
+            let _e1961 = (_e1943 * _e1958);
+            if ((((_e1959 * (_e1945.x - _e1861)) + (_e1960 * (_e1945.y - _e1862))) + (_e1961 * (_e1945.z - _e1863))) < 0f) {
+                phi_2685_ = vec3<f32>(-(_e1959), -(_e1960), -(_e1961));
             } else {
-                phi_2666_ = vec3<f32>(_e1941, _e1942, _e1943);
+                phi_2685_ = vec3<f32>(_e1959, _e1960, _e1961);
             }
-            let _e1956 = phi_2666_;
-            if (_e1807.triangle < _e82) {
+            let _e1974 = phi_2685_;
+            if (_e1825.triangle < _e83) {
             } else {
                 return;
             }
-            let _e1961 = triangles.member[(0u + _e1807.triangle)];
-            let _e1963 = (_e1961.i0_ & 2147483647u);
-            if (_e1963 < _e85) {
+            let _e1979 = triangles.member[(0u + _e1825.triangle)];
+            let _e1981 = (_e1979.i0_ & 2147483647u);
+            if (_e1981 < _e86) {
             } else {
                 return;
             }
-            let _e1969 = vertices.member[(0u + _e1963)];
-            if (_e1961.i1_ < _e85) {
+            let _e1987 = vertices.member[(0u + _e1981)];
+            if (_e1979.i1_ < _e86) {
             } else {
                 return;
             }
-            let _e1973 = vertices.member[(0u + _e1961.i1_)];
-            if (_e1961.i2_ < _e85) {
+            let _e1991 = vertices.member[(0u + _e1979.i1_)];
+            if (_e1979.i2_ < _e86) {
             } else {
                 return;
             }
-            let _e1977 = vertices.member[(0u + _e1961.i2_)];
-            let _e1978 = array<abi_Vertex, 3>(_e1969, _e1973, _e1977);
-            if (_e1978[0].material < _e88) {
+            let _e1995 = vertices.member[(0u + _e1979.i2_)];
+            let _e1996 = array<abi_Vertex, 3>(_e1987, _e1991, _e1995);
+            if (_e1996[0].material < _e89) {
             } else {
                 return;
             }
-            let _e1984 = materials.member[(0u + _e1978[0].material)];
-            let _e2001 = (1f / 255f);
-            let _e2020 = (1f / 255f);
-            let _e2042 = (1f / 255f);
-            if (_e1984.color_size == 0u) {
-                phi_2909_ = vec3<f32>(1f, 1f, 1f);
+            let _e2002 = materials.member[(0u + _e1996[0].material)];
+            let _e2019 = (1f / 255f);
+            let _e2038 = (1f / 255f);
+            let _e2060 = (1f / 255f);
+            if (_e2002.color_size == 0u) {
+                phi_2928_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1984.color_offset;
-                local.size = _e1984.color_size;
-                local.flags = _e1984.flags;
-                let _e2085 = _lt_shaders_texture_TextureView_quad((&local), (((_e1978[0].u * _e1813) + (_e1978[1].u * _e1807.u)) + (_e1978[2].u * _e1807.v)), (((_e1978[0].v * _e1813) + (_e1978[1].v * _e1807.u)) + (_e1978[2].v * _e1807.v)));
-                if (_e2085.indices[0] < _e97) {
+                local.offset = _e2002.color_offset;
+                local.size = _e2002.color_size;
+                local.flags = _e2002.flags;
+                let _e2103 = _lt_shaders_texture_TextureView_quad((&local), (((_e1996[0].u * _e1831) + (_e1996[1].u * _e1825.u)) + (_e1996[2].u * _e1825.v)), (((_e1996[0].v * _e1831) + (_e1996[1].v * _e1825.u)) + (_e1996[2].v * _e1825.v)));
+                if (_e2103.indices[0] < _e98) {
                 } else {
                     return;
                 }
-                let _e2091 = color_texels.member[(0u + _e2085.indices[0])];
-                let _e2102 = (1f / 255f);
-                if (_e2085.indices[1] < _e97) {
+                let _e2109 = color_texels.member[(0u + _e2103.indices[0])];
+                let _e2120 = (1f / 255f);
+                if (_e2103.indices[1] < _e98) {
                 } else {
                     return;
                 }
-                let _e2116 = color_texels.member[(0u + _e2085.indices[1])];
-                let _e2127 = (1f / 255f);
-                if (_e2085.indices[2] < _e97) {
+                let _e2134 = color_texels.member[(0u + _e2103.indices[1])];
+                let _e2145 = (1f / 255f);
+                if (_e2103.indices[2] < _e98) {
                 } else {
                     return;
                 }
-                let _e2144 = color_texels.member[(0u + _e2085.indices[2])];
-                let _e2155 = (1f / 255f);
-                if (_e2085.indices[3] < _e97) {
+                let _e2162 = color_texels.member[(0u + _e2103.indices[2])];
+                let _e2173 = (1f / 255f);
+                if (_e2103.indices[3] < _e98) {
                 } else {
                     return;
                 }
-                let _e2172 = color_texels.member[(0u + _e2085.indices[3])];
-                let _e2183 = (1f / 255f);
-                let _e2192 = (((((f32((_e2091 & 255u)) * _e2102) * _e2085.weights.x) + ((f32((_e2116 & 255u)) * _e2127) * _e2085.weights.y)) + ((f32((_e2144 & 255u)) * _e2155) * _e2085.weights.z)) + ((f32((_e2172 & 255u)) * _e2183) * _e2085.weights.w));
-                let _e2193 = (((((f32(((_e2091 >> bitcast<u32>(8i)) & 255u)) * _e2102) * _e2085.weights.x) + ((f32(((_e2116 >> bitcast<u32>(8i)) & 255u)) * _e2127) * _e2085.weights.y)) + ((f32(((_e2144 >> bitcast<u32>(8i)) & 255u)) * _e2155) * _e2085.weights.z)) + ((f32(((_e2172 >> bitcast<u32>(8i)) & 255u)) * _e2183) * _e2085.weights.w));
-                let _e2194 = (((((f32(((_e2091 >> bitcast<u32>(16i)) & 255u)) * _e2102) * _e2085.weights.x) + ((f32(((_e2116 >> bitcast<u32>(16i)) & 255u)) * _e2127) * _e2085.weights.y)) + ((f32(((_e2144 >> bitcast<u32>(16i)) & 255u)) * _e2155) * _e2085.weights.z)) + ((f32(((_e2172 >> bitcast<u32>(16i)) & 255u)) * _e2183) * _e2085.weights.w));
-                phi_2909_ = vec3<f32>((_e2192 * _e2192), (_e2193 * _e2193), (_e2194 * _e2194));
+                let _e2190 = color_texels.member[(0u + _e2103.indices[3])];
+                let _e2201 = (1f / 255f);
+                let _e2210 = (((((f32((_e2109 & 255u)) * _e2120) * _e2103.weights.x) + ((f32((_e2134 & 255u)) * _e2145) * _e2103.weights.y)) + ((f32((_e2162 & 255u)) * _e2173) * _e2103.weights.z)) + ((f32((_e2190 & 255u)) * _e2201) * _e2103.weights.w));
+                let _e2211 = (((((f32(((_e2109 >> bitcast<u32>(8i)) & 255u)) * _e2120) * _e2103.weights.x) + ((f32(((_e2134 >> bitcast<u32>(8i)) & 255u)) * _e2145) * _e2103.weights.y)) + ((f32(((_e2162 >> bitcast<u32>(8i)) & 255u)) * _e2173) * _e2103.weights.z)) + ((f32(((_e2190 >> bitcast<u32>(8i)) & 255u)) * _e2201) * _e2103.weights.w));
+                let _e2212 = (((((f32(((_e2109 >> bitcast<u32>(16i)) & 255u)) * _e2120) * _e2103.weights.x) + ((f32(((_e2134 >> bitcast<u32>(16i)) & 255u)) * _e2145) * _e2103.weights.y)) + ((f32(((_e2162 >> bitcast<u32>(16i)) & 255u)) * _e2173) * _e2103.weights.z)) + ((f32(((_e2190 >> bitcast<u32>(16i)) & 255u)) * _e2201) * _e2103.weights.w));
+                phi_2928_ = vec3<f32>((_e2210 * _e2210), (_e2211 * _e2211), (_e2212 * _e2212));
             }
-            let _e2200 = phi_2909_;
-            let _e2202 = ((_e1984.base_color.x * ((((f32((_e1978[0].color & 255u)) * _e2001) * _e1813) + ((f32((_e1978[1].color & 255u)) * _e2020) * _e1807.u)) + ((f32((_e1978[2].color & 255u)) * _e2042) * _e1807.v))) * _e2200.x);
-            let _e2204 = ((_e1984.base_color.y * ((((f32(((_e1978[0].color >> bitcast<u32>(8i)) & 255u)) * _e2001) * _e1813) + ((f32(((_e1978[1].color >> bitcast<u32>(8i)) & 255u)) * _e2020) * _e1807.u)) + ((f32(((_e1978[2].color >> bitcast<u32>(8i)) & 255u)) * _e2042) * _e1807.v))) * _e2200.y);
-            let _e2206 = ((_e1984.base_color.z * ((((f32(((_e1978[0].color >> bitcast<u32>(16i)) & 255u)) * _e2001) * _e1813) + ((f32(((_e1978[1].color >> bitcast<u32>(16i)) & 255u)) * _e2020) * _e1807.u)) + ((f32(((_e1978[2].color >> bitcast<u32>(16i)) & 255u)) * _e2042) * _e1807.v))) * _e2200.z);
-            let _e2207 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1879, _e1882);
-            let _e2208 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1876, _e2207);
-            if ((_e1984.flags & 2u) == 0u) {
-                phi_2924_ = 0u;
+            let _e2218 = phi_2928_;
+            let _e2220 = ((_e2002.base_color.x * ((((f32((_e1996[0].color & 255u)) * _e2019) * _e1831) + ((f32((_e1996[1].color & 255u)) * _e2038) * _e1825.u)) + ((f32((_e1996[2].color & 255u)) * _e2060) * _e1825.v))) * _e2218.x);
+            let _e2222 = ((_e2002.base_color.y * ((((f32(((_e1996[0].color >> bitcast<u32>(8i)) & 255u)) * _e2019) * _e1831) + ((f32(((_e1996[1].color >> bitcast<u32>(8i)) & 255u)) * _e2038) * _e1825.u)) + ((f32(((_e1996[2].color >> bitcast<u32>(8i)) & 255u)) * _e2060) * _e1825.v))) * _e2218.y);
+            let _e2224 = ((_e2002.base_color.z * ((((f32(((_e1996[0].color >> bitcast<u32>(16i)) & 255u)) * _e2019) * _e1831) + ((f32(((_e1996[1].color >> bitcast<u32>(16i)) & 255u)) * _e2038) * _e1825.u)) + ((f32(((_e1996[2].color >> bitcast<u32>(16i)) & 255u)) * _e2060) * _e1825.v))) * _e2218.z);
+            let _e2225 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1897, _e1900);
+            let _e2226 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1894, _e2225);
+            if ((_e2002.flags & 2u) == 0u) {
+                phi_2943_ = 0u;
             } else {
-                phi_2924_ = 1u;
+                phi_2943_ = 1u;
             }
-            let _e2213 = phi_2924_;
-            if (_e1978[0].normal == 2147516416u) {
-                phi_3127_ = _e1956;
+            let _e2231 = phi_2943_;
+            if (_e1996[0].normal == 2147516416u) {
+                phi_3146_ = _e1974;
             } else {
-                let _e2226 = (f32((bitcast<i32>((_e1978[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2232 = (f32((bitcast<i32>(_e1978[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2236 = ((1f - abs(_e2226)) - abs(_e2232));
-                if (_e2236 < 0f) {
-                    phi_2951_ = -(_e2236);
+                let _e2244 = (f32((bitcast<i32>((_e1996[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2250 = (f32((bitcast<i32>(_e1996[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2254 = ((1f - abs(_e2244)) - abs(_e2250));
+                if (_e2254 < 0f) {
+                    phi_2970_ = -(_e2254);
                 } else {
-                    phi_2951_ = 0f;
+                    phi_2970_ = 0f;
                 }
-                let _e2240 = phi_2951_;
-                if (_e2226 < 0f) {
-                    phi_2958_ = (_e2226 + _e2240);
+                let _e2258 = phi_2970_;
+                if (_e2244 < 0f) {
+                    phi_2977_ = (_e2244 + _e2258);
                 } else {
-                    phi_2958_ = (_e2226 - _e2240);
+                    phi_2977_ = (_e2244 - _e2258);
                 }
-                let _e2245 = phi_2958_;
-                if (_e2232 < 0f) {
-                    phi_2965_ = (_e2232 + _e2240);
+                let _e2263 = phi_2977_;
+                if (_e2250 < 0f) {
+                    phi_2984_ = (_e2250 + _e2258);
                 } else {
-                    phi_2965_ = (_e2232 - _e2240);
+                    phi_2984_ = (_e2250 - _e2258);
                 }
-                let _e2250 = phi_2965_;
-                let _e2257 = (1f / sqrt((((_e2245 * _e2245) + (_e2250 * _e2250)) + (_e2236 * _e2236))));
-                let _e2273 = (f32((bitcast<i32>((_e1978[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2279 = (f32((bitcast<i32>(_e1978[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2283 = ((1f - abs(_e2273)) - abs(_e2279));
-                if (_e2283 < 0f) {
-                    phi_3000_ = -(_e2283);
+                let _e2268 = phi_2984_;
+                let _e2275 = (1f / sqrt((((_e2263 * _e2263) + (_e2268 * _e2268)) + (_e2254 * _e2254))));
+                let _e2291 = (f32((bitcast<i32>((_e1996[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2297 = (f32((bitcast<i32>(_e1996[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2301 = ((1f - abs(_e2291)) - abs(_e2297));
+                if (_e2301 < 0f) {
+                    phi_3019_ = -(_e2301);
                 } else {
-                    phi_3000_ = 0f;
+                    phi_3019_ = 0f;
                 }
-                let _e2287 = phi_3000_;
-                if (_e2273 < 0f) {
-                    phi_3007_ = (_e2273 + _e2287);
+                let _e2305 = phi_3019_;
+                if (_e2291 < 0f) {
+                    phi_3026_ = (_e2291 + _e2305);
                 } else {
-                    phi_3007_ = (_e2273 - _e2287);
+                    phi_3026_ = (_e2291 - _e2305);
                 }
-                let _e2292 = phi_3007_;
-                if (_e2279 < 0f) {
-                    phi_3014_ = (_e2279 + _e2287);
+                let _e2310 = phi_3026_;
+                if (_e2297 < 0f) {
+                    phi_3033_ = (_e2297 + _e2305);
                 } else {
-                    phi_3014_ = (_e2279 - _e2287);
+                    phi_3033_ = (_e2297 - _e2305);
                 }
-                let _e2297 = phi_3014_;
-                let _e2304 = (1f / sqrt((((_e2292 * _e2292) + (_e2297 * _e2297)) + (_e2283 * _e2283))));
-                let _e2323 = (f32((bitcast<i32>((_e1978[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2329 = (f32((bitcast<i32>(_e1978[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2333 = ((1f - abs(_e2323)) - abs(_e2329));
-                if (_e2333 < 0f) {
-                    phi_3052_ = -(_e2333);
+                let _e2315 = phi_3033_;
+                let _e2322 = (1f / sqrt((((_e2310 * _e2310) + (_e2315 * _e2315)) + (_e2301 * _e2301))));
+                let _e2341 = (f32((bitcast<i32>((_e1996[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2347 = (f32((bitcast<i32>(_e1996[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2351 = ((1f - abs(_e2341)) - abs(_e2347));
+                if (_e2351 < 0f) {
+                    phi_3071_ = -(_e2351);
                 } else {
-                    phi_3052_ = 0f;
+                    phi_3071_ = 0f;
                 }
-                let _e2337 = phi_3052_;
-                if (_e2323 < 0f) {
-                    phi_3059_ = (_e2323 + _e2337);
+                let _e2355 = phi_3071_;
+                if (_e2341 < 0f) {
+                    phi_3078_ = (_e2341 + _e2355);
                 } else {
-                    phi_3059_ = (_e2323 - _e2337);
+                    phi_3078_ = (_e2341 - _e2355);
                 }
-                let _e2342 = phi_3059_;
-                if (_e2329 < 0f) {
-                    phi_3066_ = (_e2329 + _e2337);
+                let _e2360 = phi_3078_;
+                if (_e2347 < 0f) {
+                    phi_3085_ = (_e2347 + _e2355);
                 } else {
-                    phi_3066_ = (_e2329 - _e2337);
+                    phi_3085_ = (_e2347 - _e2355);
                 }
-                let _e2347 = phi_3066_;
-                let _e2354 = (1f / sqrt((((_e2342 * _e2342) + (_e2347 * _e2347)) + (_e2333 * _e2333))));
-                let _e2365 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2245 * _e2257) * _e1813) + ((_e2292 * _e2304) * _e1807.u)) + ((_e2342 * _e2354) * _e1807.v)), ((((_e2250 * _e2257) * _e1813) + ((_e2297 * _e2304) * _e1807.u)) + ((_e2347 * _e2354) * _e1807.v)), ((((_e2236 * _e2257) * _e1813) + ((_e2283 * _e2304) * _e1807.u)) + ((_e2333 * _e2354) * _e1807.v))));
-                let _e2377 = sqrt((((_e2365.x * _e2365.x) + (_e2365.y * _e2365.y)) + (_e2365.z * _e2365.z)));
-                if (_e2377 > 0f) {
-                    let _e2380 = (_e2365.x / _e2377);
-                    let _e2382 = (_e2365.y / _e2377);
-                    let _e2384 = (_e2365.z / _e2377);
-                    if ((((_e2380 * _e1956.x) + (_e2382 * _e1956.y)) + (_e2384 * _e1956.z)) < 0f) {
-                        phi_3125_ = vec3<f32>(-(_e2380), -(_e2382), -(_e2384));
+                let _e2365 = phi_3085_;
+                let _e2372 = (1f / sqrt((((_e2360 * _e2360) + (_e2365 * _e2365)) + (_e2351 * _e2351))));
+                let _e2383 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2263 * _e2275) * _e1831) + ((_e2310 * _e2322) * _e1825.u)) + ((_e2360 * _e2372) * _e1825.v)), ((((_e2268 * _e2275) * _e1831) + ((_e2315 * _e2322) * _e1825.u)) + ((_e2365 * _e2372) * _e1825.v)), ((((_e2254 * _e2275) * _e1831) + ((_e2301 * _e2322) * _e1825.u)) + ((_e2351 * _e2372) * _e1825.v))));
+                let _e2395 = sqrt((((_e2383.x * _e2383.x) + (_e2383.y * _e2383.y)) + (_e2383.z * _e2383.z)));
+                if (_e2395 > 0f) {
+                    let _e2398 = (_e2383.x / _e2395);
+                    let _e2400 = (_e2383.y / _e2395);
+                    let _e2402 = (_e2383.z / _e2395);
+                    if ((((_e2398 * _e1974.x) + (_e2400 * _e1974.y)) + (_e2402 * _e1974.z)) < 0f) {
+                        phi_3144_ = vec3<f32>(-(_e2398), -(_e2400), -(_e2402));
                     } else {
-                        phi_3125_ = (_e2365 / vec3(_e2377));
+                        phi_3144_ = (_e2383 / vec3(_e2395));
                     }
-                    let _e2401 = phi_3125_;
-                    phi_3126_ = _e2401;
+                    let _e2419 = phi_3144_;
+                    phi_3145_ = _e2419;
                 } else {
-                    phi_3126_ = _e1956;
+                    phi_3145_ = _e1974;
                 }
-                let _e2403 = phi_3126_;
-                phi_3127_ = _e2403;
+                let _e2421 = phi_3145_;
+                phi_3146_ = _e2421;
             }
-            let _e2405 = phi_3127_;
-            if (_e2202 > 0f) {
-                if (_e2202 < 1f) {
-                    phi_3136_ = _e2202;
+            let _e2423 = phi_3146_;
+            if (_e2220 > 0f) {
+                if (_e2220 < 1f) {
+                    phi_3155_ = _e2220;
                 } else {
-                    phi_3136_ = 1f;
+                    phi_3155_ = 1f;
                 }
-                let _e2409 = phi_3136_;
-                phi_3137_ = _e2409;
+                let _e2427 = phi_3155_;
+                phi_3156_ = _e2427;
             } else {
-                phi_3137_ = 0f;
+                phi_3156_ = 0f;
             }
-            let _e2411 = phi_3137_;
-            if (_e2204 > 0f) {
-                if (_e2204 < 1f) {
-                    phi_3147_ = _e2204;
+            let _e2429 = phi_3156_;
+            if (_e2222 > 0f) {
+                if (_e2222 < 1f) {
+                    phi_3166_ = _e2222;
                 } else {
-                    phi_3147_ = 1f;
+                    phi_3166_ = 1f;
                 }
-                let _e2416 = phi_3147_;
-                phi_3148_ = _e2416;
+                let _e2434 = phi_3166_;
+                phi_3167_ = _e2434;
             } else {
-                phi_3148_ = 0f;
+                phi_3167_ = 0f;
             }
-            let _e2418 = phi_3148_;
-            if (_e2206 > 0f) {
-                if (_e2206 < 1f) {
-                    phi_3158_ = _e2206;
+            let _e2436 = phi_3167_;
+            if (_e2224 > 0f) {
+                if (_e2224 < 1f) {
+                    phi_3177_ = _e2224;
                 } else {
-                    phi_3158_ = 1f;
+                    phi_3177_ = 1f;
                 }
-                let _e2423 = phi_3158_;
-                phi_3159_ = _e2423;
+                let _e2441 = phi_3177_;
+                phi_3178_ = _e2441;
             } else {
-                phi_3159_ = 0f;
+                phi_3178_ = 0f;
             }
-            let _e2425 = phi_3159_;
-            let _e2428 = ((sqrt(_e2411) * 255f) + 0.5f);
-            let _e2437 = ((sqrt(_e2418) * 255f) + 0.5f);
-            let _e2449 = ((sqrt(_e2425) * 255f) + 0.5f);
-            phi_3194_ = abi_Sample(vec3<f32>(_e1843, _e1844, _e1845), _e2208, _e1956, _e2213, _e2405, ((select(select(u32(_e2428), 0u, (_e2428 < bitcast<f32>(0u))), 4294967295u, (_e2428 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2437), 0u, (_e2437 < bitcast<f32>(0u))), 4294967295u, (_e2437 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2449), 0u, (_e2449 < bitcast<f32>(0u))), 4294967295u, (_e2449 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2443 = phi_3178_;
+            let _e2446 = ((sqrt(_e2429) * 255f) + 0.5f);
+            let _e2455 = ((sqrt(_e2436) * 255f) + 0.5f);
+            let _e2467 = ((sqrt(_e2443) * 255f) + 0.5f);
+            phi_3213_ = abi_Sample(vec3<f32>(_e1861, _e1862, _e1863), _e2226, _e1974, _e2231, _e2423, ((select(select(u32(_e2446), 0u, (_e2446 < bitcast<f32>(0u))), 4294967295u, (_e2446 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2455), 0u, (_e2455 < bitcast<f32>(0u))), 4294967295u, (_e2455 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2467), 0u, (_e2467 < bitcast<f32>(0u))), 4294967295u, (_e2467 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3194_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3213_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2463 = phi_3194_;
-        if (_e109.shift < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e109.shift)] = _e2463;
-        if (_e1807.triangle != 4294967295u) {
-            let _e2472 = ((1f - _e1807.u) - _e1807.v);
-            if (_e1807.triangle < _e82) {
-            } else {
-                return;
-            }
-            let _e2477 = triangles.member[(0u + _e1807.triangle)];
-            let _e2479 = (_e2477.i0_ & 2147483647u);
-            if (_e2479 < _e100) {
-            } else {
-                return;
-            }
-            let _e2485 = before.member[(0u + _e2479)];
-            if (_e2477.i1_ < _e100) {
-            } else {
-                return;
-            }
-            let _e2489 = before.member[(0u + _e2477.i1_)];
-            if (_e2477.i2_ < _e100) {
-            } else {
-                return;
-            }
-            let _e2493 = before.member[(0u + _e2477.i2_)];
-            let _e2498 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2485.x, _e2485.y, _e2485.z));
-            let _e2509 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2489.x, _e2489.y, _e2489.z));
-            let _e2523 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2493.x, _e2493.y, _e2493.z));
-            phi_3285_ = vec3<f32>((((_e2498.x * _e2472) + (_e2509.x * _e1807.u)) + (_e2523.x * _e1807.v)), (((_e2498.y * _e2472) + (_e2509.y * _e1807.u)) + (_e2523.y * _e1807.v)), (((_e2498.z * _e2472) + (_e2509.z * _e1807.u)) + (_e2523.z * _e1807.v)));
-        } else {
-            phi_3285_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e2535 = phi_3285_;
-        if (_e109.shift < arrayLength((&past.member))) {
+        let _e2481 = phi_3213_;
+        if (_e110.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e109.shift)] = vec4<f32>(_e2535.x, _e2535.y, _e2535.z, 1f);
+        samples.member[(0u + _e110.shift)] = _e2481;
+        if (_e1825.triangle != 4294967295u) {
+            let _e2490 = ((1f - _e1825.u) - _e1825.v);
+            if (_e1825.triangle < _e83) {
+            } else {
+                return;
+            }
+            let _e2495 = triangles.member[(0u + _e1825.triangle)];
+            let _e2497 = (_e2495.i0_ & 2147483647u);
+            if (_e2497 < _e101) {
+            } else {
+                return;
+            }
+            let _e2503 = before.member[(0u + _e2497)];
+            if (_e2495.i1_ < _e101) {
+            } else {
+                return;
+            }
+            let _e2507 = before.member[(0u + _e2495.i1_)];
+            if (_e2495.i2_ < _e101) {
+            } else {
+                return;
+            }
+            let _e2511 = before.member[(0u + _e2495.i2_)];
+            let _e2516 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2503.x, _e2503.y, _e2503.z));
+            let _e2527 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2507.x, _e2507.y, _e2507.z));
+            let _e2541 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2511.x, _e2511.y, _e2511.z));
+            phi_3304_ = vec3<f32>((((_e2516.x * _e2490) + (_e2527.x * _e1825.u)) + (_e2541.x * _e1825.v)), (((_e2516.y * _e2490) + (_e2527.y * _e1825.u)) + (_e2541.y * _e1825.v)), (((_e2516.z * _e2490) + (_e2527.z * _e1825.u)) + (_e2541.z * _e1825.v)));
+        } else {
+            phi_3304_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e2553 = phi_3304_;
+        if (_e110.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e110.shift)] = vec4<f32>(_e2553.x, _e2553.y, _e2553.z, 1f);
     }
     return;
 }

@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -136,81 +136,81 @@ var<storage> triangles: type_29;
 var<storage, read_write> samples: type_9;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_184_: lt_mask_LightPlace;
-    var phi_185_: bool;
     var phi_186_: lt_mask_LightPlace;
     var phi_187_: bool;
-    var phi_192_: lt_mask_LightPlace;
+    var phi_188_: lt_mask_LightPlace;
+    var phi_189_: bool;
+    var phi_194_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_184_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_185_ = false;
+            phi_186_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_187_ = false;
         } else {
-            phi_184_ = lt_mask_LightPlace();
-            phi_185_ = true;
+            phi_186_ = lt_mask_LightPlace();
+            phi_187_ = true;
         }
-        let _e73 = phi_184_;
-        let _e75 = phi_185_;
-        phi_186_ = _e73;
-        phi_187_ = _e75;
+        let _e74 = phi_186_;
+        let _e76 = phi_187_;
+        phi_188_ = _e74;
+        phi_189_ = _e76;
     } else {
-        phi_186_ = lt_mask_LightPlace();
-        phi_187_ = true;
+        phi_188_ = lt_mask_LightPlace();
+        phi_189_ = true;
     }
-    let _e77 = phi_186_;
-    let _e79 = phi_187_;
-    if _e79 {
-        phi_192_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e78 = phi_188_;
+    let _e80 = phi_189_;
+    if _e80 {
+        phi_194_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_192_ = _e77;
+        phi_194_ = _e78;
     }
-    let _e84 = phi_192_;
-    return lt_mask_LightPlace(_e84.word, _e84.shift);
+    let _e85 = phi_194_;
+    return lt_mask_LightPlace(_e85.word, _e85.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_207_: bool;
-    var phi_211_: f32;
+    var phi_209_: bool;
+    var phi_213_: f32;
 
     if (param_3 != param_3) {
-        phi_207_ = true;
+        phi_209_ = true;
     } else {
-        let _e63 = (param_4 >= param_3);
-        if _e63 {
+        let _e64 = (param_4 >= param_3);
+        if _e64 {
         }
-        phi_207_ = _e63;
+        phi_209_ = _e64;
     }
-    let _e65 = phi_207_;
-    if _e65 {
-        phi_211_ = param_4;
+    let _e66 = phi_209_;
+    if _e66 {
+        phi_213_ = param_4;
     } else {
-        phi_211_ = param_3;
+        phi_213_ = param_3;
     }
-    let _e67 = phi_211_;
-    return _e67;
+    let _e68 = phi_213_;
+    return _e68;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_223_: bool;
-    var phi_227_: f32;
+    var phi_225_: bool;
+    var phi_229_: f32;
 
     if (param_5 != param_5) {
-        phi_223_ = true;
+        phi_225_ = true;
     } else {
-        let _e63 = (param_6 <= param_5);
-        if _e63 {
+        let _e64 = (param_6 <= param_5);
+        if _e64 {
         }
-        phi_223_ = _e63;
+        phi_225_ = _e64;
     }
-    let _e65 = phi_223_;
-    if _e65 {
-        phi_227_ = param_6;
+    let _e66 = phi_225_;
+    if _e66 {
+        phi_229_ = param_6;
     } else {
-        phi_227_ = param_5;
+        phi_229_ = param_5;
     }
-    let _e67 = phi_227_;
-    return _e67;
+    let _e68 = phi_229_;
+    return _e68;
 }
 
 fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
@@ -218,15 +218,15 @@ fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_9: f32, param_10: f32) -> f32 {
-    var phi_239_: f32;
+    var phi_241_: f32;
 
     if (param_9 > param_10) {
-        phi_239_ = param_9;
+        phi_241_ = param_9;
     } else {
-        phi_239_ = param_10;
+        phi_241_ = param_10;
     }
-    let _e64 = phi_239_;
-    return _e64;
+    let _e65 = phi_241_;
+    return _e65;
 }
 
 fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_11: vec3<f32>) -> vec3<f32> {
@@ -239,1650 +239,1652 @@ fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
-    var phi_355_: bool;
-    var phi_356_: bool;
-    var phi_357_: bool;
-    var phi_358_: bool;
-    var phi_362_: bool;
+    var phi_374_: bool;
     var phi_375_: bool;
     var phi_376_: bool;
     var phi_377_: bool;
-    var phi_378_: bool;
-    var phi_382_: bool;
+    var phi_381_: bool;
+    var phi_394_: bool;
     var phi_395_: bool;
     var phi_396_: bool;
     var phi_397_: bool;
     var phi_401_: bool;
-    var phi_402_: bool;
-    var phi_403_: bool;
-    var phi_404_: bool;
-    var phi_405_: bool;
-    var phi_409_: bool;
-    var phi_485_: f32;
-    var phi_492_: f32;
-    var phi_500_: f32;
-    var phi_507_: f32;
-    var phi_515_: f32;
-    var phi_522_: f32;
-    var phi_545_: f32;
-    var phi_550_: f32;
-    var phi_555_: f32;
-    var phi_560_: f32;
-    var phi_565_: f32;
-    var phi_596_: bool;
-    var phi_597_: bool;
-    var phi_605_: u32;
-    var phi_606_: u32;
-    var phi_623_: vec3<f32>;
-    var phi_624_: vec3<f32>;
-    var phi_637_: u32;
-    var phi_642_: u32;
-    var phi_647_: u32;
-    var phi_761_: bool;
-    var phi_762_: bool;
-    var phi_793_: u32;
-    var phi_795_: lt_bvh_Hit;
-    var phi_798_: u32;
-    var phi_883_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_910_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_937_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_943_: u32;
-    var phi_946_: u32;
-    var phi_960_: u32;
-    var phi_970_: u32;
-    var phi_980_: u32;
-    var phi_998_: u32;
-    var phi_1008_: u32;
-    var phi_1018_: u32;
-    var phi_1054_: u32;
-    var phi_1067_: u32;
-    var phi_1072_: u32;
+    var phi_414_: bool;
+    var phi_415_: bool;
+    var phi_416_: bool;
+    var phi_420_: bool;
+    var phi_421_: bool;
+    var phi_422_: bool;
+    var phi_423_: bool;
+    var phi_424_: bool;
+    var phi_428_: bool;
+    var phi_504_: f32;
+    var phi_511_: f32;
+    var phi_519_: f32;
+    var phi_526_: f32;
+    var phi_534_: f32;
+    var phi_541_: f32;
+    var phi_564_: f32;
+    var phi_569_: f32;
+    var phi_574_: f32;
+    var phi_579_: f32;
+    var phi_584_: f32;
+    var phi_615_: bool;
+    var phi_616_: bool;
+    var phi_624_: u32;
+    var phi_625_: u32;
+    var phi_642_: vec3<f32>;
+    var phi_643_: vec3<f32>;
+    var phi_656_: u32;
+    var phi_661_: u32;
+    var phi_666_: u32;
+    var phi_780_: bool;
+    var phi_781_: bool;
+    var phi_812_: u32;
+    var phi_814_: lt_bvh_Hit;
+    var phi_817_: u32;
+    var phi_902_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_929_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_956_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_962_: u32;
+    var phi_965_: u32;
+    var phi_979_: u32;
+    var phi_989_: u32;
+    var phi_999_: u32;
+    var phi_1017_: u32;
+    var phi_1027_: u32;
+    var phi_1037_: u32;
     var phi_1073_: u32;
-    var phi_1074_: u32;
-    var phi_944_: u32;
-    var phi_947_: u32;
+    var phi_1086_: u32;
+    var phi_1091_: u32;
+    var phi_1092_: u32;
+    var phi_1093_: u32;
+    var phi_963_: u32;
+    var phi_966_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1132_: lt_bvh_Hit;
-    var phi_1135_: u32;
-    var phi_1181_: vec3<f32>;
-    var phi_1182_: vec3<f32>;
-    var phi_1213_: vec3<f32>;
-    var phi_1214_: vec3<f32>;
-    var phi_1245_: vec3<f32>;
-    var phi_1246_: vec3<f32>;
-    var phi_1264_: bool;
-    var phi_1265_: bool;
-    var phi_1269_: f32;
-    var phi_1270_: f32;
-    var phi_1271_: f32;
-    var phi_1272_: f32;
-    var phi_1280_: f32;
-    var phi_1290_: bool;
-    var phi_1291_: bool;
-    var phi_1295_: f32;
-    var phi_1296_: f32;
-    var phi_1297_: f32;
-    var phi_1298_: f32;
-    var phi_1306_: f32;
-    var phi_1316_: bool;
-    var phi_1317_: bool;
-    var phi_1321_: f32;
-    var phi_1322_: f32;
-    var phi_1323_: f32;
-    var phi_1324_: f32;
-    var phi_1332_: f32;
-    var phi_1347_: f32;
-    var phi_1348_: bool;
-    var phi_1349_: f32;
-    var phi_1350_: bool;
+    var phi_1151_: lt_bvh_Hit;
+    var phi_1154_: u32;
+    var phi_1200_: vec3<f32>;
+    var phi_1201_: vec3<f32>;
+    var phi_1232_: vec3<f32>;
+    var phi_1233_: vec3<f32>;
+    var phi_1264_: vec3<f32>;
+    var phi_1265_: vec3<f32>;
+    var phi_1283_: bool;
+    var phi_1284_: bool;
+    var phi_1288_: f32;
+    var phi_1289_: f32;
+    var phi_1290_: f32;
+    var phi_1291_: f32;
+    var phi_1299_: f32;
+    var phi_1309_: bool;
+    var phi_1310_: bool;
+    var phi_1314_: f32;
+    var phi_1315_: f32;
+    var phi_1316_: f32;
+    var phi_1317_: f32;
+    var phi_1325_: f32;
+    var phi_1335_: bool;
+    var phi_1336_: bool;
+    var phi_1340_: f32;
+    var phi_1341_: f32;
+    var phi_1342_: f32;
+    var phi_1343_: f32;
     var phi_1351_: f32;
-    var phi_1352_: bool;
+    var phi_1366_: f32;
+    var phi_1367_: bool;
+    var phi_1368_: f32;
+    var phi_1369_: bool;
     var phi_1370_: f32;
     var phi_1371_: bool;
-    var phi_1372_: bool;
-    var phi_1373_: f32;
-    var phi_1374_: bool;
-    var phi_1375_: bool;
-    var phi_1379_: bool;
-    var phi_1380_: f32;
-    var phi_1381_: bool;
-    var phi_1411_: vec3<f32>;
-    var phi_1412_: vec3<f32>;
-    var phi_1437_: vec3<f32>;
-    var phi_1438_: vec3<f32>;
-    var phi_1463_: vec3<f32>;
-    var phi_1464_: vec3<f32>;
-    var phi_1522_: f32;
-    var phi_1531_: f32;
-    var phi_1540_: f32;
-    var phi_1549_: f32;
-    var phi_1556_: f32;
-    var phi_1563_: f32;
-    var phi_1576_: f32;
-    var phi_1585_: f32;
-    var phi_1594_: f32;
-    var phi_1603_: f32;
-    var phi_1610_: f32;
-    var phi_1617_: f32;
-    var phi_1640_: f32;
-    var phi_1645_: f32;
-    var phi_1650_: f32;
-    var phi_1658_: f32;
-    var phi_1663_: f32;
-    var phi_1668_: f32;
-    var phi_1680_: f32;
-    var phi_1685_: f32;
-    var phi_1690_: f32;
-    var phi_1695_: f32;
-    var phi_1700_: lt_bvh_triangle_Intersection;
-    var phi_1701_: bool;
-    var phi_1702_: lt_bvh_triangle_Intersection;
-    var phi_1703_: bool;
-    var phi_1707_: lt_bvh_triangle_Intersection;
-    var phi_1708_: bool;
-    var phi_1709_: lt_bvh_triangle_Intersection;
-    var phi_1710_: bool;
-    var phi_1711_: bool;
-    var phi_1715_: bool;
+    var phi_1389_: f32;
+    var phi_1390_: bool;
+    var phi_1391_: bool;
+    var phi_1392_: f32;
+    var phi_1393_: bool;
+    var phi_1394_: bool;
+    var phi_1398_: bool;
+    var phi_1399_: f32;
+    var phi_1400_: bool;
+    var phi_1430_: vec3<f32>;
+    var phi_1431_: vec3<f32>;
+    var phi_1456_: vec3<f32>;
+    var phi_1457_: vec3<f32>;
+    var phi_1482_: vec3<f32>;
+    var phi_1483_: vec3<f32>;
+    var phi_1541_: f32;
+    var phi_1550_: f32;
+    var phi_1559_: f32;
+    var phi_1568_: f32;
+    var phi_1575_: f32;
+    var phi_1582_: f32;
+    var phi_1595_: f32;
+    var phi_1604_: f32;
+    var phi_1613_: f32;
+    var phi_1622_: f32;
+    var phi_1629_: f32;
+    var phi_1636_: f32;
+    var phi_1659_: f32;
+    var phi_1664_: f32;
+    var phi_1669_: f32;
+    var phi_1677_: f32;
+    var phi_1682_: f32;
+    var phi_1687_: f32;
+    var phi_1699_: f32;
+    var phi_1704_: f32;
+    var phi_1709_: f32;
+    var phi_1714_: f32;
     var phi_1719_: lt_bvh_triangle_Intersection;
-    var phi_1758_: bool;
-    var phi_1759_: bool;
-    var phi_1760_: bool;
-    var phi_1761_: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1767_: bool;
-    var phi_1768_: bool;
+    var phi_1720_: bool;
+    var phi_1721_: lt_bvh_triangle_Intersection;
+    var phi_1722_: bool;
+    var phi_1726_: lt_bvh_triangle_Intersection;
+    var phi_1727_: bool;
+    var phi_1728_: lt_bvh_triangle_Intersection;
+    var phi_1729_: bool;
+    var phi_1730_: bool;
+    var phi_1734_: bool;
+    var phi_1738_: lt_bvh_triangle_Intersection;
+    var phi_1777_: bool;
+    var phi_1778_: bool;
+    var phi_1779_: bool;
+    var phi_1780_: bool;
+    var phi_1781_: bool;
     var phi_1782_: bool;
-    var phi_1790_: lt_bvh_Hit;
-    var phi_1791_: lt_bvh_Hit;
-    var phi_1792_: lt_bvh_Hit;
-    var phi_1793_: lt_bvh_Hit;
-    var phi_1133_: lt_bvh_Hit;
-    var phi_1136_: u32;
-    var phi_1794_: bool;
-    var phi_1833_: bool;
-    var phi_1834_: bool;
-    var phi_1865_: u32;
-    var phi_796_: lt_bvh_Hit;
-    var phi_799_: u32;
-    var phi_1866_: lt_bvh_Hit;
-    var phi_1867_: lt_bvh_Hit;
-    var phi_1868_: bool;
-    var phi_1872_: lt_bvh_Hit;
-    var phi_1937_: f32;
-    var phi_1942_: f32;
-    var phi_1947_: f32;
-    var phi_1958_: f32;
-    var phi_1963_: f32;
-    var phi_1968_: f32;
-    var phi_2044_: vec3<f32>;
-    var phi_2165_: u32;
-    var phi_2192_: f32;
-    var phi_2199_: f32;
-    var phi_2206_: f32;
-    var phi_2241_: f32;
-    var phi_2248_: f32;
-    var phi_2255_: f32;
-    var phi_2293_: f32;
-    var phi_2300_: f32;
-    var phi_2307_: f32;
-    var phi_2366_: vec3<f32>;
-    var phi_2367_: vec3<f32>;
-    var phi_2368_: vec3<f32>;
-    var phi_2377_: f32;
-    var phi_2378_: f32;
-    var phi_2388_: f32;
-    var phi_2389_: f32;
-    var phi_2399_: f32;
-    var phi_2400_: f32;
-    var phi_2435_: abi_Sample;
+    var phi_1786_: bool;
+    var phi_1787_: bool;
+    var phi_1801_: bool;
+    var phi_1809_: lt_bvh_Hit;
+    var phi_1810_: lt_bvh_Hit;
+    var phi_1811_: lt_bvh_Hit;
+    var phi_1812_: lt_bvh_Hit;
+    var phi_1152_: lt_bvh_Hit;
+    var phi_1155_: u32;
+    var phi_1813_: bool;
+    var phi_1852_: bool;
+    var phi_1853_: bool;
+    var phi_1884_: u32;
+    var phi_815_: lt_bvh_Hit;
+    var phi_818_: u32;
+    var phi_1885_: lt_bvh_Hit;
+    var phi_1886_: lt_bvh_Hit;
+    var phi_1887_: bool;
+    var phi_1891_: lt_bvh_Hit;
+    var phi_1956_: f32;
+    var phi_1961_: f32;
+    var phi_1966_: f32;
+    var phi_1977_: f32;
+    var phi_1982_: f32;
+    var phi_1987_: f32;
+    var phi_2063_: vec3<f32>;
+    var phi_2184_: u32;
+    var phi_2211_: f32;
+    var phi_2218_: f32;
+    var phi_2225_: f32;
+    var phi_2260_: f32;
+    var phi_2267_: f32;
+    var phi_2274_: f32;
+    var phi_2312_: f32;
+    var phi_2319_: f32;
+    var phi_2326_: f32;
+    var phi_2385_: vec3<f32>;
+    var phi_2386_: vec3<f32>;
+    var phi_2387_: vec3<f32>;
+    var phi_2396_: f32;
+    var phi_2397_: f32;
+    var phi_2407_: f32;
+    var phi_2408_: f32;
+    var phi_2418_: f32;
+    var phi_2419_: f32;
+    var phi_2454_: abi_Sample;
     var local_4: lt_bvh_Hit;
     var local_5: lt_bvh_Hit;
 
-    let _e61 = id_1;
-    let _e65 = arrayLength((&nodes.member));
-    let _e68 = arrayLength((&triangles.member));
-    let _e71 = arrayLength((&vertices.member));
-    let _e80 = p.member.size[0u];
-    let _e82 = p.member.size[1u];
-    let _e83 = lt_shaders_entry_pixel_index(_e61, _e80, _e82);
-    if (bitcast<i32>(_e83.word) != 0i) {
-        let _e91 = p.member.eye;
-        let _e96 = p.member.size[0u];
-        let _e100 = ((((f32(_e61.x) + 0.5f) / f32(_e96)) * 2f) - 1f);
-        let _e105 = p.member.size[1u];
-        let _e109 = (1f - (((f32(_e61.y) + 0.5f) / f32(_e105)) * 2f));
-        let _e111 = p.member.forward;
-        let _e113 = p.member.right;
-        let _e127 = p.member.up;
-        let _e138 = _lt_bvh_ray_Ray_new(_e91, vec3<f32>(((_e111.x + (_e113.x * _e100)) + (_e127.x * _e109)), ((_e111.y + (_e113.y * _e100)) + (_e127.y * _e109)), ((_e111.z + (_e113.z * _e100)) + (_e127.z * _e109))));
-        let _e140 = lt_bvh_Hit(_e138.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e143 = abs(_e138.direction.x);
-        let _e145 = abs(_e138.direction.y);
-        let _e147 = abs(_e138.direction.z);
-        if (abs(_e138.origin.x) < 1000000000000000f) {
-            if (abs(_e138.origin.y) < 1000000000000000f) {
-                phi_355_ = (abs(_e138.origin.z) < 1000000000000000f);
-                phi_356_ = false;
+    let _e62 = id_1;
+    let _e66 = arrayLength((&nodes.member));
+    let _e69 = arrayLength((&triangles.member));
+    let _e72 = arrayLength((&vertices.member));
+    let _e81 = p.member.size[0u];
+    let _e83 = p.member.size[1u];
+    let _e84 = lt_shaders_entry_pixel_index(_e62, _e81, _e83);
+    if (bitcast<i32>(_e84.word) != 0i) {
+        let _e92 = p.member.eye;
+        let _e95 = p.member.grid[0u];
+        let _e97 = p.member.grid[1u];
+        let _e116 = p.member.size[0u];
+        let _e120 = ((((f32(_e62.x) + ((f32((_e62.y & (_e97 - 1u))) + 0.5f) / f32(_e97))) / f32(_e116)) * 2f) - 1f);
+        let _e123 = p.member.size[1u];
+        let _e127 = (1f - (((f32(_e62.y) + ((f32((_e62.x & (_e95 - 1u))) + 0.5f) / f32(_e95))) / f32(_e123)) * 2f));
+        let _e129 = p.member.forward;
+        let _e131 = p.member.right;
+        let _e145 = p.member.up;
+        let _e156 = _lt_bvh_ray_Ray_new(_e92, vec3<f32>(((_e129.x + (_e131.x * _e120)) + (_e145.x * _e127)), ((_e129.y + (_e131.y * _e120)) + (_e145.y * _e127)), ((_e129.z + (_e131.z * _e120)) + (_e145.z * _e127))));
+        let _e158 = lt_bvh_Hit(_e156.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e161 = abs(_e156.direction.x);
+        let _e163 = abs(_e156.direction.y);
+        let _e165 = abs(_e156.direction.z);
+        if (abs(_e156.origin.x) < 1000000000000000f) {
+            if (abs(_e156.origin.y) < 1000000000000000f) {
+                phi_374_ = (abs(_e156.origin.z) < 1000000000000000f);
+                phi_375_ = false;
             } else {
-                phi_355_ = bool();
-                phi_356_ = true;
+                phi_374_ = bool();
+                phi_375_ = true;
             }
-            let _e159 = phi_355_;
-            let _e161 = phi_356_;
-            phi_357_ = _e159;
-            phi_358_ = _e161;
+            let _e177 = phi_374_;
+            let _e179 = phi_375_;
+            phi_376_ = _e177;
+            phi_377_ = _e179;
         } else {
-            phi_357_ = bool();
-            phi_358_ = true;
+            phi_376_ = bool();
+            phi_377_ = true;
         }
-        let _e163 = phi_357_;
-        let _e165 = phi_358_;
-        if _e165 {
-            phi_362_ = false;
+        let _e181 = phi_376_;
+        let _e183 = phi_377_;
+        if _e183 {
+            phi_381_ = false;
         } else {
-            phi_362_ = _e163;
+            phi_381_ = _e181;
         }
-        let _e167 = phi_362_;
-        if _e167 {
-            if (_e143 < 1000000000000000f) {
-                if (_e145 < 1000000000000000f) {
-                    phi_375_ = (_e147 < 1000000000000000f);
-                    phi_376_ = false;
+        let _e185 = phi_381_;
+        if _e185 {
+            if (_e161 < 1000000000000000f) {
+                if (_e163 < 1000000000000000f) {
+                    phi_394_ = (_e165 < 1000000000000000f);
+                    phi_395_ = false;
                 } else {
-                    phi_375_ = bool();
-                    phi_376_ = true;
+                    phi_394_ = bool();
+                    phi_395_ = true;
                 }
-                let _e172 = phi_375_;
-                let _e174 = phi_376_;
-                phi_377_ = _e172;
-                phi_378_ = _e174;
+                let _e190 = phi_394_;
+                let _e192 = phi_395_;
+                phi_396_ = _e190;
+                phi_397_ = _e192;
             } else {
-                phi_377_ = bool();
-                phi_378_ = true;
+                phi_396_ = bool();
+                phi_397_ = true;
             }
-            let _e176 = phi_377_;
-            let _e178 = phi_378_;
-            if _e178 {
-                phi_382_ = false;
+            let _e194 = phi_396_;
+            let _e196 = phi_397_;
+            if _e196 {
+                phi_401_ = false;
             } else {
-                phi_382_ = _e176;
+                phi_401_ = _e194;
             }
-            let _e180 = phi_382_;
-            if _e180 {
-                if (_e143 > 0f) {
-                    phi_396_ = bool();
-                    phi_397_ = true;
+            let _e198 = phi_401_;
+            if _e198 {
+                if (_e161 > 0f) {
+                    phi_415_ = bool();
+                    phi_416_ = true;
                 } else {
-                    let _e182 = (_e145 > 0f);
-                    if _e182 {
-                        phi_395_ = bool();
+                    let _e200 = (_e163 > 0f);
+                    if _e200 {
+                        phi_414_ = bool();
                     } else {
-                        phi_395_ = (_e147 > 0f);
+                        phi_414_ = (_e165 > 0f);
                     }
-                    let _e185 = phi_395_;
-                    phi_396_ = _e185;
-                    phi_397_ = _e182;
+                    let _e203 = phi_414_;
+                    phi_415_ = _e203;
+                    phi_416_ = _e200;
                 }
-                let _e187 = phi_396_;
-                let _e189 = phi_397_;
-                if _e189 {
-                    phi_401_ = true;
+                let _e205 = phi_415_;
+                let _e207 = phi_416_;
+                if _e207 {
+                    phi_420_ = true;
                 } else {
-                    phi_401_ = _e187;
+                    phi_420_ = _e205;
                 }
-                let _e191 = phi_401_;
-                phi_402_ = _e191;
-                phi_403_ = false;
+                let _e209 = phi_420_;
+                phi_421_ = _e209;
+                phi_422_ = false;
             } else {
-                phi_402_ = bool();
-                phi_403_ = true;
+                phi_421_ = bool();
+                phi_422_ = true;
             }
-            let _e193 = phi_402_;
-            let _e195 = phi_403_;
-            phi_404_ = _e193;
-            phi_405_ = _e195;
+            let _e211 = phi_421_;
+            let _e213 = phi_422_;
+            phi_423_ = _e211;
+            phi_424_ = _e213;
         } else {
-            phi_404_ = bool();
-            phi_405_ = true;
+            phi_423_ = bool();
+            phi_424_ = true;
         }
-        let _e197 = phi_404_;
-        let _e199 = phi_405_;
-        if _e199 {
-            phi_409_ = false;
+        let _e215 = phi_423_;
+        let _e217 = phi_424_;
+        if _e217 {
+            phi_428_ = false;
         } else {
-            phi_409_ = _e197;
+            phi_428_ = _e215;
         }
-        let _e201 = phi_409_;
-        if _e201 {
-            let _e202 = (0u >= _e65);
-            if _e202 {
-                phi_1866_ = lt_bvh_Hit();
+        let _e219 = phi_428_;
+        if _e219 {
+            let _e220 = (0u >= _e66);
+            if _e220 {
+                phi_1885_ = lt_bvh_Hit();
             } else {
-                if (0u < _e65) {
+                if (0u < _e66) {
                 } else {
                     return;
                 }
-                let _e208 = nodes.member[(0u + 0u)].frame[0u];
-                let _e212 = nodes.member[(0u + 0u)].frame[1u];
-                let _e216 = nodes.member[(0u + 0u)].frame[2u];
-                let _e220 = nodes.member[(0u + 0u)].frame[0u];
-                let _e224 = nodes.member[(0u + 0u)].frame[1u];
-                let _e228 = nodes.member[(0u + 0u)].frame[2u];
-                let _e232 = nodes.member[(0u + 0u)].frame[3u];
-                let _e271 = core_intrinsics_maximum_number_nsz_f32_(abs(_e138.direction.x), abs(_e138.direction.y));
-                let _e272 = core_intrinsics_maximum_number_nsz_f32_(_e271, abs(_e138.direction.z));
-                let _e273 = (_e272 * 0.0000000000009094947f);
-                if (abs(_e138.direction.x) < _e273) {
-                    phi_485_ = _e273;
+                let _e226 = nodes.member[(0u + 0u)].frame[0u];
+                let _e230 = nodes.member[(0u + 0u)].frame[1u];
+                let _e234 = nodes.member[(0u + 0u)].frame[2u];
+                let _e238 = nodes.member[(0u + 0u)].frame[0u];
+                let _e242 = nodes.member[(0u + 0u)].frame[1u];
+                let _e246 = nodes.member[(0u + 0u)].frame[2u];
+                let _e250 = nodes.member[(0u + 0u)].frame[3u];
+                let _e289 = core_intrinsics_maximum_number_nsz_f32_(abs(_e156.direction.x), abs(_e156.direction.y));
+                let _e290 = core_intrinsics_maximum_number_nsz_f32_(_e289, abs(_e156.direction.z));
+                let _e291 = (_e290 * 0.0000000000009094947f);
+                if (abs(_e156.direction.x) < _e291) {
+                    phi_504_ = _e291;
                 } else {
-                    phi_485_ = abs(_e138.direction.x);
+                    phi_504_ = abs(_e156.direction.x);
                 }
-                let _e279 = phi_485_;
-                if (_e138.direction.x < 0f) {
-                    phi_492_ = (-1f / _e279);
+                let _e297 = phi_504_;
+                if (_e156.direction.x < 0f) {
+                    phi_511_ = (-1f / _e297);
                 } else {
-                    phi_492_ = (1f / _e279);
+                    phi_511_ = (1f / _e297);
                 }
-                let _e284 = phi_492_;
-                if (abs(_e138.direction.y) < _e273) {
-                    phi_500_ = _e273;
+                let _e302 = phi_511_;
+                if (abs(_e156.direction.y) < _e291) {
+                    phi_519_ = _e291;
                 } else {
-                    phi_500_ = abs(_e138.direction.y);
+                    phi_519_ = abs(_e156.direction.y);
                 }
-                let _e290 = phi_500_;
-                if (_e138.direction.y < 0f) {
-                    phi_507_ = (-1f / _e290);
+                let _e308 = phi_519_;
+                if (_e156.direction.y < 0f) {
+                    phi_526_ = (-1f / _e308);
                 } else {
-                    phi_507_ = (1f / _e290);
+                    phi_526_ = (1f / _e308);
                 }
-                let _e295 = phi_507_;
-                if (abs(_e138.direction.z) < _e273) {
-                    phi_515_ = _e273;
+                let _e313 = phi_526_;
+                if (abs(_e156.direction.z) < _e291) {
+                    phi_534_ = _e291;
                 } else {
-                    phi_515_ = abs(_e138.direction.z);
+                    phi_534_ = abs(_e156.direction.z);
                 }
-                let _e301 = phi_515_;
-                if (_e138.direction.z < 0f) {
-                    phi_522_ = (-1f / _e301);
+                let _e319 = phi_534_;
+                if (_e156.direction.z < 0f) {
+                    phi_541_ = (-1f / _e319);
                 } else {
-                    phi_522_ = (1f / _e301);
+                    phi_541_ = (1f / _e319);
                 }
-                let _e306 = phi_522_;
-                let _e313 = abs((bitcast<f32>(_e208) - _e138.origin.x));
-                let _e314 = abs((bitcast<f32>(_e212) - _e138.origin.y));
-                let _e315 = abs((bitcast<f32>(_e216) - _e138.origin.z));
-                let _e322 = abs(((bitcast<f32>(_e220) + (bitcast<f32>((((_e232 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.x));
-                let _e323 = abs(((bitcast<f32>(_e224) + (bitcast<f32>((((_e232 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.y));
-                let _e324 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e232 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.z));
-                if (_e313 > _e322) {
-                    phi_545_ = _e313;
+                let _e324 = phi_541_;
+                let _e331 = abs((bitcast<f32>(_e226) - _e156.origin.x));
+                let _e332 = abs((bitcast<f32>(_e230) - _e156.origin.y));
+                let _e333 = abs((bitcast<f32>(_e234) - _e156.origin.z));
+                let _e340 = abs(((bitcast<f32>(_e238) + (bitcast<f32>((((_e250 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.x));
+                let _e341 = abs(((bitcast<f32>(_e242) + (bitcast<f32>((((_e250 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.y));
+                let _e342 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e250 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.z));
+                if (_e331 > _e340) {
+                    phi_564_ = _e331;
                 } else {
-                    phi_545_ = _e322;
+                    phi_564_ = _e340;
                 }
-                let _e327 = phi_545_;
-                if (_e314 > _e323) {
-                    phi_550_ = _e314;
+                let _e345 = phi_564_;
+                if (_e332 > _e341) {
+                    phi_569_ = _e332;
                 } else {
-                    phi_550_ = _e323;
+                    phi_569_ = _e341;
                 }
-                let _e330 = phi_550_;
-                if (_e315 > _e324) {
-                    phi_555_ = _e315;
+                let _e348 = phi_569_;
+                if (_e333 > _e342) {
+                    phi_574_ = _e333;
                 } else {
-                    phi_555_ = _e324;
+                    phi_574_ = _e342;
                 }
-                let _e333 = phi_555_;
-                if (_e327 > _e330) {
-                    phi_560_ = _e327;
+                let _e351 = phi_574_;
+                if (_e345 > _e348) {
+                    phi_579_ = _e345;
                 } else {
-                    phi_560_ = _e330;
+                    phi_579_ = _e348;
                 }
-                let _e336 = phi_560_;
-                if (_e336 > _e333) {
-                    phi_565_ = _e336;
+                let _e354 = phi_579_;
+                if (_e354 > _e351) {
+                    phi_584_ = _e354;
                 } else {
-                    phi_565_ = _e333;
+                    phi_584_ = _e351;
                 }
-                let _e339 = phi_565_;
-                let _e343 = (_e339 * 0.0000019073486f);
-                let _e344 = (abs(_e284) * _e343);
-                let _e345 = (abs(_e295) * _e343);
-                let _e346 = (abs(_e306) * _e343);
-                let _e350 = (_e339 * 0.0000009536743f);
-                let _e351 = (abs(_e284) * _e350);
-                let _e352 = (abs(_e295) * _e350);
-                let _e353 = (abs(_e306) * _e350);
-                let _e357 = abs(_e138.direction.x);
-                let _e359 = abs(_e138.direction.y);
-                let _e361 = abs(_e138.direction.z);
-                if (_e357 >= _e359) {
-                    if (_e357 >= _e361) {
-                        phi_596_ = false;
+                let _e357 = phi_584_;
+                let _e361 = (_e357 * 0.0000019073486f);
+                let _e362 = (abs(_e302) * _e361);
+                let _e363 = (abs(_e313) * _e361);
+                let _e364 = (abs(_e324) * _e361);
+                let _e368 = (_e357 * 0.0000009536743f);
+                let _e369 = (abs(_e302) * _e368);
+                let _e370 = (abs(_e313) * _e368);
+                let _e371 = (abs(_e324) * _e368);
+                let _e375 = abs(_e156.direction.x);
+                let _e377 = abs(_e156.direction.y);
+                let _e379 = abs(_e156.direction.z);
+                if (_e375 >= _e377) {
+                    if (_e375 >= _e379) {
+                        phi_615_ = false;
                     } else {
-                        phi_596_ = true;
+                        phi_615_ = true;
                     }
-                    let _e365 = phi_596_;
-                    phi_597_ = _e365;
+                    let _e383 = phi_615_;
+                    phi_616_ = _e383;
                 } else {
-                    phi_597_ = true;
+                    phi_616_ = true;
                 }
-                let _e367 = phi_597_;
-                if _e367 {
-                    if (_e359 >= _e361) {
-                        phi_605_ = 1u;
+                let _e385 = phi_616_;
+                if _e385 {
+                    if (_e377 >= _e379) {
+                        phi_624_ = 1u;
                     } else {
-                        phi_605_ = 2u;
+                        phi_624_ = 2u;
                     }
-                    let _e370 = phi_605_;
-                    phi_606_ = _e370;
+                    let _e388 = phi_624_;
+                    phi_625_ = _e388;
                 } else {
-                    phi_606_ = 0u;
+                    phi_625_ = 0u;
                 }
-                let _e372 = phi_606_;
-                if (_e372 == 0u) {
-                    phi_624_ = vec3<f32>(_e138.direction.y, _e138.direction.z, _e138.direction.x);
+                let _e390 = phi_625_;
+                if (_e390 == 0u) {
+                    phi_643_ = vec3<f32>(_e156.direction.y, _e156.direction.z, _e156.direction.x);
                 } else {
-                    if (_e372 == 1u) {
-                        phi_623_ = vec3<f32>(_e138.direction.z, _e138.direction.x, _e138.direction.y);
+                    if (_e390 == 1u) {
+                        phi_642_ = vec3<f32>(_e156.direction.z, _e156.direction.x, _e156.direction.y);
                     } else {
-                        phi_623_ = _e138.direction;
+                        phi_642_ = _e156.direction;
                     }
-                    let _e384 = phi_623_;
-                    phi_624_ = _e384;
+                    let _e402 = phi_642_;
+                    phi_643_ = _e402;
                 }
-                let _e386 = phi_624_;
-                let _e389 = (_e386.x / _e386.z);
-                let _e392 = (_e386.y / _e386.z);
-                if (_e284 < 0f) {
-                    phi_637_ = 0u;
+                let _e404 = phi_643_;
+                let _e407 = (_e404.x / _e404.z);
+                let _e410 = (_e404.y / _e404.z);
+                if (_e302 < 0f) {
+                    phi_656_ = 0u;
                 } else {
-                    phi_637_ = 1u;
+                    phi_656_ = 1u;
                 }
-                let _e397 = phi_637_;
-                if (_e295 < 0f) {
-                    phi_642_ = 0u;
+                let _e415 = phi_656_;
+                if (_e313 < 0f) {
+                    phi_661_ = 0u;
                 } else {
-                    phi_642_ = 2u;
+                    phi_661_ = 2u;
                 }
-                let _e400 = phi_642_;
-                if (_e306 < 0f) {
-                    phi_647_ = 0u;
+                let _e418 = phi_661_;
+                if (_e324 < 0f) {
+                    phi_666_ = 0u;
                 } else {
-                    phi_647_ = 4u;
+                    phi_666_ = 4u;
                 }
-                let _e403 = phi_647_;
-                let _e405 = ((_e397 | _e400) | _e403);
-                let _e406 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e406.first[0], _e406.first[1], _e406.first[2], _e406.first[3], _e406.first[4], _e406.first[5], _e406.first[6], _e406.first[7], _e406.first[8], _e406.first[9], _e406.first[10], _e406.first[11], _e406.first[12], _e406.first[13], _e406.first[14], _e406.first[15], _e406.first[16], _e406.first[17], _e406.first[18], _e406.first[19], _e406.first[20], _e406.first[21], _e406.first[22], _e406.first[23], _e406.first[24], _e406.first[25], _e406.first[26], _e406.first[27], _e406.first[28], _e406.first[29], _e406.first[30], _e406.first[31]), array<u32, 32>(_e406.mask[0], _e406.mask[1], _e406.mask[2], _e406.mask[3], _e406.mask[4], _e406.mask[5], _e406.mask[6], _e406.mask[7], _e406.mask[8], _e406.mask[9], _e406.mask[10], _e406.mask[11], _e406.mask[12], _e406.mask[13], _e406.mask[14], _e406.mask[15], _e406.mask[16], _e406.mask[17], _e406.mask[18], _e406.mask[19], _e406.mask[20], _e406.mask[21], _e406.mask[22], _e406.mask[23], _e406.mask[24], _e406.mask[25], _e406.mask[26], _e406.mask[27], _e406.mask[28], _e406.mask[29], _e406.mask[30], _e406.mask[31]), _e406.len, _e406.group, _e406.group_mask);
-                let _e480 = local.group_mask;
-                if ((_e480 & 4278190080u) == 0u) {
-                    let _e484 = local.len;
-                    if (_e484 == 0u) {
-                        phi_761_ = false;
+                let _e421 = phi_666_;
+                let _e423 = ((_e415 | _e418) | _e421);
+                let _e424 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e424.first[0], _e424.first[1], _e424.first[2], _e424.first[3], _e424.first[4], _e424.first[5], _e424.first[6], _e424.first[7], _e424.first[8], _e424.first[9], _e424.first[10], _e424.first[11], _e424.first[12], _e424.first[13], _e424.first[14], _e424.first[15], _e424.first[16], _e424.first[17], _e424.first[18], _e424.first[19], _e424.first[20], _e424.first[21], _e424.first[22], _e424.first[23], _e424.first[24], _e424.first[25], _e424.first[26], _e424.first[27], _e424.first[28], _e424.first[29], _e424.first[30], _e424.first[31]), array<u32, 32>(_e424.mask[0], _e424.mask[1], _e424.mask[2], _e424.mask[3], _e424.mask[4], _e424.mask[5], _e424.mask[6], _e424.mask[7], _e424.mask[8], _e424.mask[9], _e424.mask[10], _e424.mask[11], _e424.mask[12], _e424.mask[13], _e424.mask[14], _e424.mask[15], _e424.mask[16], _e424.mask[17], _e424.mask[18], _e424.mask[19], _e424.mask[20], _e424.mask[21], _e424.mask[22], _e424.mask[23], _e424.mask[24], _e424.mask[25], _e424.mask[26], _e424.mask[27], _e424.mask[28], _e424.mask[29], _e424.mask[30], _e424.mask[31]), _e424.len, _e424.group, _e424.group_mask);
+                let _e498 = local.group_mask;
+                if ((_e498 & 4278190080u) == 0u) {
+                    let _e502 = local.len;
+                    if (_e502 == 0u) {
+                        phi_780_ = false;
                     } else {
-                        let _e488 = local.len;
-                        local.len = (_e488 - 1u);
-                        let _e491 = local.len;
-                        if (_e491 < 32u) {
+                        let _e506 = local.len;
+                        local.len = (_e506 - 1u);
+                        let _e509 = local.len;
+                        if (_e509 < 32u) {
                         } else {
                             return;
                         }
-                        let _e496 = local.first[(0u + _e491)];
-                        local.group = _e496;
-                        let _e499 = local.len;
-                        if (_e499 < 32u) {
+                        let _e514 = local.first[(0u + _e509)];
+                        local.group = _e514;
+                        let _e517 = local.len;
+                        if (_e517 < 32u) {
                         } else {
                             return;
                         }
-                        let _e504 = local.mask[(0u + _e499)];
-                        local.group_mask = _e504;
-                        phi_761_ = true;
+                        let _e522 = local.mask[(0u + _e517)];
+                        local.group_mask = _e522;
+                        phi_780_ = true;
                     }
-                    let _e507 = phi_761_;
-                    phi_762_ = _e507;
+                    let _e525 = phi_780_;
+                    phi_781_ = _e525;
                 } else {
-                    phi_762_ = true;
+                    phi_781_ = true;
                 }
-                let _e509 = phi_762_;
-                if _e509 {
-                    let _e511 = local.group_mask;
-                    let _e517 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e511)), 32u, (_e511 == 0u)));
-                    let _e521 = local.group_mask;
-                    let _e535 = local.group_mask;
-                    local.group_mask = (_e535 & ~((1u << bitcast<u32>((_e517 & 31u)))));
-                    let _e538 = local.group;
-                    phi_793_ = (_e538 + countOneBits(((_e521 & ~((4294967295u << bitcast<u32>((((_e517 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e527 = phi_781_;
+                if _e527 {
+                    let _e529 = local.group_mask;
+                    let _e535 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e529)), 32u, (_e529 == 0u)));
+                    let _e539 = local.group_mask;
+                    let _e553 = local.group_mask;
+                    local.group_mask = (_e553 & ~((1u << bitcast<u32>((_e535 & 31u)))));
+                    let _e556 = local.group;
+                    phi_812_ = (_e556 + countOneBits(((_e539 & ~((4294967295u << bitcast<u32>((((_e535 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_793_ = 4294967295u;
+                    phi_812_ = 4294967295u;
                 }
-                let _e541 = phi_793_;
-                phi_795_ = _e140;
-                phi_798_ = _e541;
+                let _e559 = phi_812_;
+                phi_814_ = _e158;
+                phi_817_ = _e559;
                 loop {
-                    let _e543 = phi_795_;
-                    let _e545 = phi_798_;
-                    local_5 = _e543;
-                    let _e546 = (_e545 != 4294967295u);
-                    if _e546 {
-                        if (_e545 < _e65) {
+                    let _e561 = phi_814_;
+                    let _e563 = phi_817_;
+                    local_5 = _e561;
+                    let _e564 = (_e563 != 4294967295u);
+                    if _e564 {
+                        if (_e563 < _e66) {
                         } else {
                             return;
                         }
-                        let _e554 = nodes.member[(0u + _e545)].frame[3u];
-                        let _e579 = (bitcast<f32>((((_e554 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
-                        let _e580 = (bitcast<f32>((((_e554 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e295);
-                        let _e581 = (bitcast<f32>((((_e554 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e306);
-                        let _e584 = nodes.member[(0u + _e545)].frame[0u];
-                        let _e588 = nodes.member[(0u + _e545)].frame[1u];
-                        let _e592 = nodes.member[(0u + _e545)].frame[2u];
-                        let _e600 = ((bitcast<f32>(_e584) - _e138.origin.x) * _e284);
-                        let _e601 = ((bitcast<f32>(_e588) - _e138.origin.y) * _e295);
-                        let _e602 = ((bitcast<f32>(_e592) - _e138.origin.z) * _e306);
-                        let _e610 = nodes.member[(0u + _e545)].x;
-                        if (_e284 < 0f) {
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e610.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e621.unnamed.word, _e610.w), _e621.unnamed_1);
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_mask_LightPlace(_e610.x, _e627.unnamed_1.shift));
-                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_mask_LightPlace(_e633.unnamed_1.word, _e610.y));
+                        let _e572 = nodes.member[(0u + _e563)].frame[3u];
+                        let _e597 = (bitcast<f32>((((_e572 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
+                        let _e598 = (bitcast<f32>((((_e572 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
+                        let _e599 = (bitcast<f32>((((_e572 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e324);
+                        let _e602 = nodes.member[(0u + _e563)].frame[0u];
+                        let _e606 = nodes.member[(0u + _e563)].frame[1u];
+                        let _e610 = nodes.member[(0u + _e563)].frame[2u];
+                        let _e618 = ((bitcast<f32>(_e602) - _e156.origin.x) * _e302);
+                        let _e619 = ((bitcast<f32>(_e606) - _e156.origin.y) * _e313);
+                        let _e620 = ((bitcast<f32>(_e610) - _e156.origin.z) * _e324);
+                        let _e628 = nodes.member[(0u + _e563)].x;
+                        if (_e302 < 0f) {
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e639.unnamed.word, _e628.w), _e639.unnamed_1);
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e628.x, _e645.unnamed_1.shift));
+                            phi_902_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_mask_LightPlace(_e651.unnamed_1.word, _e628.y));
                         } else {
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e610.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e649.unnamed.word, _e610.y), _e649.unnamed_1);
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e610.z, _e655.unnamed_1.shift));
-                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_mask_LightPlace(_e661.unnamed_1.word, _e610.w));
+                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.unnamed.word, _e628.y), _e667.unnamed_1);
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_mask_LightPlace(_e628.z, _e673.unnamed_1.shift));
+                            phi_902_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e679.unnamed_1.word, _e628.w));
                         }
-                        let _e669 = phi_883_;
-                        let _e679 = nodes.member[(0u + _e545)].y;
-                        if (_e295 < 0f) {
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e690.unnamed.word, _e679.w), _e690.unnamed_1);
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e679.x, _e696.unnamed_1.shift));
-                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_mask_LightPlace(_e702.unnamed_1.word, _e679.y));
+                        let _e687 = phi_902_;
+                        let _e697 = nodes.member[(0u + _e563)].y;
+                        if (_e313 < 0f) {
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e708.unnamed.word, _e697.w), _e708.unnamed_1);
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e697.x, _e714.unnamed_1.shift));
+                            phi_929_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_mask_LightPlace(_e720.unnamed_1.word, _e697.y));
                         } else {
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e718.unnamed.word, _e679.y), _e718.unnamed_1);
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e679.z, _e724.unnamed_1.shift));
-                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_mask_LightPlace(_e730.unnamed_1.word, _e679.w));
+                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e736.unnamed.word, _e697.y), _e736.unnamed_1);
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_mask_LightPlace(_e697.z, _e742.unnamed_1.shift));
+                            phi_929_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e748.unnamed_1.word, _e697.w));
                         }
-                        let _e738 = phi_910_;
-                        let _e748 = nodes.member[(0u + _e545)].z;
-                        if (_e306 < 0f) {
-                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e759.unnamed.word, _e748.w), _e759.unnamed_1);
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_mask_LightPlace(_e748.x, _e765.unnamed_1.shift));
-                            phi_937_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_mask_LightPlace(_e771.unnamed_1.word, _e748.y));
+                        let _e756 = phi_929_;
+                        let _e766 = nodes.member[(0u + _e563)].z;
+                        if (_e324 < 0f) {
+                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e777.unnamed.word, _e766.w), _e777.unnamed_1);
+                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e766.x, _e783.unnamed_1.shift));
+                            phi_956_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e789.unnamed, lt_mask_LightPlace(_e789.unnamed_1.word, _e766.y));
                         } else {
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e787.unnamed.word, _e748.y), _e787.unnamed_1);
-                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e748.z, _e793.unnamed_1.shift));
-                            phi_937_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_mask_LightPlace(_e799.unnamed_1.word, _e748.w));
+                            let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e805.unnamed.word, _e766.y), _e805.unnamed_1);
+                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_mask_LightPlace(_e766.z, _e811.unnamed_1.shift));
+                            phi_956_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e817.unnamed, lt_mask_LightPlace(_e817.unnamed_1.word, _e766.w));
                         }
-                        let _e807 = phi_937_;
-                        phi_943_ = 0u;
-                        phi_946_ = 0u;
+                        let _e825 = phi_956_;
+                        phi_962_ = 0u;
+                        phi_965_ = 0u;
                         loop {
-                            let _e817 = phi_943_;
-                            let _e819 = phi_946_;
-                            local_1 = _e819;
-                            local_2 = _e819;
-                            local_3 = _e819;
-                            let _e820 = (_e817 < 8u);
-                            if _e820 {
-                                let _e822 = (_e817 >> bitcast<u32>(2i));
-                                let _e823 = (_e817 & 3u);
-                                if (_e822 == 0u) {
-                                    phi_960_ = _e669.unnamed.word;
+                            let _e835 = phi_962_;
+                            let _e837 = phi_965_;
+                            local_1 = _e837;
+                            local_2 = _e837;
+                            local_3 = _e837;
+                            let _e838 = (_e835 < 8u);
+                            if _e838 {
+                                let _e840 = (_e835 >> bitcast<u32>(2i));
+                                let _e841 = (_e835 & 3u);
+                                if (_e840 == 0u) {
+                                    phi_979_ = _e687.unnamed.word;
                                 } else {
-                                    phi_960_ = _e669.unnamed.shift;
+                                    phi_979_ = _e687.unnamed.shift;
                                 }
-                                let _e826 = phi_960_;
-                                if (_e822 == 0u) {
-                                    phi_970_ = _e738.unnamed.word;
+                                let _e844 = phi_979_;
+                                if (_e840 == 0u) {
+                                    phi_989_ = _e756.unnamed.word;
                                 } else {
-                                    phi_970_ = _e738.unnamed.shift;
+                                    phi_989_ = _e756.unnamed.shift;
                                 }
-                                let _e835 = phi_970_;
-                                if (_e822 == 0u) {
-                                    phi_980_ = _e807.unnamed.word;
+                                let _e853 = phi_989_;
+                                if (_e840 == 0u) {
+                                    phi_999_ = _e825.unnamed.word;
                                 } else {
-                                    phi_980_ = _e807.unnamed.shift;
+                                    phi_999_ = _e825.unnamed.shift;
                                 }
-                                let _e844 = phi_980_;
-                                let _e857 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e826 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e579) + (_e600 - _e344)), ((f32(((_e835 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e580) + (_e601 - _e345)));
-                                let _e858 = core_intrinsics_maximum_number_nsz_f32_(_e857, ((f32(((_e844 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e581) + (_e602 - _e346)));
-                                if (_e822 == 0u) {
-                                    phi_998_ = _e669.unnamed_1.word;
+                                let _e862 = phi_999_;
+                                let _e875 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 - _e362)), ((f32(((_e853 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 - _e363)));
+                                let _e876 = core_intrinsics_maximum_number_nsz_f32_(_e875, ((f32(((_e862 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e364)));
+                                if (_e840 == 0u) {
+                                    phi_1017_ = _e687.unnamed_1.word;
                                 } else {
-                                    phi_998_ = _e669.unnamed_1.shift;
+                                    phi_1017_ = _e687.unnamed_1.shift;
                                 }
-                                let _e861 = phi_998_;
-                                if (_e822 == 0u) {
-                                    phi_1008_ = _e738.unnamed_1.word;
+                                let _e879 = phi_1017_;
+                                if (_e840 == 0u) {
+                                    phi_1027_ = _e756.unnamed_1.word;
                                 } else {
-                                    phi_1008_ = _e738.unnamed_1.shift;
+                                    phi_1027_ = _e756.unnamed_1.shift;
                                 }
-                                let _e870 = phi_1008_;
-                                if (_e822 == 0u) {
-                                    phi_1018_ = _e807.unnamed_1.word;
+                                let _e888 = phi_1027_;
+                                if (_e840 == 0u) {
+                                    phi_1037_ = _e825.unnamed_1.word;
                                 } else {
-                                    phi_1018_ = _e807.unnamed_1.shift;
+                                    phi_1037_ = _e825.unnamed_1.shift;
                                 }
-                                let _e879 = phi_1018_;
-                                let _e892 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e861 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e579) + (_e600 + _e344)), ((f32(((_e870 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e580) + (_e601 + _e345)));
-                                let _e893 = core_intrinsics_minimum_number_nsz_f32_(_e892, ((f32(((_e879 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e581) + (_e602 + _e346)));
-                                if (_e858 <= _e893) {
-                                    if (_e858 <= _e543.t) {
-                                        if (_e893 >= _e138.tmin) {
-                                            if (_e822 == 0u) {
-                                                let _e900 = nodes.member[(0u + _e545)].links[2u];
-                                                phi_1054_ = _e900;
+                                let _e897 = phi_1037_;
+                                let _e910 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e879 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 + _e362)), ((f32(((_e888 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 + _e363)));
+                                let _e911 = core_intrinsics_minimum_number_nsz_f32_(_e910, ((f32(((_e897 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e364)));
+                                if (_e876 <= _e911) {
+                                    if (_e876 <= _e561.t) {
+                                        if (_e911 >= _e156.tmin) {
+                                            if (_e840 == 0u) {
+                                                let _e918 = nodes.member[(0u + _e563)].links[2u];
+                                                phi_1073_ = _e918;
                                             } else {
-                                                let _e903 = nodes.member[(0u + _e545)].links[3u];
-                                                phi_1054_ = _e903;
+                                                let _e921 = nodes.member[(0u + _e563)].links[3u];
+                                                phi_1073_ = _e921;
                                             }
-                                            let _e905 = phi_1054_;
-                                            let _e910 = ((_e905 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u);
-                                            let _e911 = (_e910 & 31u);
-                                            if (_e911 >= 24u) {
-                                                phi_1067_ = (24u + ((_e911 - 24u) ^ _e405));
+                                            let _e923 = phi_1073_;
+                                            let _e928 = ((_e923 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u);
+                                            let _e929 = (_e928 & 31u);
+                                            if (_e929 >= 24u) {
+                                                phi_1086_ = (24u + ((_e929 - 24u) ^ _e423));
                                             } else {
-                                                phi_1067_ = _e911;
+                                                phi_1086_ = _e929;
                                             }
-                                            let _e917 = phi_1067_;
-                                            phi_1072_ = (_e819 | ((_e910 >> bitcast<u32>(5i)) << bitcast<u32>((_e917 & 31u))));
+                                            let _e935 = phi_1086_;
+                                            phi_1091_ = (_e837 | ((_e928 >> bitcast<u32>(5i)) << bitcast<u32>((_e935 & 31u))));
                                         } else {
-                                            phi_1072_ = _e819;
+                                            phi_1091_ = _e837;
                                         }
-                                        let _e925 = phi_1072_;
-                                        phi_1073_ = _e925;
+                                        let _e943 = phi_1091_;
+                                        phi_1092_ = _e943;
                                     } else {
-                                        phi_1073_ = _e819;
+                                        phi_1092_ = _e837;
                                     }
-                                    let _e927 = phi_1073_;
-                                    phi_1074_ = _e927;
+                                    let _e945 = phi_1092_;
+                                    phi_1093_ = _e945;
                                 } else {
-                                    phi_1074_ = _e819;
+                                    phi_1093_ = _e837;
                                 }
-                                let _e929 = phi_1074_;
-                                phi_944_ = (_e817 + 1u);
-                                phi_947_ = _e929;
+                                let _e947 = phi_1093_;
+                                phi_963_ = (_e835 + 1u);
+                                phi_966_ = _e947;
                             } else {
-                                phi_944_ = u32();
-                                phi_947_ = u32();
+                                phi_963_ = u32();
+                                phi_966_ = u32();
                             }
-                            let _e932 = phi_944_;
-                            let _e934 = phi_947_;
+                            let _e950 = phi_963_;
+                            let _e952 = phi_966_;
                             continue;
                             continuing {
-                                phi_943_ = _e932;
-                                phi_946_ = _e934;
-                                break if !(_e820);
+                                phi_962_ = _e950;
+                                phi_965_ = _e952;
+                                break if !(_e838);
                             }
                         }
-                        let _e938 = nodes.member[(0u + _e545)].links[0u];
-                        let _e942 = nodes.member[(0u + _e545)].frame[3u];
-                        let _e946 = local_1;
-                        if ((_e946 & 4278190080u) == 0u) {
+                        let _e956 = nodes.member[(0u + _e563)].links[0u];
+                        let _e960 = nodes.member[(0u + _e563)].frame[3u];
+                        let _e964 = local_1;
+                        if ((_e964 & 4278190080u) == 0u) {
                         } else {
-                            let _e950 = local.group_mask;
-                            if ((_e950 & 4278190080u) == 0u) {
+                            let _e968 = local.group_mask;
+                            if ((_e968 & 4278190080u) == 0u) {
                             } else {
-                                let _e954 = local.len;
-                                if (_e954 < 32u) {
-                                    let _e957 = local.group;
-                                    let _e959 = local.len;
-                                    if (_e959 < 32u) {
+                                let _e972 = local.len;
+                                if (_e972 < 32u) {
+                                    let _e975 = local.group;
+                                    let _e977 = local.len;
+                                    if (_e977 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e959)] = _e957;
-                                    let _e965 = local.group_mask;
-                                    let _e967 = local.len;
-                                    if (_e967 < 32u) {
+                                    local.first[(0u + _e977)] = _e975;
+                                    let _e983 = local.group_mask;
+                                    let _e985 = local.len;
+                                    if (_e985 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e967)] = _e965;
-                                    let _e974 = local.len;
-                                    local.len = (_e974 + 1u);
+                                    local.mask[(0u + _e985)] = _e983;
+                                    let _e992 = local.len;
+                                    local.len = (_e992 + 1u);
                                 }
                             }
-                            local.group = (0u + _e938);
-                            let _e978 = local_2;
-                            local.group_mask = ((_e978 & 4278190080u) | (_e942 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e956);
+                            let _e996 = local_2;
+                            local.group_mask = ((_e996 & 4278190080u) | (_e960 >> bitcast<u32>(24i)));
                         }
-                        let _e983 = local_3;
-                        phi_1132_ = _e543;
-                        phi_1135_ = (_e983 & 16777215u);
+                        let _e1001 = local_3;
+                        phi_1151_ = _e561;
+                        phi_1154_ = (_e1001 & 16777215u);
                         loop {
-                            let _e986 = phi_1132_;
-                            let _e988 = phi_1135_;
-                            local_4 = _e986;
-                            if (_e988 == 0u) {
-                                phi_1133_ = lt_bvh_Hit();
-                                phi_1136_ = u32();
-                                phi_1794_ = false;
+                            let _e1004 = phi_1151_;
+                            let _e1006 = phi_1154_;
+                            local_4 = _e1004;
+                            if (_e1006 == 0u) {
+                                phi_1152_ = lt_bvh_Hit();
+                                phi_1155_ = u32();
+                                phi_1813_ = false;
                             } else {
-                                let _e992 = nodes.member[(0u + _e545)].links[1u];
-                                let _e997 = ((0u + _e992) + select(firstTrailingBit(_e988), 32u, (_e988 == 0u)));
-                                if (_e997 < _e68) {
+                                let _e1010 = nodes.member[(0u + _e563)].links[1u];
+                                let _e1015 = ((0u + _e1010) + select(firstTrailingBit(_e1006), 32u, (_e1006 == 0u)));
+                                if (_e1015 < _e69) {
                                 } else {
                                     return;
                                 }
-                                let _e1004 = triangles.member[(0u + _e997)].v0_;
-                                let _e1007 = (_e1004.x - _e138.origin.x);
-                                let _e1010 = (_e1004.y - _e138.origin.y);
-                                let _e1013 = (_e1004.z - _e138.origin.z);
-                                if (_e372 == 0u) {
-                                    phi_1182_ = vec3<f32>(_e1010, _e1013, _e1007);
+                                let _e1022 = triangles.member[(0u + _e1015)].v0_;
+                                let _e1025 = (_e1022.x - _e156.origin.x);
+                                let _e1028 = (_e1022.y - _e156.origin.y);
+                                let _e1031 = (_e1022.z - _e156.origin.z);
+                                if (_e390 == 0u) {
+                                    phi_1201_ = vec3<f32>(_e1028, _e1031, _e1025);
                                 } else {
-                                    if (_e372 == 1u) {
-                                        phi_1181_ = vec3<f32>(_e1013, _e1007, _e1010);
+                                    if (_e390 == 1u) {
+                                        phi_1200_ = vec3<f32>(_e1031, _e1025, _e1028);
                                     } else {
-                                        phi_1181_ = (_e1004 - _e138.origin);
+                                        phi_1200_ = (_e1022 - _e156.origin);
                                     }
-                                    let _e1020 = phi_1181_;
-                                    phi_1182_ = _e1020;
+                                    let _e1038 = phi_1200_;
+                                    phi_1201_ = _e1038;
                                 }
-                                let _e1022 = phi_1182_;
-                                let _e1026 = (_e1022.x - (_e389 * _e1022.z));
-                                let _e1030 = (_e1022.y - (_e392 * _e1022.z));
-                                let _e1032 = triangles.member[(0u + _e997)].v1_;
-                                let _e1035 = (_e1032.x - _e138.origin.x);
-                                let _e1038 = (_e1032.y - _e138.origin.y);
-                                let _e1041 = (_e1032.z - _e138.origin.z);
-                                if (_e372 == 0u) {
-                                    phi_1214_ = vec3<f32>(_e1038, _e1041, _e1035);
+                                let _e1040 = phi_1201_;
+                                let _e1044 = (_e1040.x - (_e407 * _e1040.z));
+                                let _e1048 = (_e1040.y - (_e410 * _e1040.z));
+                                let _e1050 = triangles.member[(0u + _e1015)].v1_;
+                                let _e1053 = (_e1050.x - _e156.origin.x);
+                                let _e1056 = (_e1050.y - _e156.origin.y);
+                                let _e1059 = (_e1050.z - _e156.origin.z);
+                                if (_e390 == 0u) {
+                                    phi_1233_ = vec3<f32>(_e1056, _e1059, _e1053);
                                 } else {
-                                    if (_e372 == 1u) {
-                                        phi_1213_ = vec3<f32>(_e1041, _e1035, _e1038);
+                                    if (_e390 == 1u) {
+                                        phi_1232_ = vec3<f32>(_e1059, _e1053, _e1056);
                                     } else {
-                                        phi_1213_ = (_e1032 - _e138.origin);
+                                        phi_1232_ = (_e1050 - _e156.origin);
                                     }
-                                    let _e1048 = phi_1213_;
-                                    phi_1214_ = _e1048;
+                                    let _e1066 = phi_1232_;
+                                    phi_1233_ = _e1066;
                                 }
-                                let _e1050 = phi_1214_;
-                                let _e1054 = (_e1050.x - (_e389 * _e1050.z));
-                                let _e1058 = (_e1050.y - (_e392 * _e1050.z));
-                                let _e1060 = triangles.member[(0u + _e997)].v2_;
-                                let _e1063 = (_e1060.x - _e138.origin.x);
-                                let _e1066 = (_e1060.y - _e138.origin.y);
-                                let _e1069 = (_e1060.z - _e138.origin.z);
-                                if (_e372 == 0u) {
-                                    phi_1246_ = vec3<f32>(_e1066, _e1069, _e1063);
+                                let _e1068 = phi_1233_;
+                                let _e1072 = (_e1068.x - (_e407 * _e1068.z));
+                                let _e1076 = (_e1068.y - (_e410 * _e1068.z));
+                                let _e1078 = triangles.member[(0u + _e1015)].v2_;
+                                let _e1081 = (_e1078.x - _e156.origin.x);
+                                let _e1084 = (_e1078.y - _e156.origin.y);
+                                let _e1087 = (_e1078.z - _e156.origin.z);
+                                if (_e390 == 0u) {
+                                    phi_1265_ = vec3<f32>(_e1084, _e1087, _e1081);
                                 } else {
-                                    if (_e372 == 1u) {
-                                        phi_1245_ = vec3<f32>(_e1069, _e1063, _e1066);
+                                    if (_e390 == 1u) {
+                                        phi_1264_ = vec3<f32>(_e1087, _e1081, _e1084);
                                     } else {
-                                        phi_1245_ = (_e1060 - _e138.origin);
+                                        phi_1264_ = (_e1078 - _e156.origin);
                                     }
-                                    let _e1076 = phi_1245_;
-                                    phi_1246_ = _e1076;
+                                    let _e1094 = phi_1264_;
+                                    phi_1265_ = _e1094;
                                 }
-                                let _e1078 = phi_1246_;
-                                let _e1082 = (_e1078.x - (_e389 * _e1078.z));
-                                let _e1086 = (_e1078.y - (_e392 * _e1078.z));
-                                if (_e1054 < _e1082) {
-                                    phi_1265_ = true;
+                                let _e1096 = phi_1265_;
+                                let _e1100 = (_e1096.x - (_e407 * _e1096.z));
+                                let _e1104 = (_e1096.y - (_e410 * _e1096.z));
+                                if (_e1072 < _e1100) {
+                                    phi_1284_ = true;
                                 } else {
-                                    if (_e1054 == _e1082) {
-                                        phi_1264_ = (_e1058 < _e1086);
+                                    if (_e1072 == _e1100) {
+                                        phi_1283_ = (_e1076 < _e1104);
                                     } else {
-                                        phi_1264_ = false;
+                                        phi_1283_ = false;
                                     }
-                                    let _e1091 = phi_1264_;
-                                    phi_1265_ = _e1091;
+                                    let _e1109 = phi_1283_;
+                                    phi_1284_ = _e1109;
                                 }
-                                let _e1093 = phi_1265_;
-                                if _e1093 {
-                                    phi_1269_ = _e1086;
-                                    phi_1270_ = _e1082;
-                                    phi_1271_ = _e1058;
-                                    phi_1272_ = _e1054;
+                                let _e1111 = phi_1284_;
+                                if _e1111 {
+                                    phi_1288_ = _e1104;
+                                    phi_1289_ = _e1100;
+                                    phi_1290_ = _e1076;
+                                    phi_1291_ = _e1072;
                                 } else {
-                                    phi_1269_ = _e1058;
-                                    phi_1270_ = _e1054;
-                                    phi_1271_ = _e1086;
-                                    phi_1272_ = _e1082;
+                                    phi_1288_ = _e1076;
+                                    phi_1289_ = _e1072;
+                                    phi_1290_ = _e1104;
+                                    phi_1291_ = _e1100;
                                 }
-                                let _e1095 = phi_1269_;
-                                let _e1097 = phi_1270_;
-                                let _e1099 = phi_1271_;
-                                let _e1101 = phi_1272_;
-                                let _e1104 = ((_e1101 * _e1095) - (_e1099 * _e1097));
-                                if _e1093 {
-                                    phi_1280_ = -(_e1104);
+                                let _e1113 = phi_1288_;
+                                let _e1115 = phi_1289_;
+                                let _e1117 = phi_1290_;
+                                let _e1119 = phi_1291_;
+                                let _e1122 = ((_e1119 * _e1113) - (_e1117 * _e1115));
+                                if _e1111 {
+                                    phi_1299_ = -(_e1122);
                                 } else {
-                                    phi_1280_ = _e1104;
+                                    phi_1299_ = _e1122;
                                 }
-                                let _e1107 = phi_1280_;
-                                if (_e1082 < _e1026) {
-                                    phi_1291_ = true;
+                                let _e1125 = phi_1299_;
+                                if (_e1100 < _e1044) {
+                                    phi_1310_ = true;
                                 } else {
-                                    if (_e1082 == _e1026) {
-                                        phi_1290_ = (_e1086 < _e1030);
+                                    if (_e1100 == _e1044) {
+                                        phi_1309_ = (_e1104 < _e1048);
                                     } else {
-                                        phi_1290_ = false;
+                                        phi_1309_ = false;
                                     }
-                                    let _e1112 = phi_1290_;
-                                    phi_1291_ = _e1112;
+                                    let _e1130 = phi_1309_;
+                                    phi_1310_ = _e1130;
                                 }
-                                let _e1114 = phi_1291_;
-                                if _e1114 {
-                                    phi_1295_ = _e1030;
-                                    phi_1296_ = _e1026;
-                                    phi_1297_ = _e1086;
-                                    phi_1298_ = _e1082;
+                                let _e1132 = phi_1310_;
+                                if _e1132 {
+                                    phi_1314_ = _e1048;
+                                    phi_1315_ = _e1044;
+                                    phi_1316_ = _e1104;
+                                    phi_1317_ = _e1100;
                                 } else {
-                                    phi_1295_ = _e1086;
-                                    phi_1296_ = _e1082;
-                                    phi_1297_ = _e1030;
-                                    phi_1298_ = _e1026;
+                                    phi_1314_ = _e1104;
+                                    phi_1315_ = _e1100;
+                                    phi_1316_ = _e1048;
+                                    phi_1317_ = _e1044;
                                 }
-                                let _e1116 = phi_1295_;
-                                let _e1118 = phi_1296_;
-                                let _e1120 = phi_1297_;
-                                let _e1122 = phi_1298_;
-                                let _e1125 = ((_e1122 * _e1116) - (_e1120 * _e1118));
-                                if _e1114 {
-                                    phi_1306_ = -(_e1125);
+                                let _e1134 = phi_1314_;
+                                let _e1136 = phi_1315_;
+                                let _e1138 = phi_1316_;
+                                let _e1140 = phi_1317_;
+                                let _e1143 = ((_e1140 * _e1134) - (_e1138 * _e1136));
+                                if _e1132 {
+                                    phi_1325_ = -(_e1143);
                                 } else {
-                                    phi_1306_ = _e1125;
+                                    phi_1325_ = _e1143;
                                 }
-                                let _e1128 = phi_1306_;
-                                if (_e1026 < _e1054) {
-                                    phi_1317_ = true;
+                                let _e1146 = phi_1325_;
+                                if (_e1044 < _e1072) {
+                                    phi_1336_ = true;
                                 } else {
-                                    if (_e1026 == _e1054) {
-                                        phi_1316_ = (_e1030 < _e1058);
+                                    if (_e1044 == _e1072) {
+                                        phi_1335_ = (_e1048 < _e1076);
                                     } else {
-                                        phi_1316_ = false;
+                                        phi_1335_ = false;
                                     }
-                                    let _e1133 = phi_1316_;
-                                    phi_1317_ = _e1133;
+                                    let _e1151 = phi_1335_;
+                                    phi_1336_ = _e1151;
                                 }
-                                let _e1135 = phi_1317_;
-                                if _e1135 {
-                                    phi_1321_ = _e1058;
-                                    phi_1322_ = _e1054;
-                                    phi_1323_ = _e1030;
-                                    phi_1324_ = _e1026;
+                                let _e1153 = phi_1336_;
+                                if _e1153 {
+                                    phi_1340_ = _e1076;
+                                    phi_1341_ = _e1072;
+                                    phi_1342_ = _e1048;
+                                    phi_1343_ = _e1044;
                                 } else {
-                                    phi_1321_ = _e1030;
-                                    phi_1322_ = _e1026;
-                                    phi_1323_ = _e1058;
-                                    phi_1324_ = _e1054;
+                                    phi_1340_ = _e1048;
+                                    phi_1341_ = _e1044;
+                                    phi_1342_ = _e1076;
+                                    phi_1343_ = _e1072;
                                 }
-                                let _e1137 = phi_1321_;
-                                let _e1139 = phi_1322_;
-                                let _e1141 = phi_1323_;
-                                let _e1143 = phi_1324_;
-                                let _e1146 = ((_e1143 * _e1137) - (_e1141 * _e1139));
-                                if _e1135 {
-                                    phi_1332_ = -(_e1146);
+                                let _e1155 = phi_1340_;
+                                let _e1157 = phi_1341_;
+                                let _e1159 = phi_1342_;
+                                let _e1161 = phi_1343_;
+                                let _e1164 = ((_e1161 * _e1155) - (_e1159 * _e1157));
+                                if _e1153 {
+                                    phi_1351_ = -(_e1164);
                                 } else {
-                                    phi_1332_ = _e1146;
+                                    phi_1351_ = _e1164;
                                 }
-                                let _e1149 = phi_1332_;
-                                if (_e1107 >= 0f) {
-                                    if (_e1128 >= 0f) {
-                                        if (_e1149 >= 0f) {
-                                            phi_1347_ = ((_e1107 + _e1128) + _e1149);
-                                            phi_1348_ = false;
+                                let _e1167 = phi_1351_;
+                                if (_e1125 >= 0f) {
+                                    if (_e1146 >= 0f) {
+                                        if (_e1167 >= 0f) {
+                                            phi_1366_ = ((_e1125 + _e1146) + _e1167);
+                                            phi_1367_ = false;
                                         } else {
-                                            phi_1347_ = f32();
-                                            phi_1348_ = true;
+                                            phi_1366_ = f32();
+                                            phi_1367_ = true;
                                         }
-                                        let _e1156 = phi_1347_;
-                                        let _e1158 = phi_1348_;
-                                        phi_1349_ = _e1156;
-                                        phi_1350_ = _e1158;
+                                        let _e1174 = phi_1366_;
+                                        let _e1176 = phi_1367_;
+                                        phi_1368_ = _e1174;
+                                        phi_1369_ = _e1176;
                                     } else {
-                                        phi_1349_ = f32();
-                                        phi_1350_ = true;
+                                        phi_1368_ = f32();
+                                        phi_1369_ = true;
                                     }
-                                    let _e1160 = phi_1349_;
-                                    let _e1162 = phi_1350_;
-                                    phi_1351_ = _e1160;
-                                    phi_1352_ = _e1162;
+                                    let _e1178 = phi_1368_;
+                                    let _e1180 = phi_1369_;
+                                    phi_1370_ = _e1178;
+                                    phi_1371_ = _e1180;
                                 } else {
-                                    phi_1351_ = f32();
-                                    phi_1352_ = true;
+                                    phi_1370_ = f32();
+                                    phi_1371_ = true;
                                 }
-                                let _e1164 = phi_1351_;
-                                let _e1166 = phi_1352_;
-                                if _e1166 {
-                                    if (_e1107 <= 0f) {
-                                        if (_e1128 <= 0f) {
-                                            let _e1169 = (_e1149 <= 0f);
-                                            if _e1169 {
+                                let _e1182 = phi_1370_;
+                                let _e1184 = phi_1371_;
+                                if _e1184 {
+                                    if (_e1125 <= 0f) {
+                                        if (_e1146 <= 0f) {
+                                            let _e1187 = (_e1167 <= 0f);
+                                            if _e1187 {
                                             }
-                                            phi_1370_ = ((_e1107 + _e1128) + _e1149);
-                                            phi_1371_ = false;
-                                            phi_1372_ = _e1169;
+                                            phi_1389_ = ((_e1125 + _e1146) + _e1167);
+                                            phi_1390_ = false;
+                                            phi_1391_ = _e1187;
                                         } else {
-                                            phi_1370_ = f32();
-                                            phi_1371_ = true;
-                                            phi_1372_ = false;
+                                            phi_1389_ = f32();
+                                            phi_1390_ = true;
+                                            phi_1391_ = false;
                                         }
-                                        let _e1173 = phi_1370_;
-                                        let _e1175 = phi_1371_;
-                                        let _e1177 = phi_1372_;
-                                        phi_1373_ = _e1173;
-                                        phi_1374_ = _e1175;
-                                        phi_1375_ = _e1177;
+                                        let _e1191 = phi_1389_;
+                                        let _e1193 = phi_1390_;
+                                        let _e1195 = phi_1391_;
+                                        phi_1392_ = _e1191;
+                                        phi_1393_ = _e1193;
+                                        phi_1394_ = _e1195;
                                     } else {
-                                        phi_1373_ = f32();
-                                        phi_1374_ = true;
-                                        phi_1375_ = false;
+                                        phi_1392_ = f32();
+                                        phi_1393_ = true;
+                                        phi_1394_ = false;
                                     }
-                                    let _e1179 = phi_1373_;
-                                    let _e1181 = phi_1374_;
-                                    let _e1183 = phi_1375_;
-                                    if _e1181 {
-                                        phi_1379_ = false;
+                                    let _e1197 = phi_1392_;
+                                    let _e1199 = phi_1393_;
+                                    let _e1201 = phi_1394_;
+                                    if _e1199 {
+                                        phi_1398_ = false;
                                     } else {
-                                        phi_1379_ = _e1183;
+                                        phi_1398_ = _e1201;
                                     }
-                                    let _e1185 = phi_1379_;
-                                    phi_1380_ = _e1179;
-                                    phi_1381_ = _e1185;
+                                    let _e1203 = phi_1398_;
+                                    phi_1399_ = _e1197;
+                                    phi_1400_ = _e1203;
                                 } else {
-                                    phi_1380_ = _e1164;
-                                    phi_1381_ = true;
+                                    phi_1399_ = _e1182;
+                                    phi_1400_ = true;
                                 }
-                                let _e1187 = phi_1380_;
-                                let _e1189 = phi_1381_;
-                                if _e1189 {
-                                    let _e1190 = (_e1187 == 0f);
-                                    if _e1190 {
-                                        phi_1707_ = lt_bvh_triangle_Intersection();
-                                        phi_1708_ = false;
+                                let _e1205 = phi_1399_;
+                                let _e1207 = phi_1400_;
+                                if _e1207 {
+                                    let _e1208 = (_e1205 == 0f);
+                                    if _e1208 {
+                                        phi_1726_ = lt_bvh_triangle_Intersection();
+                                        phi_1727_ = false;
                                     } else {
-                                        let _e1192 = triangles.member[(0u + _e997)].v0_;
-                                        let _e1195 = (_e1192.x - _e138.origin.x);
-                                        let _e1198 = (_e1192.y - _e138.origin.y);
-                                        let _e1201 = (_e1192.z - _e138.origin.z);
-                                        if (_e372 == 0u) {
-                                            phi_1412_ = vec3<f32>(_e1198, _e1201, _e1195);
+                                        let _e1210 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1213 = (_e1210.x - _e156.origin.x);
+                                        let _e1216 = (_e1210.y - _e156.origin.y);
+                                        let _e1219 = (_e1210.z - _e156.origin.z);
+                                        if (_e390 == 0u) {
+                                            phi_1431_ = vec3<f32>(_e1216, _e1219, _e1213);
                                         } else {
-                                            if (_e372 == 1u) {
-                                                phi_1411_ = vec3<f32>(_e1201, _e1195, _e1198);
+                                            if (_e390 == 1u) {
+                                                phi_1430_ = vec3<f32>(_e1219, _e1213, _e1216);
                                             } else {
-                                                phi_1411_ = (_e1192 - _e138.origin);
+                                                phi_1430_ = (_e1210 - _e156.origin);
                                             }
-                                            let _e1208 = phi_1411_;
-                                            phi_1412_ = _e1208;
+                                            let _e1226 = phi_1430_;
+                                            phi_1431_ = _e1226;
                                         }
-                                        let _e1210 = phi_1412_;
-                                        let _e1212 = triangles.member[(0u + _e997)].v1_;
-                                        let _e1214 = triangles.member[(0u + _e997)].v0_;
-                                        let _e1217 = (_e1212.x - _e1214.x);
-                                        let _e1220 = (_e1212.y - _e1214.y);
-                                        let _e1223 = (_e1212.z - _e1214.z);
-                                        if (_e372 == 0u) {
-                                            phi_1438_ = vec3<f32>(_e1220, _e1223, _e1217);
+                                        let _e1228 = phi_1431_;
+                                        let _e1230 = triangles.member[(0u + _e1015)].v1_;
+                                        let _e1232 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1235 = (_e1230.x - _e1232.x);
+                                        let _e1238 = (_e1230.y - _e1232.y);
+                                        let _e1241 = (_e1230.z - _e1232.z);
+                                        if (_e390 == 0u) {
+                                            phi_1457_ = vec3<f32>(_e1238, _e1241, _e1235);
                                         } else {
-                                            if (_e372 == 1u) {
-                                                phi_1437_ = vec3<f32>(_e1223, _e1217, _e1220);
+                                            if (_e390 == 1u) {
+                                                phi_1456_ = vec3<f32>(_e1241, _e1235, _e1238);
                                             } else {
-                                                phi_1437_ = (_e1212 - _e1214);
+                                                phi_1456_ = (_e1230 - _e1232);
                                             }
-                                            let _e1230 = phi_1437_;
-                                            phi_1438_ = _e1230;
+                                            let _e1248 = phi_1456_;
+                                            phi_1457_ = _e1248;
                                         }
-                                        let _e1232 = phi_1438_;
-                                        let _e1234 = triangles.member[(0u + _e997)].v2_;
-                                        let _e1236 = triangles.member[(0u + _e997)].v0_;
-                                        let _e1239 = (_e1234.x - _e1236.x);
-                                        let _e1242 = (_e1234.y - _e1236.y);
-                                        let _e1245 = (_e1234.z - _e1236.z);
-                                        if (_e372 == 0u) {
-                                            phi_1464_ = vec3<f32>(_e1242, _e1245, _e1239);
+                                        let _e1250 = phi_1457_;
+                                        let _e1252 = triangles.member[(0u + _e1015)].v2_;
+                                        let _e1254 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1257 = (_e1252.x - _e1254.x);
+                                        let _e1260 = (_e1252.y - _e1254.y);
+                                        let _e1263 = (_e1252.z - _e1254.z);
+                                        if (_e390 == 0u) {
+                                            phi_1483_ = vec3<f32>(_e1260, _e1263, _e1257);
                                         } else {
-                                            if (_e372 == 1u) {
-                                                phi_1463_ = vec3<f32>(_e1245, _e1239, _e1242);
+                                            if (_e390 == 1u) {
+                                                phi_1482_ = vec3<f32>(_e1263, _e1257, _e1260);
                                             } else {
-                                                phi_1463_ = (_e1234 - _e1236);
+                                                phi_1482_ = (_e1252 - _e1254);
                                             }
-                                            let _e1252 = phi_1463_;
-                                            phi_1464_ = _e1252;
+                                            let _e1270 = phi_1482_;
+                                            phi_1483_ = _e1270;
                                         }
-                                        let _e1254 = phi_1464_;
-                                        let _e1261 = ((_e1232.y * _e1254.z) - (_e1232.z * _e1254.y));
-                                        let _e1268 = ((_e1232.z * _e1254.x) - (_e1232.x * _e1254.z));
-                                        let _e1275 = ((_e1232.x * _e1254.y) - (_e1232.y * _e1254.x));
-                                        let _e1289 = (((1f / _e386.z) * (((_e1261 * _e1210.x) + (_e1268 * _e1210.y)) + (_e1275 * _e1210.z))) / (((_e1261 * _e389) + (_e1268 * _e392)) + _e1275));
-                                        if (_e1289 > _e138.tmin) {
-                                            if (_e1289 < _e138.tmax) {
-                                                let _e1295 = triangles.member[(0u + _e997)].v0_;
-                                                let _e1297 = triangles.member[(0u + _e997)].v1_;
-                                                if (_e1295.x < _e1297.x) {
-                                                    phi_1522_ = _e1295.x;
+                                        let _e1272 = phi_1483_;
+                                        let _e1279 = ((_e1250.y * _e1272.z) - (_e1250.z * _e1272.y));
+                                        let _e1286 = ((_e1250.z * _e1272.x) - (_e1250.x * _e1272.z));
+                                        let _e1293 = ((_e1250.x * _e1272.y) - (_e1250.y * _e1272.x));
+                                        let _e1307 = (((1f / _e404.z) * (((_e1279 * _e1228.x) + (_e1286 * _e1228.y)) + (_e1293 * _e1228.z))) / (((_e1279 * _e407) + (_e1286 * _e410)) + _e1293));
+                                        if (_e1307 > _e156.tmin) {
+                                            if (_e1307 < _e156.tmax) {
+                                                let _e1313 = triangles.member[(0u + _e1015)].v0_;
+                                                let _e1315 = triangles.member[(0u + _e1015)].v1_;
+                                                if (_e1313.x < _e1315.x) {
+                                                    phi_1541_ = _e1313.x;
                                                 } else {
-                                                    phi_1522_ = _e1297.x;
+                                                    phi_1541_ = _e1315.x;
                                                 }
-                                                let _e1304 = phi_1522_;
-                                                if (_e1295.y < _e1297.y) {
-                                                    phi_1531_ = _e1295.y;
+                                                let _e1322 = phi_1541_;
+                                                if (_e1313.y < _e1315.y) {
+                                                    phi_1550_ = _e1313.y;
                                                 } else {
-                                                    phi_1531_ = _e1297.y;
+                                                    phi_1550_ = _e1315.y;
                                                 }
-                                                let _e1311 = phi_1531_;
-                                                if (_e1295.z < _e1297.z) {
-                                                    phi_1540_ = _e1295.z;
+                                                let _e1329 = phi_1550_;
+                                                if (_e1313.z < _e1315.z) {
+                                                    phi_1559_ = _e1313.z;
                                                 } else {
-                                                    phi_1540_ = _e1297.z;
+                                                    phi_1559_ = _e1315.z;
                                                 }
-                                                let _e1318 = phi_1540_;
-                                                let _e1320 = triangles.member[(0u + _e997)].v2_;
-                                                if (_e1304 < _e1320.x) {
-                                                    phi_1549_ = _e1304;
+                                                let _e1336 = phi_1559_;
+                                                let _e1338 = triangles.member[(0u + _e1015)].v2_;
+                                                if (_e1322 < _e1338.x) {
+                                                    phi_1568_ = _e1322;
                                                 } else {
-                                                    phi_1549_ = _e1320.x;
+                                                    phi_1568_ = _e1338.x;
                                                 }
-                                                let _e1325 = phi_1549_;
-                                                if (_e1311 < _e1320.y) {
-                                                    phi_1556_ = _e1311;
+                                                let _e1343 = phi_1568_;
+                                                if (_e1329 < _e1338.y) {
+                                                    phi_1575_ = _e1329;
                                                 } else {
-                                                    phi_1556_ = _e1320.y;
+                                                    phi_1575_ = _e1338.y;
                                                 }
-                                                let _e1330 = phi_1556_;
-                                                if (_e1318 < _e1320.z) {
-                                                    phi_1563_ = _e1318;
+                                                let _e1348 = phi_1575_;
+                                                if (_e1336 < _e1338.z) {
+                                                    phi_1582_ = _e1336;
                                                 } else {
-                                                    phi_1563_ = _e1320.z;
+                                                    phi_1582_ = _e1338.z;
                                                 }
-                                                let _e1335 = phi_1563_;
-                                                let _e1337 = triangles.member[(0u + _e997)].v0_;
-                                                let _e1339 = triangles.member[(0u + _e997)].v1_;
-                                                if (_e1337.x > _e1339.x) {
-                                                    phi_1576_ = _e1337.x;
+                                                let _e1353 = phi_1582_;
+                                                let _e1355 = triangles.member[(0u + _e1015)].v0_;
+                                                let _e1357 = triangles.member[(0u + _e1015)].v1_;
+                                                if (_e1355.x > _e1357.x) {
+                                                    phi_1595_ = _e1355.x;
                                                 } else {
-                                                    phi_1576_ = _e1339.x;
+                                                    phi_1595_ = _e1357.x;
                                                 }
-                                                let _e1346 = phi_1576_;
-                                                if (_e1337.y > _e1339.y) {
-                                                    phi_1585_ = _e1337.y;
+                                                let _e1364 = phi_1595_;
+                                                if (_e1355.y > _e1357.y) {
+                                                    phi_1604_ = _e1355.y;
                                                 } else {
-                                                    phi_1585_ = _e1339.y;
+                                                    phi_1604_ = _e1357.y;
                                                 }
-                                                let _e1353 = phi_1585_;
-                                                if (_e1337.z > _e1339.z) {
-                                                    phi_1594_ = _e1337.z;
+                                                let _e1371 = phi_1604_;
+                                                if (_e1355.z > _e1357.z) {
+                                                    phi_1613_ = _e1355.z;
                                                 } else {
-                                                    phi_1594_ = _e1339.z;
+                                                    phi_1613_ = _e1357.z;
                                                 }
-                                                let _e1360 = phi_1594_;
-                                                let _e1362 = triangles.member[(0u + _e997)].v2_;
-                                                if (_e1346 > _e1362.x) {
-                                                    phi_1603_ = _e1346;
+                                                let _e1378 = phi_1613_;
+                                                let _e1380 = triangles.member[(0u + _e1015)].v2_;
+                                                if (_e1364 > _e1380.x) {
+                                                    phi_1622_ = _e1364;
                                                 } else {
-                                                    phi_1603_ = _e1362.x;
+                                                    phi_1622_ = _e1380.x;
                                                 }
-                                                let _e1367 = phi_1603_;
-                                                if (_e1353 > _e1362.y) {
-                                                    phi_1610_ = _e1353;
+                                                let _e1385 = phi_1622_;
+                                                if (_e1371 > _e1380.y) {
+                                                    phi_1629_ = _e1371;
                                                 } else {
-                                                    phi_1610_ = _e1362.y;
+                                                    phi_1629_ = _e1380.y;
                                                 }
-                                                let _e1372 = phi_1610_;
-                                                if (_e1360 > _e1362.z) {
-                                                    phi_1617_ = _e1360;
+                                                let _e1390 = phi_1629_;
+                                                if (_e1378 > _e1380.z) {
+                                                    phi_1636_ = _e1378;
                                                 } else {
-                                                    phi_1617_ = _e1362.z;
+                                                    phi_1636_ = _e1380.z;
                                                 }
-                                                let _e1377 = phi_1617_;
-                                                let _e1384 = ((_e1325 - _e138.origin.x) * _e284);
-                                                let _e1385 = ((_e1330 - _e138.origin.y) * _e295);
-                                                let _e1386 = ((_e1335 - _e138.origin.z) * _e306);
-                                                let _e1393 = ((_e1367 - _e138.origin.x) * _e284);
-                                                let _e1394 = ((_e1372 - _e138.origin.y) * _e295);
-                                                let _e1395 = ((_e1377 - _e138.origin.z) * _e306);
-                                                if (_e1384 < _e1393) {
-                                                    phi_1640_ = _e1384;
+                                                let _e1395 = phi_1636_;
+                                                let _e1402 = ((_e1343 - _e156.origin.x) * _e302);
+                                                let _e1403 = ((_e1348 - _e156.origin.y) * _e313);
+                                                let _e1404 = ((_e1353 - _e156.origin.z) * _e324);
+                                                let _e1411 = ((_e1385 - _e156.origin.x) * _e302);
+                                                let _e1412 = ((_e1390 - _e156.origin.y) * _e313);
+                                                let _e1413 = ((_e1395 - _e156.origin.z) * _e324);
+                                                if (_e1402 < _e1411) {
+                                                    phi_1659_ = _e1402;
                                                 } else {
-                                                    phi_1640_ = _e1393;
+                                                    phi_1659_ = _e1411;
                                                 }
-                                                let _e1398 = phi_1640_;
-                                                if (_e1385 < _e1394) {
-                                                    phi_1645_ = _e1385;
+                                                let _e1416 = phi_1659_;
+                                                if (_e1403 < _e1412) {
+                                                    phi_1664_ = _e1403;
                                                 } else {
-                                                    phi_1645_ = _e1394;
+                                                    phi_1664_ = _e1412;
                                                 }
-                                                let _e1401 = phi_1645_;
-                                                if (_e1386 < _e1395) {
-                                                    phi_1650_ = _e1386;
+                                                let _e1419 = phi_1664_;
+                                                if (_e1404 < _e1413) {
+                                                    phi_1669_ = _e1404;
                                                 } else {
-                                                    phi_1650_ = _e1395;
+                                                    phi_1669_ = _e1413;
                                                 }
-                                                let _e1404 = phi_1650_;
-                                                if (_e1384 > _e1393) {
-                                                    phi_1658_ = _e1384;
+                                                let _e1422 = phi_1669_;
+                                                if (_e1402 > _e1411) {
+                                                    phi_1677_ = _e1402;
                                                 } else {
-                                                    phi_1658_ = _e1393;
+                                                    phi_1677_ = _e1411;
                                                 }
-                                                let _e1410 = phi_1658_;
-                                                if (_e1385 > _e1394) {
-                                                    phi_1663_ = _e1385;
+                                                let _e1428 = phi_1677_;
+                                                if (_e1403 > _e1412) {
+                                                    phi_1682_ = _e1403;
                                                 } else {
-                                                    phi_1663_ = _e1394;
+                                                    phi_1682_ = _e1412;
                                                 }
-                                                let _e1413 = phi_1663_;
-                                                if (_e1386 > _e1395) {
-                                                    phi_1668_ = _e1386;
+                                                let _e1431 = phi_1682_;
+                                                if (_e1404 > _e1413) {
+                                                    phi_1687_ = _e1404;
                                                 } else {
-                                                    phi_1668_ = _e1395;
+                                                    phi_1687_ = _e1413;
                                                 }
-                                                let _e1416 = phi_1668_;
-                                                let _e1420 = core_intrinsics_maximum_number_nsz_f32_((_e1398 - _e351), (_e1401 - _e352));
-                                                let _e1421 = core_intrinsics_maximum_number_nsz_f32_(_e1420, (_e1404 - _e353));
-                                                let _e1422 = core_intrinsics_minimum_number_nsz_f32_((_e1410 + _e351), (_e1413 + _e352));
-                                                let _e1423 = core_intrinsics_minimum_number_nsz_f32_(_e1422, (_e1416 + _e353));
-                                                if (_e1421 > -300000000000000000000000000000000000000f) {
-                                                    phi_1680_ = _e1421;
+                                                let _e1434 = phi_1687_;
+                                                let _e1438 = core_intrinsics_maximum_number_nsz_f32_((_e1416 - _e369), (_e1419 - _e370));
+                                                let _e1439 = core_intrinsics_maximum_number_nsz_f32_(_e1438, (_e1422 - _e371));
+                                                let _e1440 = core_intrinsics_minimum_number_nsz_f32_((_e1428 + _e369), (_e1431 + _e370));
+                                                let _e1441 = core_intrinsics_minimum_number_nsz_f32_(_e1440, (_e1434 + _e371));
+                                                if (_e1439 > -300000000000000000000000000000000000000f) {
+                                                    phi_1699_ = _e1439;
                                                 } else {
-                                                    phi_1680_ = -300000000000000000000000000000000000000f;
+                                                    phi_1699_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1426 = phi_1680_;
-                                                if (_e1423 < 300000000000000000000000000000000000000f) {
-                                                    phi_1685_ = _e1423;
+                                                let _e1444 = phi_1699_;
+                                                if (_e1441 < 300000000000000000000000000000000000000f) {
+                                                    phi_1704_ = _e1441;
                                                 } else {
-                                                    phi_1685_ = 300000000000000000000000000000000000000f;
+                                                    phi_1704_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1429 = phi_1685_;
-                                                if (_e1289 < _e1426) {
-                                                    phi_1690_ = _e1426;
+                                                let _e1447 = phi_1704_;
+                                                if (_e1307 < _e1444) {
+                                                    phi_1709_ = _e1444;
                                                 } else {
-                                                    phi_1690_ = _e1289;
+                                                    phi_1709_ = _e1307;
                                                 }
-                                                let _e1432 = phi_1690_;
-                                                if (_e1432 > _e1429) {
-                                                    phi_1695_ = _e1429;
+                                                let _e1450 = phi_1709_;
+                                                if (_e1450 > _e1447) {
+                                                    phi_1714_ = _e1447;
                                                 } else {
-                                                    phi_1695_ = _e1432;
+                                                    phi_1714_ = _e1450;
                                                 }
-                                                let _e1435 = phi_1695_;
-                                                phi_1700_ = lt_bvh_triangle_Intersection(_e1435, (_e1128 / _e1187), (_e1149 / _e1187), (_e1426 <= _e1429));
-                                                phi_1701_ = false;
+                                                let _e1453 = phi_1714_;
+                                                phi_1719_ = lt_bvh_triangle_Intersection(_e1453, (_e1146 / _e1205), (_e1167 / _e1205), (_e1444 <= _e1447));
+                                                phi_1720_ = false;
                                             } else {
-                                                phi_1700_ = lt_bvh_triangle_Intersection();
-                                                phi_1701_ = true;
+                                                phi_1719_ = lt_bvh_triangle_Intersection();
+                                                phi_1720_ = true;
                                             }
-                                            let _e1441 = phi_1700_;
-                                            let _e1443 = phi_1701_;
-                                            phi_1702_ = _e1441;
-                                            phi_1703_ = _e1443;
+                                            let _e1459 = phi_1719_;
+                                            let _e1461 = phi_1720_;
+                                            phi_1721_ = _e1459;
+                                            phi_1722_ = _e1461;
                                         } else {
-                                            phi_1702_ = lt_bvh_triangle_Intersection();
-                                            phi_1703_ = true;
+                                            phi_1721_ = lt_bvh_triangle_Intersection();
+                                            phi_1722_ = true;
                                         }
-                                        let _e1445 = phi_1702_;
-                                        let _e1447 = phi_1703_;
-                                        if _e1447 {
+                                        let _e1463 = phi_1721_;
+                                        let _e1465 = phi_1722_;
+                                        if _e1465 {
                                         }
-                                        phi_1707_ = _e1445;
-                                        phi_1708_ = _e1447;
+                                        phi_1726_ = _e1463;
+                                        phi_1727_ = _e1465;
                                     }
-                                    let _e1449 = phi_1707_;
-                                    let _e1451 = phi_1708_;
-                                    phi_1709_ = _e1449;
-                                    phi_1710_ = _e1190;
-                                    phi_1711_ = _e1451;
+                                    let _e1467 = phi_1726_;
+                                    let _e1469 = phi_1727_;
+                                    phi_1728_ = _e1467;
+                                    phi_1729_ = _e1208;
+                                    phi_1730_ = _e1469;
                                 } else {
-                                    phi_1709_ = lt_bvh_triangle_Intersection();
-                                    phi_1710_ = true;
-                                    phi_1711_ = false;
+                                    phi_1728_ = lt_bvh_triangle_Intersection();
+                                    phi_1729_ = true;
+                                    phi_1730_ = false;
                                 }
-                                let _e1453 = phi_1709_;
-                                let _e1455 = phi_1710_;
-                                let _e1457 = phi_1711_;
-                                if _e1455 {
-                                    phi_1715_ = true;
+                                let _e1471 = phi_1728_;
+                                let _e1473 = phi_1729_;
+                                let _e1475 = phi_1730_;
+                                if _e1473 {
+                                    phi_1734_ = true;
                                 } else {
-                                    phi_1715_ = _e1457;
+                                    phi_1734_ = _e1475;
                                 }
-                                let _e1459 = phi_1715_;
-                                if _e1459 {
-                                    phi_1719_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1477 = phi_1734_;
+                                if _e1477 {
+                                    phi_1738_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1719_ = _e1453;
+                                    phi_1738_ = _e1471;
                                 }
-                                let _e1461 = phi_1719_;
-                                if _e1461.is_hit {
-                                    if (_e1461.t > _e138.tmin) {
-                                        if (_e1461.t < _e986.t) {
-                                            phi_1768_ = true;
+                                let _e1479 = phi_1738_;
+                                if _e1479.is_hit {
+                                    if (_e1479.t > _e156.tmin) {
+                                        if (_e1479.t < _e1004.t) {
+                                            phi_1787_ = true;
                                         } else {
-                                            if (_e1461.t == _e986.t) {
-                                                if (_e986.triangle != 4294967295u) {
-                                                    if (_e997 < _e986.triangle) {
-                                                        phi_1759_ = true;
+                                            if (_e1479.t == _e1004.t) {
+                                                if (_e1004.triangle != 4294967295u) {
+                                                    if (_e1015 < _e1004.triangle) {
+                                                        phi_1778_ = true;
                                                     } else {
-                                                        if (_e997 == _e986.triangle) {
-                                                            phi_1758_ = (4294967295u < _e986.instance);
+                                                        if (_e1015 == _e1004.triangle) {
+                                                            phi_1777_ = (4294967295u < _e1004.instance);
                                                         } else {
-                                                            phi_1758_ = false;
+                                                            phi_1777_ = false;
                                                         }
-                                                        let _e1480 = phi_1758_;
-                                                        phi_1759_ = _e1480;
+                                                        let _e1498 = phi_1777_;
+                                                        phi_1778_ = _e1498;
                                                     }
-                                                    let _e1482 = phi_1759_;
-                                                    phi_1760_ = _e1482;
-                                                    phi_1761_ = false;
+                                                    let _e1500 = phi_1778_;
+                                                    phi_1779_ = _e1500;
+                                                    phi_1780_ = false;
                                                 } else {
-                                                    phi_1760_ = bool();
-                                                    phi_1761_ = true;
+                                                    phi_1779_ = bool();
+                                                    phi_1780_ = true;
                                                 }
-                                                let _e1484 = phi_1760_;
-                                                let _e1486 = phi_1761_;
-                                                phi_1762_ = _e1484;
-                                                phi_1763_ = _e1486;
+                                                let _e1502 = phi_1779_;
+                                                let _e1504 = phi_1780_;
+                                                phi_1781_ = _e1502;
+                                                phi_1782_ = _e1504;
                                             } else {
-                                                phi_1762_ = bool();
-                                                phi_1763_ = true;
-                                            }
-                                            let _e1488 = phi_1762_;
-                                            let _e1490 = phi_1763_;
-                                            if _e1490 {
-                                                phi_1767_ = false;
-                                            } else {
-                                                phi_1767_ = _e1488;
-                                            }
-                                            let _e1492 = phi_1767_;
-                                            phi_1768_ = _e1492;
-                                        }
-                                        let _e1494 = phi_1768_;
-                                        if _e1494 {
-                                            let _e1496 = triangles.member[(0u + _e997)].i0_;
-                                            if ((_e1496 & 2147483648u) == 0u) {
+                                                phi_1781_ = bool();
                                                 phi_1782_ = true;
+                                            }
+                                            let _e1506 = phi_1781_;
+                                            let _e1508 = phi_1782_;
+                                            if _e1508 {
+                                                phi_1786_ = false;
+                                            } else {
+                                                phi_1786_ = _e1506;
+                                            }
+                                            let _e1510 = phi_1786_;
+                                            phi_1787_ = _e1510;
+                                        }
+                                        let _e1512 = phi_1787_;
+                                        if _e1512 {
+                                            let _e1514 = triangles.member[(0u + _e1015)].i0_;
+                                            if ((_e1514 & 2147483648u) == 0u) {
+                                                phi_1801_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_1782_ = true;
+                                                phi_1801_ = true;
                                             }
-                                            let _e1500 = phi_1782_;
-                                            if _e1500 {
-                                                phi_1790_ = lt_bvh_Hit(_e1461.t, _e1461.u, _e1461.v, _e997, 4294967295u);
+                                            let _e1518 = phi_1801_;
+                                            if _e1518 {
+                                                phi_1809_ = lt_bvh_Hit(_e1479.t, _e1479.u, _e1479.v, _e1015, 4294967295u);
                                             } else {
-                                                phi_1790_ = _e986;
+                                                phi_1809_ = _e1004;
                                             }
-                                            let _e1506 = phi_1790_;
-                                            phi_1791_ = _e1506;
+                                            let _e1524 = phi_1809_;
+                                            phi_1810_ = _e1524;
                                         } else {
-                                            phi_1791_ = _e986;
+                                            phi_1810_ = _e1004;
                                         }
-                                        let _e1508 = phi_1791_;
-                                        phi_1792_ = _e1508;
+                                        let _e1526 = phi_1810_;
+                                        phi_1811_ = _e1526;
                                     } else {
-                                        phi_1792_ = _e986;
+                                        phi_1811_ = _e1004;
                                     }
-                                    let _e1510 = phi_1792_;
-                                    phi_1793_ = _e1510;
+                                    let _e1528 = phi_1811_;
+                                    phi_1812_ = _e1528;
                                 } else {
-                                    phi_1793_ = _e986;
+                                    phi_1812_ = _e1004;
                                 }
-                                let _e1512 = phi_1793_;
-                                phi_1133_ = _e1512;
-                                phi_1136_ = (_e988 & (_e988 - 1u));
-                                phi_1794_ = true;
+                                let _e1530 = phi_1812_;
+                                phi_1152_ = _e1530;
+                                phi_1155_ = (_e1006 & (_e1006 - 1u));
+                                phi_1813_ = true;
                             }
-                            let _e1514 = phi_1133_;
-                            let _e1516 = phi_1136_;
-                            let _e1518 = phi_1794_;
+                            let _e1532 = phi_1152_;
+                            let _e1534 = phi_1155_;
+                            let _e1536 = phi_1813_;
                             continue;
                             continuing {
-                                phi_1132_ = _e1514;
-                                phi_1135_ = _e1516;
-                                break if !(_e1518);
+                                phi_1151_ = _e1532;
+                                phi_1154_ = _e1534;
+                                break if !(_e1536);
                             }
                         }
-                        let _e1521 = local.group_mask;
-                        if ((_e1521 & 4278190080u) == 0u) {
-                            let _e1525 = local.len;
-                            if (_e1525 == 0u) {
-                                phi_1833_ = false;
+                        let _e1539 = local.group_mask;
+                        if ((_e1539 & 4278190080u) == 0u) {
+                            let _e1543 = local.len;
+                            if (_e1543 == 0u) {
+                                phi_1852_ = false;
                             } else {
-                                let _e1529 = local.len;
-                                local.len = (_e1529 - 1u);
-                                let _e1532 = local.len;
-                                if (_e1532 < 32u) {
+                                let _e1547 = local.len;
+                                local.len = (_e1547 - 1u);
+                                let _e1550 = local.len;
+                                if (_e1550 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1537 = local.first[(0u + _e1532)];
-                                local.group = _e1537;
-                                let _e1540 = local.len;
-                                if (_e1540 < 32u) {
+                                let _e1555 = local.first[(0u + _e1550)];
+                                local.group = _e1555;
+                                let _e1558 = local.len;
+                                if (_e1558 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1545 = local.mask[(0u + _e1540)];
-                                local.group_mask = _e1545;
-                                phi_1833_ = true;
+                                let _e1563 = local.mask[(0u + _e1558)];
+                                local.group_mask = _e1563;
+                                phi_1852_ = true;
                             }
-                            let _e1548 = phi_1833_;
-                            phi_1834_ = _e1548;
+                            let _e1566 = phi_1852_;
+                            phi_1853_ = _e1566;
                         } else {
-                            phi_1834_ = true;
+                            phi_1853_ = true;
                         }
-                        let _e1550 = phi_1834_;
-                        if _e1550 {
-                            let _e1552 = local.group_mask;
-                            let _e1558 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1552)), 32u, (_e1552 == 0u)));
-                            let _e1562 = local.group_mask;
-                            let _e1576 = local.group_mask;
-                            local.group_mask = (_e1576 & ~((1u << bitcast<u32>((_e1558 & 31u)))));
-                            let _e1579 = local.group;
-                            phi_1865_ = (_e1579 + countOneBits(((_e1562 & ~((4294967295u << bitcast<u32>((((_e1558 - 24u) ^ _e405) & 31u))))) & 255u)));
+                        let _e1568 = phi_1853_;
+                        if _e1568 {
+                            let _e1570 = local.group_mask;
+                            let _e1576 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1570)), 32u, (_e1570 == 0u)));
+                            let _e1580 = local.group_mask;
+                            let _e1594 = local.group_mask;
+                            local.group_mask = (_e1594 & ~((1u << bitcast<u32>((_e1576 & 31u)))));
+                            let _e1597 = local.group;
+                            phi_1884_ = (_e1597 + countOneBits(((_e1580 & ~((4294967295u << bitcast<u32>((((_e1576 - 24u) ^ _e423) & 31u))))) & 255u)));
                         } else {
-                            phi_1865_ = 4294967295u;
+                            phi_1884_ = 4294967295u;
                         }
-                        let _e1582 = phi_1865_;
-                        let _e2280 = local_4;
-                        phi_796_ = _e2280;
-                        phi_799_ = _e1582;
+                        let _e1600 = phi_1884_;
+                        let _e2298 = local_4;
+                        phi_815_ = _e2298;
+                        phi_818_ = _e1600;
                     } else {
-                        phi_796_ = lt_bvh_Hit();
-                        phi_799_ = u32();
+                        phi_815_ = lt_bvh_Hit();
+                        phi_818_ = u32();
                     }
-                    let _e1584 = phi_796_;
-                    let _e1586 = phi_799_;
+                    let _e1602 = phi_815_;
+                    let _e1604 = phi_818_;
                     continue;
                     continuing {
-                        phi_795_ = _e1584;
-                        phi_798_ = _e1586;
-                        break if !(_e546);
+                        phi_814_ = _e1602;
+                        phi_817_ = _e1604;
+                        break if !(_e564);
                     }
                 }
-                let _e2284 = local_5;
-                phi_1866_ = _e2284;
+                let _e2302 = local_5;
+                phi_1885_ = _e2302;
             }
-            let _e1589 = phi_1866_;
-            phi_1867_ = _e1589;
-            phi_1868_ = _e202;
+            let _e1607 = phi_1885_;
+            phi_1886_ = _e1607;
+            phi_1887_ = _e220;
         } else {
-            phi_1867_ = lt_bvh_Hit();
-            phi_1868_ = true;
+            phi_1886_ = lt_bvh_Hit();
+            phi_1887_ = true;
         }
-        let _e1591 = phi_1867_;
-        let _e1593 = phi_1868_;
-        if _e1593 {
-            phi_1872_ = _e140;
+        let _e1609 = phi_1886_;
+        let _e1611 = phi_1887_;
+        if _e1611 {
+            phi_1891_ = _e158;
         } else {
-            phi_1872_ = _e1591;
+            phi_1891_ = _e1609;
         }
-        let _e1595 = phi_1872_;
-        if (_e1595.triangle != 4294967295u) {
-            let _e1601 = ((1f - _e1595.u) - _e1595.v);
-            if (_e1595.triangle < _e68) {
+        let _e1613 = phi_1891_;
+        if (_e1613.triangle != 4294967295u) {
+            let _e1619 = ((1f - _e1613.u) - _e1613.v);
+            if (_e1613.triangle < _e69) {
             } else {
                 return;
             }
-            let _e1607 = triangles.member[(0u + _e1595.triangle)];
-            let _e1632 = (((_e1607.v0_.x * _e1601) + (_e1607.v1_.x * _e1595.u)) + (_e1607.v2_.x * _e1595.v));
-            let _e1633 = (((_e1607.v0_.y * _e1601) + (_e1607.v1_.y * _e1595.u)) + (_e1607.v2_.y * _e1595.v));
-            let _e1634 = (((_e1607.v0_.z * _e1601) + (_e1607.v1_.z * _e1595.u)) + (_e1607.v2_.z * _e1595.v));
-            let _e1637 = abs(_e1607.v0_.x);
-            let _e1639 = abs(_e1607.v0_.y);
-            let _e1641 = abs(_e1607.v0_.z);
-            let _e1643 = abs(_e1607.v1_.x);
-            let _e1645 = abs(_e1607.v1_.y);
-            let _e1647 = abs(_e1607.v1_.z);
-            if (_e1637 > _e1643) {
-                phi_1937_ = _e1637;
+            let _e1625 = triangles.member[(0u + _e1613.triangle)];
+            let _e1650 = (((_e1625.v0_.x * _e1619) + (_e1625.v1_.x * _e1613.u)) + (_e1625.v2_.x * _e1613.v));
+            let _e1651 = (((_e1625.v0_.y * _e1619) + (_e1625.v1_.y * _e1613.u)) + (_e1625.v2_.y * _e1613.v));
+            let _e1652 = (((_e1625.v0_.z * _e1619) + (_e1625.v1_.z * _e1613.u)) + (_e1625.v2_.z * _e1613.v));
+            let _e1655 = abs(_e1625.v0_.x);
+            let _e1657 = abs(_e1625.v0_.y);
+            let _e1659 = abs(_e1625.v0_.z);
+            let _e1661 = abs(_e1625.v1_.x);
+            let _e1663 = abs(_e1625.v1_.y);
+            let _e1665 = abs(_e1625.v1_.z);
+            if (_e1655 > _e1661) {
+                phi_1956_ = _e1655;
             } else {
-                phi_1937_ = _e1643;
+                phi_1956_ = _e1661;
             }
-            let _e1650 = phi_1937_;
-            if (_e1639 > _e1645) {
-                phi_1942_ = _e1639;
+            let _e1668 = phi_1956_;
+            if (_e1657 > _e1663) {
+                phi_1961_ = _e1657;
             } else {
-                phi_1942_ = _e1645;
+                phi_1961_ = _e1663;
             }
-            let _e1653 = phi_1942_;
-            if (_e1641 > _e1647) {
-                phi_1947_ = _e1641;
+            let _e1671 = phi_1961_;
+            if (_e1659 > _e1665) {
+                phi_1966_ = _e1659;
             } else {
-                phi_1947_ = _e1647;
+                phi_1966_ = _e1665;
             }
-            let _e1656 = phi_1947_;
-            let _e1658 = abs(_e1607.v2_.x);
-            let _e1660 = abs(_e1607.v2_.y);
-            let _e1662 = abs(_e1607.v2_.z);
-            if (_e1650 > _e1658) {
-                phi_1958_ = _e1650;
+            let _e1674 = phi_1966_;
+            let _e1676 = abs(_e1625.v2_.x);
+            let _e1678 = abs(_e1625.v2_.y);
+            let _e1680 = abs(_e1625.v2_.z);
+            if (_e1668 > _e1676) {
+                phi_1977_ = _e1668;
             } else {
-                phi_1958_ = _e1658;
+                phi_1977_ = _e1676;
             }
-            let _e1665 = phi_1958_;
-            if (_e1653 > _e1660) {
-                phi_1963_ = _e1653;
+            let _e1683 = phi_1977_;
+            if (_e1671 > _e1678) {
+                phi_1982_ = _e1671;
             } else {
-                phi_1963_ = _e1660;
+                phi_1982_ = _e1678;
             }
-            let _e1668 = phi_1963_;
-            if (_e1656 > _e1662) {
-                phi_1968_ = _e1656;
+            let _e1686 = phi_1982_;
+            if (_e1674 > _e1680) {
+                phi_1987_ = _e1674;
             } else {
-                phi_1968_ = _e1662;
+                phi_1987_ = _e1680;
             }
-            let _e1671 = phi_1968_;
-            let _e1674 = (_e1607.v1_.x - _e1607.v0_.x);
-            let _e1677 = (_e1607.v1_.y - _e1607.v0_.y);
-            let _e1680 = (_e1607.v1_.z - _e1607.v0_.z);
-            let _e1683 = (_e1607.v2_.x - _e1607.v0_.x);
-            let _e1686 = (_e1607.v2_.y - _e1607.v0_.y);
-            let _e1689 = (_e1607.v2_.z - _e1607.v0_.z);
-            let _e1693 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1677), abs(_e1680));
-            let _e1694 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1674), _e1693);
-            let _e1695 = (_e1674 / _e1694);
-            let _e1696 = (_e1677 / _e1694);
-            let _e1697 = (_e1680 / _e1694);
-            let _e1701 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1686), abs(_e1689));
-            let _e1702 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1683), _e1701);
-            let _e1703 = (_e1683 / _e1702);
-            let _e1704 = (_e1686 / _e1702);
-            let _e1705 = (_e1689 / _e1702);
-            let _e1708 = ((_e1696 * _e1705) - (_e1704 * _e1697));
-            let _e1711 = ((_e1697 * _e1703) - (_e1705 * _e1695));
-            let _e1714 = ((_e1695 * _e1704) - (_e1703 * _e1696));
-            let _e1716 = p.member.eye;
-            let _e1729 = (1f / sqrt((((_e1708 * _e1708) + (_e1711 * _e1711)) + (_e1714 * _e1714))));
-            let _e1730 = (_e1708 * _e1729);
-            let _e1731 = (_e1711 * _e1729);
-            let _e1732 = (_e1714 * _e1729);
-            if ((((_e1730 * (_e1716.x - _e1632)) + (_e1731 * (_e1716.y - _e1633))) + (_e1732 * (_e1716.z - _e1634))) < 0f) {
-                phi_2044_ = vec3<f32>(-(_e1730), -(_e1731), -(_e1732));
+            let _e1689 = phi_1987_;
+            let _e1692 = (_e1625.v1_.x - _e1625.v0_.x);
+            let _e1695 = (_e1625.v1_.y - _e1625.v0_.y);
+            let _e1698 = (_e1625.v1_.z - _e1625.v0_.z);
+            let _e1701 = (_e1625.v2_.x - _e1625.v0_.x);
+            let _e1704 = (_e1625.v2_.y - _e1625.v0_.y);
+            let _e1707 = (_e1625.v2_.z - _e1625.v0_.z);
+            let _e1711 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1695), abs(_e1698));
+            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1692), _e1711);
+            let _e1713 = (_e1692 / _e1712);
+            let _e1714 = (_e1695 / _e1712);
+            let _e1715 = (_e1698 / _e1712);
+            let _e1719 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1704), abs(_e1707));
+            let _e1720 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1701), _e1719);
+            let _e1721 = (_e1701 / _e1720);
+            let _e1722 = (_e1704 / _e1720);
+            let _e1723 = (_e1707 / _e1720);
+            let _e1726 = ((_e1714 * _e1723) - (_e1722 * _e1715));
+            let _e1729 = ((_e1715 * _e1721) - (_e1723 * _e1713));
+            let _e1732 = ((_e1713 * _e1722) - (_e1721 * _e1714));
+            let _e1734 = p.member.eye;
+            let _e1747 = (1f / sqrt((((_e1726 * _e1726) + (_e1729 * _e1729)) + (_e1732 * _e1732))));
+            let _e1748 = (_e1726 * _e1747);
+            let _e1749 = (_e1729 * _e1747);
+            let _e1750 = (_e1732 * _e1747);
+            if ((((_e1748 * (_e1734.x - _e1650)) + (_e1749 * (_e1734.y - _e1651))) + (_e1750 * (_e1734.z - _e1652))) < 0f) {
+                phi_2063_ = vec3<f32>(-(_e1748), -(_e1749), -(_e1750));
             } else {
-                phi_2044_ = vec3<f32>(_e1730, _e1731, _e1732);
+                phi_2063_ = vec3<f32>(_e1748, _e1749, _e1750);
             }
-            let _e1745 = phi_2044_;
-            if (_e1595.triangle < _e68) {
+            let _e1763 = phi_2063_;
+            if (_e1613.triangle < _e69) {
             } else {
                 return;
             }
-            let _e1750 = triangles.member[(0u + _e1595.triangle)];
-            let _e1752 = (_e1750.i0_ & 2147483647u);
-            if (_e1752 < _e71) {
+            let _e1768 = triangles.member[(0u + _e1613.triangle)];
+            let _e1770 = (_e1768.i0_ & 2147483647u);
+            if (_e1770 < _e72) {
             } else {
                 return;
             }
-            let _e1758 = vertices.member[(0u + _e1752)];
-            if (_e1750.i1_ < _e71) {
+            let _e1776 = vertices.member[(0u + _e1770)];
+            if (_e1768.i1_ < _e72) {
             } else {
                 return;
             }
-            let _e1762 = vertices.member[(0u + _e1750.i1_)];
-            if (_e1750.i2_ < _e71) {
+            let _e1780 = vertices.member[(0u + _e1768.i1_)];
+            if (_e1768.i2_ < _e72) {
             } else {
                 return;
             }
-            let _e1766 = vertices.member[(0u + _e1750.i2_)];
-            let _e1767 = array<abi_Vertex, 3>(_e1758, _e1762, _e1766);
-            if (_e1767[0].material < arrayLength((&materials.member))) {
+            let _e1784 = vertices.member[(0u + _e1768.i2_)];
+            let _e1785 = array<abi_Vertex, 3>(_e1776, _e1780, _e1784);
+            if (_e1785[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1773 = materials.member[(0u + _e1767[0].material)];
-            let _e1790 = (1f / 255f);
-            let _e1809 = (1f / 255f);
-            let _e1831 = (1f / 255f);
-            let _e1844 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1601, _e1595.u, _e1595.v));
-            let _e1846 = ((_e1773.base_color.x * ((((f32((_e1767[0].color & 255u)) * _e1790) * _e1601) + ((f32((_e1767[1].color & 255u)) * _e1809) * _e1595.u)) + ((f32((_e1767[2].color & 255u)) * _e1831) * _e1595.v))) * _e1844.x);
-            let _e1848 = ((_e1773.base_color.y * ((((f32(((_e1767[0].color >> bitcast<u32>(8i)) & 255u)) * _e1790) * _e1601) + ((f32(((_e1767[1].color >> bitcast<u32>(8i)) & 255u)) * _e1809) * _e1595.u)) + ((f32(((_e1767[2].color >> bitcast<u32>(8i)) & 255u)) * _e1831) * _e1595.v))) * _e1844.y);
-            let _e1850 = ((_e1773.base_color.z * ((((f32(((_e1767[0].color >> bitcast<u32>(16i)) & 255u)) * _e1790) * _e1601) + ((f32(((_e1767[1].color >> bitcast<u32>(16i)) & 255u)) * _e1809) * _e1595.u)) + ((f32(((_e1767[2].color >> bitcast<u32>(16i)) & 255u)) * _e1831) * _e1595.v))) * _e1844.z);
-            let _e1851 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1668, _e1671);
-            let _e1852 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1665, _e1851);
-            if ((_e1773.flags & 2u) == 0u) {
-                phi_2165_ = 0u;
+            let _e1791 = materials.member[(0u + _e1785[0].material)];
+            let _e1808 = (1f / 255f);
+            let _e1827 = (1f / 255f);
+            let _e1849 = (1f / 255f);
+            let _e1862 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1619, _e1613.u, _e1613.v));
+            let _e1864 = ((_e1791.base_color.x * ((((f32((_e1785[0].color & 255u)) * _e1808) * _e1619) + ((f32((_e1785[1].color & 255u)) * _e1827) * _e1613.u)) + ((f32((_e1785[2].color & 255u)) * _e1849) * _e1613.v))) * _e1862.x);
+            let _e1866 = ((_e1791.base_color.y * ((((f32(((_e1785[0].color >> bitcast<u32>(8i)) & 255u)) * _e1808) * _e1619) + ((f32(((_e1785[1].color >> bitcast<u32>(8i)) & 255u)) * _e1827) * _e1613.u)) + ((f32(((_e1785[2].color >> bitcast<u32>(8i)) & 255u)) * _e1849) * _e1613.v))) * _e1862.y);
+            let _e1868 = ((_e1791.base_color.z * ((((f32(((_e1785[0].color >> bitcast<u32>(16i)) & 255u)) * _e1808) * _e1619) + ((f32(((_e1785[1].color >> bitcast<u32>(16i)) & 255u)) * _e1827) * _e1613.u)) + ((f32(((_e1785[2].color >> bitcast<u32>(16i)) & 255u)) * _e1849) * _e1613.v))) * _e1862.z);
+            let _e1869 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1686, _e1689);
+            let _e1870 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1683, _e1869);
+            if ((_e1791.flags & 2u) == 0u) {
+                phi_2184_ = 0u;
             } else {
-                phi_2165_ = 1u;
+                phi_2184_ = 1u;
             }
-            let _e1857 = phi_2165_;
-            if (_e1767[0].normal == 2147516416u) {
-                phi_2368_ = _e1745;
+            let _e1875 = phi_2184_;
+            if (_e1785[0].normal == 2147516416u) {
+                phi_2387_ = _e1763;
             } else {
-                let _e1870 = (f32((bitcast<i32>((_e1767[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1876 = (f32((bitcast<i32>(_e1767[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1880 = ((1f - abs(_e1870)) - abs(_e1876));
-                if (_e1880 < 0f) {
-                    phi_2192_ = -(_e1880);
+                let _e1888 = (f32((bitcast<i32>((_e1785[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1894 = (f32((bitcast<i32>(_e1785[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1898 = ((1f - abs(_e1888)) - abs(_e1894));
+                if (_e1898 < 0f) {
+                    phi_2211_ = -(_e1898);
                 } else {
-                    phi_2192_ = 0f;
+                    phi_2211_ = 0f;
                 }
-                let _e1884 = phi_2192_;
-                if (_e1870 < 0f) {
-                    phi_2199_ = (_e1870 + _e1884);
+                let _e1902 = phi_2211_;
+                if (_e1888 < 0f) {
+                    phi_2218_ = (_e1888 + _e1902);
                 } else {
-                    phi_2199_ = (_e1870 - _e1884);
+                    phi_2218_ = (_e1888 - _e1902);
                 }
-                let _e1889 = phi_2199_;
-                if (_e1876 < 0f) {
-                    phi_2206_ = (_e1876 + _e1884);
+                let _e1907 = phi_2218_;
+                if (_e1894 < 0f) {
+                    phi_2225_ = (_e1894 + _e1902);
                 } else {
-                    phi_2206_ = (_e1876 - _e1884);
+                    phi_2225_ = (_e1894 - _e1902);
                 }
-                let _e1894 = phi_2206_;
-                let _e1901 = (1f / sqrt((((_e1889 * _e1889) + (_e1894 * _e1894)) + (_e1880 * _e1880))));
-                let _e1917 = (f32((bitcast<i32>((_e1767[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1923 = (f32((bitcast<i32>(_e1767[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1927 = ((1f - abs(_e1917)) - abs(_e1923));
-                if (_e1927 < 0f) {
-                    phi_2241_ = -(_e1927);
+                let _e1912 = phi_2225_;
+                let _e1919 = (1f / sqrt((((_e1907 * _e1907) + (_e1912 * _e1912)) + (_e1898 * _e1898))));
+                let _e1935 = (f32((bitcast<i32>((_e1785[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1941 = (f32((bitcast<i32>(_e1785[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1945 = ((1f - abs(_e1935)) - abs(_e1941));
+                if (_e1945 < 0f) {
+                    phi_2260_ = -(_e1945);
                 } else {
-                    phi_2241_ = 0f;
+                    phi_2260_ = 0f;
                 }
-                let _e1931 = phi_2241_;
-                if (_e1917 < 0f) {
-                    phi_2248_ = (_e1917 + _e1931);
+                let _e1949 = phi_2260_;
+                if (_e1935 < 0f) {
+                    phi_2267_ = (_e1935 + _e1949);
                 } else {
-                    phi_2248_ = (_e1917 - _e1931);
+                    phi_2267_ = (_e1935 - _e1949);
                 }
-                let _e1936 = phi_2248_;
-                if (_e1923 < 0f) {
-                    phi_2255_ = (_e1923 + _e1931);
+                let _e1954 = phi_2267_;
+                if (_e1941 < 0f) {
+                    phi_2274_ = (_e1941 + _e1949);
                 } else {
-                    phi_2255_ = (_e1923 - _e1931);
+                    phi_2274_ = (_e1941 - _e1949);
                 }
-                let _e1941 = phi_2255_;
-                let _e1948 = (1f / sqrt((((_e1936 * _e1936) + (_e1941 * _e1941)) + (_e1927 * _e1927))));
-                let _e1967 = (f32((bitcast<i32>((_e1767[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1973 = (f32((bitcast<i32>(_e1767[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1977 = ((1f - abs(_e1967)) - abs(_e1973));
-                if (_e1977 < 0f) {
-                    phi_2293_ = -(_e1977);
+                let _e1959 = phi_2274_;
+                let _e1966 = (1f / sqrt((((_e1954 * _e1954) + (_e1959 * _e1959)) + (_e1945 * _e1945))));
+                let _e1985 = (f32((bitcast<i32>((_e1785[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1991 = (f32((bitcast<i32>(_e1785[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1995 = ((1f - abs(_e1985)) - abs(_e1991));
+                if (_e1995 < 0f) {
+                    phi_2312_ = -(_e1995);
                 } else {
-                    phi_2293_ = 0f;
+                    phi_2312_ = 0f;
                 }
-                let _e1981 = phi_2293_;
-                if (_e1967 < 0f) {
-                    phi_2300_ = (_e1967 + _e1981);
+                let _e1999 = phi_2312_;
+                if (_e1985 < 0f) {
+                    phi_2319_ = (_e1985 + _e1999);
                 } else {
-                    phi_2300_ = (_e1967 - _e1981);
+                    phi_2319_ = (_e1985 - _e1999);
                 }
-                let _e1986 = phi_2300_;
-                if (_e1973 < 0f) {
-                    phi_2307_ = (_e1973 + _e1981);
+                let _e2004 = phi_2319_;
+                if (_e1991 < 0f) {
+                    phi_2326_ = (_e1991 + _e1999);
                 } else {
-                    phi_2307_ = (_e1973 - _e1981);
+                    phi_2326_ = (_e1991 - _e1999);
                 }
-                let _e1991 = phi_2307_;
-                let _e1998 = (1f / sqrt((((_e1986 * _e1986) + (_e1991 * _e1991)) + (_e1977 * _e1977))));
-                let _e2009 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1889 * _e1901) * _e1601) + ((_e1936 * _e1948) * _e1595.u)) + ((_e1986 * _e1998) * _e1595.v)), ((((_e1894 * _e1901) * _e1601) + ((_e1941 * _e1948) * _e1595.u)) + ((_e1991 * _e1998) * _e1595.v)), ((((_e1880 * _e1901) * _e1601) + ((_e1927 * _e1948) * _e1595.u)) + ((_e1977 * _e1998) * _e1595.v))));
-                let _e2021 = sqrt((((_e2009.x * _e2009.x) + (_e2009.y * _e2009.y)) + (_e2009.z * _e2009.z)));
-                if (_e2021 > 0f) {
-                    let _e2024 = (_e2009.x / _e2021);
-                    let _e2026 = (_e2009.y / _e2021);
-                    let _e2028 = (_e2009.z / _e2021);
-                    if ((((_e2024 * _e1745.x) + (_e2026 * _e1745.y)) + (_e2028 * _e1745.z)) < 0f) {
-                        phi_2366_ = vec3<f32>(-(_e2024), -(_e2026), -(_e2028));
+                let _e2009 = phi_2326_;
+                let _e2016 = (1f / sqrt((((_e2004 * _e2004) + (_e2009 * _e2009)) + (_e1995 * _e1995))));
+                let _e2027 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1907 * _e1919) * _e1619) + ((_e1954 * _e1966) * _e1613.u)) + ((_e2004 * _e2016) * _e1613.v)), ((((_e1912 * _e1919) * _e1619) + ((_e1959 * _e1966) * _e1613.u)) + ((_e2009 * _e2016) * _e1613.v)), ((((_e1898 * _e1919) * _e1619) + ((_e1945 * _e1966) * _e1613.u)) + ((_e1995 * _e2016) * _e1613.v))));
+                let _e2039 = sqrt((((_e2027.x * _e2027.x) + (_e2027.y * _e2027.y)) + (_e2027.z * _e2027.z)));
+                if (_e2039 > 0f) {
+                    let _e2042 = (_e2027.x / _e2039);
+                    let _e2044 = (_e2027.y / _e2039);
+                    let _e2046 = (_e2027.z / _e2039);
+                    if ((((_e2042 * _e1763.x) + (_e2044 * _e1763.y)) + (_e2046 * _e1763.z)) < 0f) {
+                        phi_2385_ = vec3<f32>(-(_e2042), -(_e2044), -(_e2046));
                     } else {
-                        phi_2366_ = (_e2009 / vec3(_e2021));
+                        phi_2385_ = (_e2027 / vec3(_e2039));
                     }
-                    let _e2045 = phi_2366_;
-                    phi_2367_ = _e2045;
+                    let _e2063 = phi_2385_;
+                    phi_2386_ = _e2063;
                 } else {
-                    phi_2367_ = _e1745;
+                    phi_2386_ = _e1763;
                 }
-                let _e2047 = phi_2367_;
-                phi_2368_ = _e2047;
+                let _e2065 = phi_2386_;
+                phi_2387_ = _e2065;
             }
-            let _e2049 = phi_2368_;
-            if (_e1846 > 0f) {
-                if (_e1846 < 1f) {
-                    phi_2377_ = _e1846;
+            let _e2067 = phi_2387_;
+            if (_e1864 > 0f) {
+                if (_e1864 < 1f) {
+                    phi_2396_ = _e1864;
                 } else {
-                    phi_2377_ = 1f;
+                    phi_2396_ = 1f;
                 }
-                let _e2053 = phi_2377_;
-                phi_2378_ = _e2053;
+                let _e2071 = phi_2396_;
+                phi_2397_ = _e2071;
             } else {
-                phi_2378_ = 0f;
+                phi_2397_ = 0f;
             }
-            let _e2055 = phi_2378_;
-            if (_e1848 > 0f) {
-                if (_e1848 < 1f) {
-                    phi_2388_ = _e1848;
+            let _e2073 = phi_2397_;
+            if (_e1866 > 0f) {
+                if (_e1866 < 1f) {
+                    phi_2407_ = _e1866;
                 } else {
-                    phi_2388_ = 1f;
+                    phi_2407_ = 1f;
                 }
-                let _e2060 = phi_2388_;
-                phi_2389_ = _e2060;
+                let _e2078 = phi_2407_;
+                phi_2408_ = _e2078;
             } else {
-                phi_2389_ = 0f;
+                phi_2408_ = 0f;
             }
-            let _e2062 = phi_2389_;
-            if (_e1850 > 0f) {
-                if (_e1850 < 1f) {
-                    phi_2399_ = _e1850;
+            let _e2080 = phi_2408_;
+            if (_e1868 > 0f) {
+                if (_e1868 < 1f) {
+                    phi_2418_ = _e1868;
                 } else {
-                    phi_2399_ = 1f;
+                    phi_2418_ = 1f;
                 }
-                let _e2067 = phi_2399_;
-                phi_2400_ = _e2067;
+                let _e2085 = phi_2418_;
+                phi_2419_ = _e2085;
             } else {
-                phi_2400_ = 0f;
+                phi_2419_ = 0f;
             }
-            let _e2069 = phi_2400_;
-            let _e2072 = ((sqrt(_e2055) * 255f) + 0.5f);
-            let _e2081 = ((sqrt(_e2062) * 255f) + 0.5f);
-            let _e2093 = ((sqrt(_e2069) * 255f) + 0.5f);
-            phi_2435_ = abi_Sample(vec3<f32>(_e1632, _e1633, _e1634), _e1852, _e1745, _e1857, _e2049, ((select(select(u32(_e2072), 0u, (_e2072 < bitcast<f32>(0u))), 4294967295u, (_e2072 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2081), 0u, (_e2081 < bitcast<f32>(0u))), 4294967295u, (_e2081 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2093), 0u, (_e2093 < bitcast<f32>(0u))), 4294967295u, (_e2093 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2087 = phi_2419_;
+            let _e2090 = ((sqrt(_e2073) * 255f) + 0.5f);
+            let _e2099 = ((sqrt(_e2080) * 255f) + 0.5f);
+            let _e2111 = ((sqrt(_e2087) * 255f) + 0.5f);
+            phi_2454_ = abi_Sample(vec3<f32>(_e1650, _e1651, _e1652), _e1870, _e1763, _e1875, _e2067, ((select(select(u32(_e2090), 0u, (_e2090 < bitcast<f32>(0u))), 4294967295u, (_e2090 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2099), 0u, (_e2099 < bitcast<f32>(0u))), 4294967295u, (_e2099 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2111), 0u, (_e2111 < bitcast<f32>(0u))), 4294967295u, (_e2111 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2435_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2454_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2107 = phi_2435_;
-        if (_e83.shift < arrayLength((&samples.member))) {
+        let _e2125 = phi_2454_;
+        if (_e84.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e83.shift)] = _e2107;
+        samples.member[(0u + _e84.shift)] = _e2125;
     }
     return;
 }

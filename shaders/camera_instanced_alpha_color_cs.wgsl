@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -178,430 +178,430 @@ var<storage> alpha_texels: type_13;
 var<storage> color_texels: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_222_: lt_mask_LightPlace;
-    var phi_223_: bool;
     var phi_224_: lt_mask_LightPlace;
     var phi_225_: bool;
-    var phi_230_: lt_mask_LightPlace;
+    var phi_226_: lt_mask_LightPlace;
+    var phi_227_: bool;
+    var phi_232_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_222_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_223_ = false;
+            phi_224_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_225_ = false;
         } else {
-            phi_222_ = lt_mask_LightPlace();
-            phi_223_ = true;
+            phi_224_ = lt_mask_LightPlace();
+            phi_225_ = true;
         }
-        let _e83 = phi_222_;
-        let _e85 = phi_223_;
-        phi_224_ = _e83;
-        phi_225_ = _e85;
+        let _e84 = phi_224_;
+        let _e86 = phi_225_;
+        phi_226_ = _e84;
+        phi_227_ = _e86;
     } else {
-        phi_224_ = lt_mask_LightPlace();
-        phi_225_ = true;
+        phi_226_ = lt_mask_LightPlace();
+        phi_227_ = true;
     }
-    let _e87 = phi_224_;
-    let _e89 = phi_225_;
-    if _e89 {
-        phi_230_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e88 = phi_226_;
+    let _e90 = phi_227_;
+    if _e90 {
+        phi_232_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_230_ = _e87;
+        phi_232_ = _e88;
     }
-    let _e94 = phi_230_;
-    return lt_mask_LightPlace(_e94.word, _e94.shift);
+    let _e95 = phi_232_;
+    return lt_mask_LightPlace(_e95.word, _e95.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_245_: bool;
-    var phi_249_: f32;
+    var phi_247_: bool;
+    var phi_251_: f32;
 
     if (param_3 != param_3) {
-        phi_245_ = true;
+        phi_247_ = true;
     } else {
-        let _e73 = (param_4 >= param_3);
-        if _e73 {
+        let _e74 = (param_4 >= param_3);
+        if _e74 {
         }
-        phi_245_ = _e73;
+        phi_247_ = _e74;
     }
-    let _e75 = phi_245_;
-    if _e75 {
-        phi_249_ = param_4;
+    let _e76 = phi_247_;
+    if _e76 {
+        phi_251_ = param_4;
     } else {
-        phi_249_ = param_3;
+        phi_251_ = param_3;
     }
-    let _e77 = phi_249_;
-    return _e77;
+    let _e78 = phi_251_;
+    return _e78;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_261_: bool;
-    var phi_265_: f32;
+    var phi_263_: bool;
+    var phi_267_: f32;
 
     if (param_5 != param_5) {
-        phi_261_ = true;
+        phi_263_ = true;
     } else {
-        let _e73 = (param_6 <= param_5);
-        if _e73 {
+        let _e74 = (param_6 <= param_5);
+        if _e74 {
         }
-        phi_261_ = _e73;
+        phi_263_ = _e74;
     }
-    let _e75 = phi_261_;
-    if _e75 {
-        phi_265_ = param_6;
+    let _e76 = phi_263_;
+    if _e76 {
+        phi_267_ = param_6;
     } else {
-        phi_265_ = param_5;
+        phi_267_ = param_5;
     }
-    let _e77 = phi_265_;
-    return _e77;
+    let _e78 = phi_267_;
+    return _e78;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_307_: f32;
-    var phi_312_: f32;
-    var phi_313_: bool;
+    var phi_309_: f32;
     var phi_314_: f32;
     var phi_315_: bool;
-    var phi_319_: f32;
-    var phi_345_: f32;
-    var phi_350_: f32;
-    var phi_351_: bool;
+    var phi_316_: f32;
+    var phi_317_: bool;
+    var phi_321_: f32;
+    var phi_347_: f32;
     var phi_352_: f32;
     var phi_353_: bool;
-    var phi_357_: f32;
-    var phi_365_: f32;
-    var phi_366_: f32;
+    var phi_354_: f32;
+    var phi_355_: bool;
+    var phi_359_: f32;
     var phi_367_: f32;
-    var phi_376_: f32;
-    var phi_377_: f32;
-    var phi_395_: u32;
-    var phi_409_: u32;
-    var phi_416_: u32;
-    var phi_421_: u32;
-    var phi_427_: u32;
-    var phi_432_: u32;
-    var phi_434_: texture_Axis;
-    var phi_462_: f32;
-    var phi_467_: f32;
-    var phi_468_: bool;
+    var phi_368_: f32;
+    var phi_369_: f32;
+    var phi_378_: f32;
+    var phi_379_: f32;
+    var phi_397_: u32;
+    var phi_411_: u32;
+    var phi_418_: u32;
+    var phi_423_: u32;
+    var phi_429_: u32;
+    var phi_434_: u32;
+    var phi_436_: texture_Axis;
+    var phi_464_: f32;
     var phi_469_: f32;
     var phi_470_: bool;
-    var phi_474_: f32;
-    var phi_500_: f32;
-    var phi_505_: f32;
-    var phi_506_: bool;
+    var phi_471_: f32;
+    var phi_472_: bool;
+    var phi_476_: f32;
+    var phi_502_: f32;
     var phi_507_: f32;
     var phi_508_: bool;
-    var phi_512_: f32;
-    var phi_520_: f32;
-    var phi_521_: f32;
+    var phi_509_: f32;
+    var phi_510_: bool;
+    var phi_514_: f32;
     var phi_522_: f32;
-    var phi_531_: f32;
-    var phi_532_: f32;
-    var phi_550_: u32;
-    var phi_564_: u32;
-    var phi_571_: u32;
-    var phi_576_: u32;
-    var phi_582_: u32;
-    var phi_587_: u32;
-    var phi_589_: texture_Axis;
+    var phi_523_: f32;
+    var phi_524_: f32;
+    var phi_533_: f32;
+    var phi_534_: f32;
+    var phi_552_: u32;
+    var phi_566_: u32;
+    var phi_573_: u32;
+    var phi_578_: u32;
+    var phi_584_: u32;
+    var phi_589_: u32;
+    var phi_591_: texture_Axis;
 
-    let _e74 = (*param_7).size;
-    let _e75 = (_e74 & 65535u);
-    let _e77 = (*param_7).size;
-    let _e79 = (_e77 >> bitcast<u32>(16i));
-    let _e81 = (*param_7).flags;
-    let _e83 = ((_e81 & 4u) != 0u);
-    let _e85 = (*param_7).flags;
-    let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
-    if (_e88 == 0u) {
+    let _e75 = (*param_7).size;
+    let _e76 = (_e75 & 65535u);
+    let _e78 = (*param_7).size;
+    let _e80 = (_e78 >> bitcast<u32>(16i));
+    let _e82 = (*param_7).flags;
+    let _e84 = ((_e82 & 4u) != 0u);
+    let _e86 = (*param_7).flags;
+    let _e89 = ((_e86 >> bitcast<u32>(4u)) & 3u);
+    if (_e89 == 0u) {
         if (param_8 > -8388608f) {
-            let _e101 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
-            if (_e101 > param_8) {
-                phi_307_ = 1f;
+            let _e102 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e102 > param_8) {
+                phi_309_ = 1f;
             } else {
-                phi_307_ = 0f;
+                phi_309_ = 0f;
             }
-            let _e104 = phi_307_;
+            let _e105 = phi_309_;
             if (param_8 < 8388608f) {
-                phi_312_ = (_e101 - _e104);
-                phi_313_ = false;
+                phi_314_ = (_e102 - _e105);
+                phi_315_ = false;
             } else {
-                phi_312_ = f32();
-                phi_313_ = true;
+                phi_314_ = f32();
+                phi_315_ = true;
             }
-            let _e107 = phi_312_;
-            let _e109 = phi_313_;
-            phi_314_ = _e107;
-            phi_315_ = _e109;
+            let _e108 = phi_314_;
+            let _e110 = phi_315_;
+            phi_316_ = _e108;
+            phi_317_ = _e110;
         } else {
-            phi_314_ = f32();
-            phi_315_ = true;
+            phi_316_ = f32();
+            phi_317_ = true;
         }
-        let _e111 = phi_314_;
-        let _e113 = phi_315_;
-        if _e113 {
-            phi_319_ = param_8;
+        let _e112 = phi_316_;
+        let _e114 = phi_317_;
+        if _e114 {
+            phi_321_ = param_8;
         } else {
-            phi_319_ = _e111;
+            phi_321_ = _e112;
         }
-        let _e115 = phi_319_;
-        phi_367_ = (param_8 - _e115);
+        let _e116 = phi_321_;
+        phi_369_ = (param_8 - _e116);
     } else {
-        if (_e88 == 1u) {
-            let _e118 = (param_8 * 0.5f);
-            if (_e118 > -8388608f) {
-                let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
-                if (_e130 > _e118) {
-                    phi_345_ = 1f;
+        if (_e89 == 1u) {
+            let _e119 = (param_8 * 0.5f);
+            if (_e119 > -8388608f) {
+                let _e131 = f32(select(0i, select(select(i32(_e119), i32(-2147483648), (_e119 < bitcast<f32>(3472883712u))), 2147483647i, (_e119 > bitcast<f32>(1325400063u))), (_e119 == _e119)));
+                if (_e131 > _e119) {
+                    phi_347_ = 1f;
                 } else {
-                    phi_345_ = 0f;
+                    phi_347_ = 0f;
                 }
-                let _e133 = phi_345_;
-                if (_e118 < 8388608f) {
-                    phi_350_ = (_e130 - _e133);
-                    phi_351_ = false;
+                let _e134 = phi_347_;
+                if (_e119 < 8388608f) {
+                    phi_352_ = (_e131 - _e134);
+                    phi_353_ = false;
                 } else {
-                    phi_350_ = f32();
-                    phi_351_ = true;
+                    phi_352_ = f32();
+                    phi_353_ = true;
                 }
-                let _e136 = phi_350_;
-                let _e138 = phi_351_;
-                phi_352_ = _e136;
-                phi_353_ = _e138;
+                let _e137 = phi_352_;
+                let _e139 = phi_353_;
+                phi_354_ = _e137;
+                phi_355_ = _e139;
             } else {
-                phi_352_ = f32();
-                phi_353_ = true;
+                phi_354_ = f32();
+                phi_355_ = true;
             }
-            let _e140 = phi_352_;
-            let _e142 = phi_353_;
-            if _e142 {
-                phi_357_ = _e118;
+            let _e141 = phi_354_;
+            let _e143 = phi_355_;
+            if _e143 {
+                phi_359_ = _e119;
             } else {
-                phi_357_ = _e140;
+                phi_359_ = _e141;
             }
-            let _e144 = phi_357_;
-            let _e146 = (param_8 - (2f * _e144));
-            if (_e146 > 1f) {
-                phi_365_ = (2f - _e146);
+            let _e145 = phi_359_;
+            let _e147 = (param_8 - (2f * _e145));
+            if (_e147 > 1f) {
+                phi_367_ = (2f - _e147);
             } else {
-                phi_365_ = _e146;
+                phi_367_ = _e147;
             }
-            let _e150 = phi_365_;
-            phi_366_ = _e150;
+            let _e151 = phi_367_;
+            phi_368_ = _e151;
         } else {
-            phi_366_ = param_8;
+            phi_368_ = param_8;
         }
-        let _e152 = phi_366_;
-        phi_367_ = _e152;
+        let _e153 = phi_368_;
+        phi_369_ = _e153;
     }
-    let _e154 = phi_367_;
-    if (_e154 > 0f) {
-        if (_e154 < 1f) {
-            phi_376_ = _e154;
+    let _e155 = phi_369_;
+    if (_e155 > 0f) {
+        if (_e155 < 1f) {
+            phi_378_ = _e155;
         } else {
-            phi_376_ = 1f;
+            phi_378_ = 1f;
         }
-        let _e158 = phi_376_;
-        phi_377_ = _e158;
+        let _e159 = phi_378_;
+        phi_379_ = _e159;
     } else {
-        phi_377_ = 0f;
+        phi_379_ = 0f;
     }
-    let _e160 = phi_377_;
-    let _e161 = (_e75 - 1u);
-    let _e163 = (_e160 * f32(_e75));
-    if _e83 {
-        let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
-        if (_e161 < _e170) {
-            phi_395_ = _e161;
+    let _e161 = phi_379_;
+    let _e162 = (_e76 - 1u);
+    let _e164 = (_e161 * f32(_e76));
+    if _e84 {
+        let _e171 = select(select(u32(_e164), 0u, (_e164 < bitcast<f32>(0u))), 4294967295u, (_e164 > bitcast<f32>(1333788671u)));
+        if (_e162 < _e171) {
+            phi_397_ = _e162;
         } else {
-            phi_395_ = _e170;
+            phi_397_ = _e171;
         }
-        let _e173 = phi_395_;
-        phi_434_ = texture_Axis(_e173, _e173, 0f);
+        let _e174 = phi_397_;
+        phi_436_ = texture_Axis(_e174, _e174, 0f);
     } else {
-        let _e175 = (_e163 + 0.5f);
-        let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
-        if (_e75 < _e182) {
-            phi_409_ = _e75;
+        let _e176 = (_e164 + 0.5f);
+        let _e183 = select(select(u32(_e176), 0u, (_e176 < bitcast<f32>(0u))), 4294967295u, (_e176 > bitcast<f32>(1333788671u)));
+        if (_e76 < _e183) {
+            phi_411_ = _e76;
         } else {
-            phi_409_ = _e182;
+            phi_411_ = _e183;
         }
-        let _e185 = phi_409_;
-        if (_e88 == 0u) {
-            phi_416_ = _e161;
+        let _e186 = phi_411_;
+        if (_e89 == 0u) {
+            phi_418_ = _e162;
         } else {
-            phi_416_ = 0u;
+            phi_418_ = 0u;
         }
-        let _e190 = phi_416_;
-        if (_e88 == 0u) {
-            phi_421_ = 0u;
+        let _e191 = phi_418_;
+        if (_e89 == 0u) {
+            phi_423_ = 0u;
         } else {
-            phi_421_ = _e161;
+            phi_423_ = _e162;
         }
-        let _e193 = phi_421_;
-        if (_e185 == 0u) {
-            phi_427_ = _e190;
+        let _e194 = phi_423_;
+        if (_e186 == 0u) {
+            phi_429_ = _e191;
         } else {
-            phi_427_ = (_e185 - 1u);
+            phi_429_ = (_e186 - 1u);
         }
-        let _e197 = phi_427_;
-        if (_e185 > _e161) {
-            phi_432_ = _e193;
+        let _e198 = phi_429_;
+        if (_e186 > _e162) {
+            phi_434_ = _e194;
         } else {
-            phi_432_ = _e185;
+            phi_434_ = _e186;
         }
-        let _e200 = phi_432_;
-        phi_434_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
+        let _e201 = phi_434_;
+        phi_436_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
     }
-    let _e203 = phi_434_;
-    let _e205 = (*param_7).flags;
-    let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
-    if (_e208 == 0u) {
+    let _e204 = phi_436_;
+    let _e206 = (*param_7).flags;
+    let _e209 = ((_e206 >> bitcast<u32>(6u)) & 3u);
+    if (_e209 == 0u) {
         if (param_9 > -8388608f) {
-            let _e221 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
-            if (_e221 > param_9) {
-                phi_462_ = 1f;
+            let _e222 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e222 > param_9) {
+                phi_464_ = 1f;
             } else {
-                phi_462_ = 0f;
+                phi_464_ = 0f;
             }
-            let _e224 = phi_462_;
+            let _e225 = phi_464_;
             if (param_9 < 8388608f) {
-                phi_467_ = (_e221 - _e224);
-                phi_468_ = false;
+                phi_469_ = (_e222 - _e225);
+                phi_470_ = false;
             } else {
-                phi_467_ = f32();
-                phi_468_ = true;
+                phi_469_ = f32();
+                phi_470_ = true;
             }
-            let _e227 = phi_467_;
-            let _e229 = phi_468_;
-            phi_469_ = _e227;
-            phi_470_ = _e229;
+            let _e228 = phi_469_;
+            let _e230 = phi_470_;
+            phi_471_ = _e228;
+            phi_472_ = _e230;
         } else {
-            phi_469_ = f32();
-            phi_470_ = true;
+            phi_471_ = f32();
+            phi_472_ = true;
         }
-        let _e231 = phi_469_;
-        let _e233 = phi_470_;
-        if _e233 {
-            phi_474_ = param_9;
+        let _e232 = phi_471_;
+        let _e234 = phi_472_;
+        if _e234 {
+            phi_476_ = param_9;
         } else {
-            phi_474_ = _e231;
+            phi_476_ = _e232;
         }
-        let _e235 = phi_474_;
-        phi_522_ = (param_9 - _e235);
+        let _e236 = phi_476_;
+        phi_524_ = (param_9 - _e236);
     } else {
-        if (_e208 == 1u) {
-            let _e238 = (param_9 * 0.5f);
-            if (_e238 > -8388608f) {
-                let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
-                if (_e250 > _e238) {
-                    phi_500_ = 1f;
+        if (_e209 == 1u) {
+            let _e239 = (param_9 * 0.5f);
+            if (_e239 > -8388608f) {
+                let _e251 = f32(select(0i, select(select(i32(_e239), i32(-2147483648), (_e239 < bitcast<f32>(3472883712u))), 2147483647i, (_e239 > bitcast<f32>(1325400063u))), (_e239 == _e239)));
+                if (_e251 > _e239) {
+                    phi_502_ = 1f;
                 } else {
-                    phi_500_ = 0f;
+                    phi_502_ = 0f;
                 }
-                let _e253 = phi_500_;
-                if (_e238 < 8388608f) {
-                    phi_505_ = (_e250 - _e253);
-                    phi_506_ = false;
+                let _e254 = phi_502_;
+                if (_e239 < 8388608f) {
+                    phi_507_ = (_e251 - _e254);
+                    phi_508_ = false;
                 } else {
-                    phi_505_ = f32();
-                    phi_506_ = true;
+                    phi_507_ = f32();
+                    phi_508_ = true;
                 }
-                let _e256 = phi_505_;
-                let _e258 = phi_506_;
-                phi_507_ = _e256;
-                phi_508_ = _e258;
+                let _e257 = phi_507_;
+                let _e259 = phi_508_;
+                phi_509_ = _e257;
+                phi_510_ = _e259;
             } else {
-                phi_507_ = f32();
-                phi_508_ = true;
+                phi_509_ = f32();
+                phi_510_ = true;
             }
-            let _e260 = phi_507_;
-            let _e262 = phi_508_;
-            if _e262 {
-                phi_512_ = _e238;
+            let _e261 = phi_509_;
+            let _e263 = phi_510_;
+            if _e263 {
+                phi_514_ = _e239;
             } else {
-                phi_512_ = _e260;
+                phi_514_ = _e261;
             }
-            let _e264 = phi_512_;
-            let _e266 = (param_9 - (2f * _e264));
-            if (_e266 > 1f) {
-                phi_520_ = (2f - _e266);
+            let _e265 = phi_514_;
+            let _e267 = (param_9 - (2f * _e265));
+            if (_e267 > 1f) {
+                phi_522_ = (2f - _e267);
             } else {
-                phi_520_ = _e266;
+                phi_522_ = _e267;
             }
-            let _e270 = phi_520_;
-            phi_521_ = _e270;
+            let _e271 = phi_522_;
+            phi_523_ = _e271;
         } else {
-            phi_521_ = param_9;
+            phi_523_ = param_9;
         }
-        let _e272 = phi_521_;
-        phi_522_ = _e272;
+        let _e273 = phi_523_;
+        phi_524_ = _e273;
     }
-    let _e274 = phi_522_;
-    if (_e274 > 0f) {
-        if (_e274 < 1f) {
-            phi_531_ = _e274;
+    let _e275 = phi_524_;
+    if (_e275 > 0f) {
+        if (_e275 < 1f) {
+            phi_533_ = _e275;
         } else {
-            phi_531_ = 1f;
+            phi_533_ = 1f;
         }
-        let _e278 = phi_531_;
-        phi_532_ = _e278;
+        let _e279 = phi_533_;
+        phi_534_ = _e279;
     } else {
-        phi_532_ = 0f;
+        phi_534_ = 0f;
     }
-    let _e280 = phi_532_;
-    let _e281 = (_e79 - 1u);
-    let _e283 = (_e280 * f32(_e79));
-    if _e83 {
-        let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
-        if (_e281 < _e290) {
-            phi_550_ = _e281;
+    let _e281 = phi_534_;
+    let _e282 = (_e80 - 1u);
+    let _e284 = (_e281 * f32(_e80));
+    if _e84 {
+        let _e291 = select(select(u32(_e284), 0u, (_e284 < bitcast<f32>(0u))), 4294967295u, (_e284 > bitcast<f32>(1333788671u)));
+        if (_e282 < _e291) {
+            phi_552_ = _e282;
         } else {
-            phi_550_ = _e290;
+            phi_552_ = _e291;
         }
-        let _e293 = phi_550_;
-        phi_589_ = texture_Axis(_e293, _e293, 0f);
+        let _e294 = phi_552_;
+        phi_591_ = texture_Axis(_e294, _e294, 0f);
     } else {
-        let _e295 = (_e283 + 0.5f);
-        let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
-        if (_e79 < _e302) {
-            phi_564_ = _e79;
+        let _e296 = (_e284 + 0.5f);
+        let _e303 = select(select(u32(_e296), 0u, (_e296 < bitcast<f32>(0u))), 4294967295u, (_e296 > bitcast<f32>(1333788671u)));
+        if (_e80 < _e303) {
+            phi_566_ = _e80;
         } else {
-            phi_564_ = _e302;
+            phi_566_ = _e303;
         }
-        let _e305 = phi_564_;
-        if (_e208 == 0u) {
-            phi_571_ = _e281;
+        let _e306 = phi_566_;
+        if (_e209 == 0u) {
+            phi_573_ = _e282;
         } else {
-            phi_571_ = 0u;
+            phi_573_ = 0u;
         }
-        let _e310 = phi_571_;
-        if (_e208 == 0u) {
-            phi_576_ = 0u;
+        let _e311 = phi_573_;
+        if (_e209 == 0u) {
+            phi_578_ = 0u;
         } else {
-            phi_576_ = _e281;
+            phi_578_ = _e282;
         }
-        let _e313 = phi_576_;
-        if (_e305 == 0u) {
-            phi_582_ = _e310;
+        let _e314 = phi_578_;
+        if (_e306 == 0u) {
+            phi_584_ = _e311;
         } else {
-            phi_582_ = (_e305 - 1u);
+            phi_584_ = (_e306 - 1u);
         }
-        let _e317 = phi_582_;
-        if (_e305 > _e281) {
-            phi_587_ = _e313;
+        let _e318 = phi_584_;
+        if (_e306 > _e282) {
+            phi_589_ = _e314;
         } else {
-            phi_587_ = _e305;
+            phi_589_ = _e306;
         }
-        let _e320 = phi_587_;
-        phi_589_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
+        let _e321 = phi_589_;
+        phi_591_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
     }
-    let _e323 = phi_589_;
-    let _e327 = (*param_7).offset;
-    let _e334 = (*param_7).offset;
-    let _e341 = (*param_7).offset;
-    let _e348 = (*param_7).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
+    let _e324 = phi_591_;
+    let _e328 = (*param_7).offset;
+    let _e335 = (*param_7).offset;
+    let _e342 = (*param_7).offset;
+    let _e349 = (*param_7).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e328 + (_e324.low * _e76)) + _e204.low), ((_e335 + (_e324.low * _e76)) + _e204.high), ((_e342 + (_e324.high * _e76)) + _e204.low), ((_e349 + (_e324.high * _e76)) + _e204.high)), vec4<f32>(((1f - _e204.fraction) * (1f - _e324.fraction)), (_e204.fraction * (1f - _e324.fraction)), ((1f - _e204.fraction) * _e324.fraction), (_e204.fraction * _e324.fraction)));
 }
 
 fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
@@ -609,15 +609,15 @@ fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
-    var phi_648_: f32;
+    var phi_650_: f32;
 
     if (param_12 > param_13) {
-        phi_648_ = param_12;
+        phi_650_ = param_12;
     } else {
-        phi_648_ = param_13;
+        phi_650_ = param_13;
     }
-    let _e74 = phi_648_;
-    return _e74;
+    let _e75 = phi_650_;
+    return _e75;
 }
 
 fn function_() {
@@ -625,2531 +625,2533 @@ fn function_() {
     var local_1: texture_TextureView;
     var local_2: lt_bvh_traverse_Stack;
     var local_3: lt_bvh_traverse_Stack;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: bool;
-    var phi_788_: bool;
-    var phi_792_: bool;
+    var phi_804_: bool;
     var phi_805_: bool;
     var phi_806_: bool;
     var phi_807_: bool;
-    var phi_808_: bool;
-    var phi_812_: bool;
+    var phi_811_: bool;
+    var phi_824_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
     var phi_827_: bool;
     var phi_831_: bool;
-    var phi_832_: bool;
-    var phi_833_: bool;
-    var phi_834_: bool;
-    var phi_835_: bool;
-    var phi_839_: bool;
-    var phi_915_: f32;
-    var phi_922_: f32;
-    var phi_930_: f32;
-    var phi_937_: f32;
-    var phi_945_: f32;
-    var phi_952_: f32;
-    var phi_975_: f32;
-    var phi_980_: f32;
-    var phi_985_: f32;
-    var phi_990_: f32;
-    var phi_995_: f32;
-    var phi_1014_: u32;
-    var phi_1019_: u32;
-    var phi_1024_: u32;
-    var phi_1138_: bool;
-    var phi_1139_: bool;
-    var phi_1170_: u32;
-    var phi_1172_: u32;
-    var phi_1175_: lt_bvh_Hit;
-    var phi_1260_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1287_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1314_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1320_: u32;
-    var phi_1323_: u32;
-    var phi_1337_: u32;
-    var phi_1347_: u32;
-    var phi_1357_: u32;
-    var phi_1375_: u32;
-    var phi_1385_: u32;
-    var phi_1395_: u32;
-    var phi_1431_: u32;
-    var phi_1444_: u32;
-    var phi_1449_: u32;
+    var phi_844_: bool;
+    var phi_845_: bool;
+    var phi_846_: bool;
+    var phi_850_: bool;
+    var phi_851_: bool;
+    var phi_852_: bool;
+    var phi_853_: bool;
+    var phi_854_: bool;
+    var phi_858_: bool;
+    var phi_934_: f32;
+    var phi_941_: f32;
+    var phi_949_: f32;
+    var phi_956_: f32;
+    var phi_964_: f32;
+    var phi_971_: f32;
+    var phi_994_: f32;
+    var phi_999_: f32;
+    var phi_1004_: f32;
+    var phi_1009_: f32;
+    var phi_1014_: f32;
+    var phi_1033_: u32;
+    var phi_1038_: u32;
+    var phi_1043_: u32;
+    var phi_1157_: bool;
+    var phi_1158_: bool;
+    var phi_1189_: u32;
+    var phi_1191_: u32;
+    var phi_1194_: lt_bvh_Hit;
+    var phi_1279_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1306_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1333_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1339_: u32;
+    var phi_1342_: u32;
+    var phi_1356_: u32;
+    var phi_1366_: u32;
+    var phi_1376_: u32;
+    var phi_1394_: u32;
+    var phi_1404_: u32;
+    var phi_1414_: u32;
     var phi_1450_: u32;
-    var phi_1451_: u32;
-    var phi_1321_: u32;
-    var phi_1324_: u32;
+    var phi_1463_: u32;
+    var phi_1468_: u32;
+    var phi_1469_: u32;
+    var phi_1470_: u32;
+    var phi_1340_: u32;
+    var phi_1343_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_1509_: u32;
-    var phi_1512_: lt_bvh_Hit;
-    var phi_1567_: f32;
-    var phi_1572_: f32;
-    var phi_1577_: f32;
-    var phi_1585_: f32;
-    var phi_1590_: f32;
-    var phi_1595_: f32;
-    var phi_1727_: bool;
-    var phi_1728_: bool;
-    var phi_1729_: bool;
-    var phi_1730_: bool;
-    var phi_1734_: bool;
+    var phi_1528_: u32;
+    var phi_1531_: lt_bvh_Hit;
+    var phi_1586_: f32;
+    var phi_1591_: f32;
+    var phi_1596_: f32;
+    var phi_1604_: f32;
+    var phi_1609_: f32;
+    var phi_1614_: f32;
+    var phi_1746_: bool;
     var phi_1747_: bool;
     var phi_1748_: bool;
     var phi_1749_: bool;
-    var phi_1750_: bool;
-    var phi_1754_: bool;
+    var phi_1753_: bool;
+    var phi_1766_: bool;
     var phi_1767_: bool;
     var phi_1768_: bool;
     var phi_1769_: bool;
     var phi_1773_: bool;
-    var phi_1774_: bool;
-    var phi_1775_: bool;
-    var phi_1776_: bool;
-    var phi_1777_: bool;
-    var phi_1781_: bool;
-    var phi_1851_: f32;
-    var phi_1858_: f32;
-    var phi_1865_: f32;
-    var phi_1872_: f32;
-    var phi_1879_: f32;
-    var phi_1886_: f32;
-    var phi_1903_: f32;
-    var phi_1908_: f32;
-    var phi_1913_: f32;
-    var phi_1918_: f32;
-    var phi_1923_: f32;
-    var phi_1949_: bool;
-    var phi_1950_: bool;
-    var phi_1958_: u32;
-    var phi_1959_: u32;
-    var phi_1970_: vec3<f32>;
-    var phi_1971_: vec3<f32>;
-    var phi_1984_: u32;
-    var phi_1989_: u32;
-    var phi_1994_: u32;
-    var phi_2108_: bool;
-    var phi_2109_: bool;
-    var phi_2140_: u32;
-    var phi_2142_: lt_bvh_Hit;
-    var phi_2145_: u32;
-    var phi_2226_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2253_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2280_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2286_: u32;
-    var phi_2289_: u32;
-    var phi_2303_: u32;
-    var phi_2313_: u32;
-    var phi_2323_: u32;
-    var phi_2341_: u32;
-    var phi_2351_: u32;
-    var phi_2361_: u32;
-    var phi_2397_: u32;
-    var phi_2410_: u32;
-    var phi_2415_: u32;
+    var phi_1786_: bool;
+    var phi_1787_: bool;
+    var phi_1788_: bool;
+    var phi_1792_: bool;
+    var phi_1793_: bool;
+    var phi_1794_: bool;
+    var phi_1795_: bool;
+    var phi_1796_: bool;
+    var phi_1800_: bool;
+    var phi_1870_: f32;
+    var phi_1877_: f32;
+    var phi_1884_: f32;
+    var phi_1891_: f32;
+    var phi_1898_: f32;
+    var phi_1905_: f32;
+    var phi_1922_: f32;
+    var phi_1927_: f32;
+    var phi_1932_: f32;
+    var phi_1937_: f32;
+    var phi_1942_: f32;
+    var phi_1968_: bool;
+    var phi_1969_: bool;
+    var phi_1977_: u32;
+    var phi_1978_: u32;
+    var phi_1989_: vec3<f32>;
+    var phi_1990_: vec3<f32>;
+    var phi_2003_: u32;
+    var phi_2008_: u32;
+    var phi_2013_: u32;
+    var phi_2127_: bool;
+    var phi_2128_: bool;
+    var phi_2159_: u32;
+    var phi_2161_: lt_bvh_Hit;
+    var phi_2164_: u32;
+    var phi_2245_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2272_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2299_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2305_: u32;
+    var phi_2308_: u32;
+    var phi_2322_: u32;
+    var phi_2332_: u32;
+    var phi_2342_: u32;
+    var phi_2360_: u32;
+    var phi_2370_: u32;
+    var phi_2380_: u32;
     var phi_2416_: u32;
-    var phi_2417_: u32;
-    var phi_2287_: u32;
-    var phi_2290_: u32;
+    var phi_2429_: u32;
+    var phi_2434_: u32;
+    var phi_2435_: u32;
+    var phi_2436_: u32;
+    var phi_2306_: u32;
+    var phi_2309_: u32;
     var local_7: u32;
     var local_8: u32;
     var local_9: u32;
-    var phi_2475_: lt_bvh_Hit;
-    var phi_2478_: u32;
-    var phi_2522_: vec3<f32>;
-    var phi_2523_: vec3<f32>;
-    var phi_2552_: vec3<f32>;
-    var phi_2553_: vec3<f32>;
-    var phi_2582_: vec3<f32>;
-    var phi_2583_: vec3<f32>;
-    var phi_2601_: bool;
-    var phi_2602_: bool;
-    var phi_2606_: f32;
-    var phi_2607_: f32;
-    var phi_2608_: f32;
-    var phi_2609_: f32;
-    var phi_2617_: f32;
-    var phi_2627_: bool;
-    var phi_2628_: bool;
-    var phi_2632_: f32;
-    var phi_2633_: f32;
-    var phi_2634_: f32;
-    var phi_2635_: f32;
-    var phi_2643_: f32;
-    var phi_2653_: bool;
-    var phi_2654_: bool;
-    var phi_2658_: f32;
-    var phi_2659_: f32;
-    var phi_2660_: f32;
-    var phi_2661_: f32;
-    var phi_2669_: f32;
-    var phi_2684_: f32;
-    var phi_2685_: bool;
-    var phi_2686_: f32;
-    var phi_2687_: bool;
+    var phi_2494_: lt_bvh_Hit;
+    var phi_2497_: u32;
+    var phi_2541_: vec3<f32>;
+    var phi_2542_: vec3<f32>;
+    var phi_2571_: vec3<f32>;
+    var phi_2572_: vec3<f32>;
+    var phi_2601_: vec3<f32>;
+    var phi_2602_: vec3<f32>;
+    var phi_2620_: bool;
+    var phi_2621_: bool;
+    var phi_2625_: f32;
+    var phi_2626_: f32;
+    var phi_2627_: f32;
+    var phi_2628_: f32;
+    var phi_2636_: f32;
+    var phi_2646_: bool;
+    var phi_2647_: bool;
+    var phi_2651_: f32;
+    var phi_2652_: f32;
+    var phi_2653_: f32;
+    var phi_2654_: f32;
+    var phi_2662_: f32;
+    var phi_2672_: bool;
+    var phi_2673_: bool;
+    var phi_2677_: f32;
+    var phi_2678_: f32;
+    var phi_2679_: f32;
+    var phi_2680_: f32;
     var phi_2688_: f32;
-    var phi_2689_: bool;
+    var phi_2703_: f32;
+    var phi_2704_: bool;
+    var phi_2705_: f32;
+    var phi_2706_: bool;
     var phi_2707_: f32;
     var phi_2708_: bool;
-    var phi_2709_: bool;
-    var phi_2710_: f32;
-    var phi_2711_: bool;
-    var phi_2712_: bool;
-    var phi_2716_: bool;
-    var phi_2717_: f32;
-    var phi_2718_: bool;
-    var phi_2746_: vec3<f32>;
-    var phi_2747_: vec3<f32>;
-    var phi_2772_: vec3<f32>;
-    var phi_2773_: vec3<f32>;
-    var phi_2798_: vec3<f32>;
-    var phi_2799_: vec3<f32>;
-    var phi_2855_: f32;
-    var phi_2864_: f32;
-    var phi_2873_: f32;
-    var phi_2882_: f32;
-    var phi_2889_: f32;
-    var phi_2896_: f32;
-    var phi_2909_: f32;
-    var phi_2918_: f32;
-    var phi_2927_: f32;
-    var phi_2936_: f32;
-    var phi_2943_: f32;
-    var phi_2950_: f32;
-    var phi_2967_: f32;
-    var phi_2972_: f32;
-    var phi_2977_: f32;
-    var phi_2985_: f32;
-    var phi_2990_: f32;
-    var phi_2995_: f32;
-    var phi_3007_: f32;
-    var phi_3012_: f32;
-    var phi_3017_: f32;
-    var phi_3022_: f32;
-    var phi_3027_: lt_bvh_triangle_Intersection;
-    var phi_3028_: bool;
-    var phi_3029_: lt_bvh_triangle_Intersection;
-    var phi_3030_: bool;
-    var phi_3034_: lt_bvh_triangle_Intersection;
-    var phi_3035_: bool;
-    var phi_3036_: lt_bvh_triangle_Intersection;
-    var phi_3037_: bool;
-    var phi_3038_: bool;
-    var phi_3042_: bool;
+    var phi_2726_: f32;
+    var phi_2727_: bool;
+    var phi_2728_: bool;
+    var phi_2729_: f32;
+    var phi_2730_: bool;
+    var phi_2731_: bool;
+    var phi_2735_: bool;
+    var phi_2736_: f32;
+    var phi_2737_: bool;
+    var phi_2765_: vec3<f32>;
+    var phi_2766_: vec3<f32>;
+    var phi_2791_: vec3<f32>;
+    var phi_2792_: vec3<f32>;
+    var phi_2817_: vec3<f32>;
+    var phi_2818_: vec3<f32>;
+    var phi_2874_: f32;
+    var phi_2883_: f32;
+    var phi_2892_: f32;
+    var phi_2901_: f32;
+    var phi_2908_: f32;
+    var phi_2915_: f32;
+    var phi_2928_: f32;
+    var phi_2937_: f32;
+    var phi_2946_: f32;
+    var phi_2955_: f32;
+    var phi_2962_: f32;
+    var phi_2969_: f32;
+    var phi_2986_: f32;
+    var phi_2991_: f32;
+    var phi_2996_: f32;
+    var phi_3004_: f32;
+    var phi_3009_: f32;
+    var phi_3014_: f32;
+    var phi_3026_: f32;
+    var phi_3031_: f32;
+    var phi_3036_: f32;
+    var phi_3041_: f32;
     var phi_3046_: lt_bvh_triangle_Intersection;
-    var phi_3084_: bool;
-    var phi_3085_: bool;
-    var phi_3086_: bool;
-    var phi_3087_: bool;
-    var phi_3088_: bool;
-    var phi_3089_: bool;
-    var phi_3093_: bool;
-    var phi_3094_: bool;
-    var phi_3297_: f32;
-    var phi_3300_: bool;
-    var phi_3301_: bool;
-    var phi_3305_: bool;
-    var phi_3313_: lt_bvh_Hit;
-    var phi_3314_: lt_bvh_Hit;
-    var phi_3315_: lt_bvh_Hit;
-    var phi_3316_: lt_bvh_Hit;
-    var phi_2476_: lt_bvh_Hit;
-    var phi_2479_: u32;
-    var phi_3317_: bool;
-    var phi_3356_: bool;
-    var phi_3357_: bool;
-    var phi_3388_: u32;
-    var phi_2143_: lt_bvh_Hit;
-    var phi_2146_: u32;
-    var phi_3389_: lt_bvh_Hit;
-    var phi_3390_: lt_bvh_Hit;
-    var phi_3391_: bool;
-    var phi_3395_: lt_bvh_Hit;
-    var phi_3396_: lt_bvh_Hit;
-    var phi_3397_: lt_bvh_Hit;
-    var phi_3398_: lt_bvh_Hit;
-    var phi_1510_: u32;
-    var phi_1513_: lt_bvh_Hit;
-    var phi_3399_: bool;
-    var phi_3438_: bool;
-    var phi_3439_: bool;
-    var phi_3470_: u32;
-    var phi_1173_: u32;
-    var phi_1176_: lt_bvh_Hit;
-    var phi_3471_: lt_bvh_Hit;
-    var phi_3472_: lt_bvh_Hit;
-    var phi_3473_: bool;
-    var phi_3477_: lt_bvh_Hit;
-    var phi_3664_: f32;
-    var phi_3669_: f32;
-    var phi_3674_: f32;
-    var phi_3682_: f32;
-    var phi_3687_: f32;
-    var phi_3692_: f32;
-    var phi_3756_: vec3<f32>;
-    var phi_3999_: vec3<f32>;
-    var phi_4014_: u32;
-    var phi_4041_: f32;
-    var phi_4048_: f32;
-    var phi_4055_: f32;
-    var phi_4090_: f32;
-    var phi_4097_: f32;
-    var phi_4104_: f32;
-    var phi_4142_: f32;
-    var phi_4149_: f32;
-    var phi_4156_: f32;
-    var phi_4242_: vec3<f32>;
-    var phi_4243_: vec3<f32>;
-    var phi_4244_: vec3<f32>;
-    var phi_4253_: f32;
-    var phi_4254_: f32;
-    var phi_4264_: f32;
-    var phi_4265_: f32;
-    var phi_4275_: f32;
-    var phi_4276_: f32;
-    var phi_4311_: abi_Sample;
+    var phi_3047_: bool;
+    var phi_3048_: lt_bvh_triangle_Intersection;
+    var phi_3049_: bool;
+    var phi_3053_: lt_bvh_triangle_Intersection;
+    var phi_3054_: bool;
+    var phi_3055_: lt_bvh_triangle_Intersection;
+    var phi_3056_: bool;
+    var phi_3057_: bool;
+    var phi_3061_: bool;
+    var phi_3065_: lt_bvh_triangle_Intersection;
+    var phi_3103_: bool;
+    var phi_3104_: bool;
+    var phi_3105_: bool;
+    var phi_3106_: bool;
+    var phi_3107_: bool;
+    var phi_3108_: bool;
+    var phi_3112_: bool;
+    var phi_3113_: bool;
+    var phi_3316_: f32;
+    var phi_3319_: bool;
+    var phi_3320_: bool;
+    var phi_3324_: bool;
+    var phi_3332_: lt_bvh_Hit;
+    var phi_3333_: lt_bvh_Hit;
+    var phi_3334_: lt_bvh_Hit;
+    var phi_3335_: lt_bvh_Hit;
+    var phi_2495_: lt_bvh_Hit;
+    var phi_2498_: u32;
+    var phi_3336_: bool;
+    var phi_3375_: bool;
+    var phi_3376_: bool;
+    var phi_3407_: u32;
+    var phi_2162_: lt_bvh_Hit;
+    var phi_2165_: u32;
+    var phi_3408_: lt_bvh_Hit;
+    var phi_3409_: lt_bvh_Hit;
+    var phi_3410_: bool;
+    var phi_3414_: lt_bvh_Hit;
+    var phi_3415_: lt_bvh_Hit;
+    var phi_3416_: lt_bvh_Hit;
+    var phi_3417_: lt_bvh_Hit;
+    var phi_1529_: u32;
+    var phi_1532_: lt_bvh_Hit;
+    var phi_3418_: bool;
+    var phi_3457_: bool;
+    var phi_3458_: bool;
+    var phi_3489_: u32;
+    var phi_1192_: u32;
+    var phi_1195_: lt_bvh_Hit;
+    var phi_3490_: lt_bvh_Hit;
+    var phi_3491_: lt_bvh_Hit;
+    var phi_3492_: bool;
+    var phi_3496_: lt_bvh_Hit;
+    var phi_3683_: f32;
+    var phi_3688_: f32;
+    var phi_3693_: f32;
+    var phi_3701_: f32;
+    var phi_3706_: f32;
+    var phi_3711_: f32;
+    var phi_3775_: vec3<f32>;
+    var phi_4018_: vec3<f32>;
+    var phi_4033_: u32;
+    var phi_4060_: f32;
+    var phi_4067_: f32;
+    var phi_4074_: f32;
+    var phi_4109_: f32;
+    var phi_4116_: f32;
+    var phi_4123_: f32;
+    var phi_4161_: f32;
+    var phi_4168_: f32;
+    var phi_4175_: f32;
+    var phi_4261_: vec3<f32>;
+    var phi_4262_: vec3<f32>;
+    var phi_4263_: vec3<f32>;
+    var phi_4272_: f32;
+    var phi_4273_: f32;
+    var phi_4283_: f32;
+    var phi_4284_: f32;
+    var phi_4294_: f32;
+    var phi_4295_: f32;
+    var phi_4330_: abi_Sample;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
     var local_13: lt_bvh_Hit;
 
-    let _e74 = id_1;
-    let _e78 = arrayLength((&nodes.member));
-    let _e81 = arrayLength((&triangles.member));
-    let _e84 = arrayLength((&vertices.member));
-    let _e87 = arrayLength((&materials.member));
-    let _e93 = arrayLength((&instances.member));
-    let _e96 = arrayLength((&alpha_texels.member));
-    let _e99 = arrayLength((&color_texels.member));
-    let _e102 = p.member.size[0u];
-    let _e104 = p.member.size[1u];
-    let _e105 = lt_shaders_entry_pixel_index(_e74, _e102, _e104);
-    if (bitcast<i32>(_e105.word) != 0i) {
-        let _e111 = p.member.root;
-        let _e115 = p.member.eye;
-        let _e120 = p.member.size[0u];
-        let _e124 = ((((f32(_e74.x) + 0.5f) / f32(_e120)) * 2f) - 1f);
-        let _e129 = p.member.size[1u];
-        let _e133 = (1f - (((f32(_e74.y) + 0.5f) / f32(_e129)) * 2f));
-        let _e135 = p.member.forward;
-        let _e137 = p.member.right;
-        let _e151 = p.member.up;
-        let _e162 = _lt_bvh_ray_Ray_new(_e115, vec3<f32>(((_e135.x + (_e137.x * _e124)) + (_e151.x * _e133)), ((_e135.y + (_e137.y * _e124)) + (_e151.y * _e133)), ((_e135.z + (_e137.z * _e124)) + (_e151.z * _e133))));
-        let _e164 = lt_bvh_Hit(_e162.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e167 = abs(_e162.direction.x);
-        let _e169 = abs(_e162.direction.y);
-        let _e171 = abs(_e162.direction.z);
-        if (abs(_e162.origin.x) < 1000000000000000f) {
-            if (abs(_e162.origin.y) < 1000000000000000f) {
-                phi_785_ = (abs(_e162.origin.z) < 1000000000000000f);
-                phi_786_ = false;
+    let _e75 = id_1;
+    let _e79 = arrayLength((&nodes.member));
+    let _e82 = arrayLength((&triangles.member));
+    let _e85 = arrayLength((&vertices.member));
+    let _e88 = arrayLength((&materials.member));
+    let _e94 = arrayLength((&instances.member));
+    let _e97 = arrayLength((&alpha_texels.member));
+    let _e100 = arrayLength((&color_texels.member));
+    let _e103 = p.member.size[0u];
+    let _e105 = p.member.size[1u];
+    let _e106 = lt_shaders_entry_pixel_index(_e75, _e103, _e105);
+    if (bitcast<i32>(_e106.word) != 0i) {
+        let _e112 = p.member.root;
+        let _e116 = p.member.eye;
+        let _e119 = p.member.grid[0u];
+        let _e121 = p.member.grid[1u];
+        let _e140 = p.member.size[0u];
+        let _e144 = ((((f32(_e75.x) + ((f32((_e75.y & (_e121 - 1u))) + 0.5f) / f32(_e121))) / f32(_e140)) * 2f) - 1f);
+        let _e147 = p.member.size[1u];
+        let _e151 = (1f - (((f32(_e75.y) + ((f32((_e75.x & (_e119 - 1u))) + 0.5f) / f32(_e119))) / f32(_e147)) * 2f));
+        let _e153 = p.member.forward;
+        let _e155 = p.member.right;
+        let _e169 = p.member.up;
+        let _e180 = _lt_bvh_ray_Ray_new(_e116, vec3<f32>(((_e153.x + (_e155.x * _e144)) + (_e169.x * _e151)), ((_e153.y + (_e155.y * _e144)) + (_e169.y * _e151)), ((_e153.z + (_e155.z * _e144)) + (_e169.z * _e151))));
+        let _e182 = lt_bvh_Hit(_e180.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e185 = abs(_e180.direction.x);
+        let _e187 = abs(_e180.direction.y);
+        let _e189 = abs(_e180.direction.z);
+        if (abs(_e180.origin.x) < 1000000000000000f) {
+            if (abs(_e180.origin.y) < 1000000000000000f) {
+                phi_804_ = (abs(_e180.origin.z) < 1000000000000000f);
+                phi_805_ = false;
             } else {
-                phi_785_ = bool();
-                phi_786_ = true;
+                phi_804_ = bool();
+                phi_805_ = true;
             }
-            let _e183 = phi_785_;
-            let _e185 = phi_786_;
-            phi_787_ = _e183;
-            phi_788_ = _e185;
+            let _e201 = phi_804_;
+            let _e203 = phi_805_;
+            phi_806_ = _e201;
+            phi_807_ = _e203;
         } else {
-            phi_787_ = bool();
-            phi_788_ = true;
+            phi_806_ = bool();
+            phi_807_ = true;
         }
-        let _e187 = phi_787_;
-        let _e189 = phi_788_;
-        if _e189 {
-            phi_792_ = false;
+        let _e205 = phi_806_;
+        let _e207 = phi_807_;
+        if _e207 {
+            phi_811_ = false;
         } else {
-            phi_792_ = _e187;
+            phi_811_ = _e205;
         }
-        let _e191 = phi_792_;
-        if _e191 {
-            if (_e167 < 1000000000000000f) {
-                if (_e169 < 1000000000000000f) {
-                    phi_805_ = (_e171 < 1000000000000000f);
-                    phi_806_ = false;
+        let _e209 = phi_811_;
+        if _e209 {
+            if (_e185 < 1000000000000000f) {
+                if (_e187 < 1000000000000000f) {
+                    phi_824_ = (_e189 < 1000000000000000f);
+                    phi_825_ = false;
                 } else {
-                    phi_805_ = bool();
-                    phi_806_ = true;
+                    phi_824_ = bool();
+                    phi_825_ = true;
                 }
-                let _e196 = phi_805_;
-                let _e198 = phi_806_;
-                phi_807_ = _e196;
-                phi_808_ = _e198;
+                let _e214 = phi_824_;
+                let _e216 = phi_825_;
+                phi_826_ = _e214;
+                phi_827_ = _e216;
             } else {
-                phi_807_ = bool();
-                phi_808_ = true;
+                phi_826_ = bool();
+                phi_827_ = true;
             }
-            let _e200 = phi_807_;
-            let _e202 = phi_808_;
-            if _e202 {
-                phi_812_ = false;
+            let _e218 = phi_826_;
+            let _e220 = phi_827_;
+            if _e220 {
+                phi_831_ = false;
             } else {
-                phi_812_ = _e200;
+                phi_831_ = _e218;
             }
-            let _e204 = phi_812_;
-            if _e204 {
-                if (_e167 > 0f) {
-                    phi_826_ = bool();
-                    phi_827_ = true;
+            let _e222 = phi_831_;
+            if _e222 {
+                if (_e185 > 0f) {
+                    phi_845_ = bool();
+                    phi_846_ = true;
                 } else {
-                    let _e206 = (_e169 > 0f);
-                    if _e206 {
-                        phi_825_ = bool();
+                    let _e224 = (_e187 > 0f);
+                    if _e224 {
+                        phi_844_ = bool();
                     } else {
-                        phi_825_ = (_e171 > 0f);
+                        phi_844_ = (_e189 > 0f);
                     }
-                    let _e209 = phi_825_;
-                    phi_826_ = _e209;
-                    phi_827_ = _e206;
+                    let _e227 = phi_844_;
+                    phi_845_ = _e227;
+                    phi_846_ = _e224;
                 }
-                let _e211 = phi_826_;
-                let _e213 = phi_827_;
-                if _e213 {
-                    phi_831_ = true;
+                let _e229 = phi_845_;
+                let _e231 = phi_846_;
+                if _e231 {
+                    phi_850_ = true;
                 } else {
-                    phi_831_ = _e211;
+                    phi_850_ = _e229;
                 }
-                let _e215 = phi_831_;
-                phi_832_ = _e215;
-                phi_833_ = false;
+                let _e233 = phi_850_;
+                phi_851_ = _e233;
+                phi_852_ = false;
             } else {
-                phi_832_ = bool();
-                phi_833_ = true;
+                phi_851_ = bool();
+                phi_852_ = true;
             }
-            let _e217 = phi_832_;
-            let _e219 = phi_833_;
-            phi_834_ = _e217;
-            phi_835_ = _e219;
+            let _e235 = phi_851_;
+            let _e237 = phi_852_;
+            phi_853_ = _e235;
+            phi_854_ = _e237;
         } else {
-            phi_834_ = bool();
-            phi_835_ = true;
+            phi_853_ = bool();
+            phi_854_ = true;
         }
-        let _e221 = phi_834_;
-        let _e223 = phi_835_;
-        if _e223 {
-            phi_839_ = false;
+        let _e239 = phi_853_;
+        let _e241 = phi_854_;
+        if _e241 {
+            phi_858_ = false;
         } else {
-            phi_839_ = _e221;
+            phi_858_ = _e239;
         }
-        let _e225 = phi_839_;
-        if _e225 {
-            let _e226 = (_e111 >= _e78);
-            if _e226 {
-                phi_3471_ = lt_bvh_Hit();
+        let _e243 = phi_858_;
+        if _e243 {
+            let _e244 = (_e112 >= _e79);
+            if _e244 {
+                phi_3490_ = lt_bvh_Hit();
             } else {
-                if (_e111 < _e78) {
+                if (_e112 < _e79) {
                 } else {
                     return;
                 }
-                let _e232 = nodes.member[(0u + _e111)].frame[0u];
-                let _e236 = nodes.member[(0u + _e111)].frame[1u];
-                let _e240 = nodes.member[(0u + _e111)].frame[2u];
-                let _e244 = nodes.member[(0u + _e111)].frame[0u];
-                let _e248 = nodes.member[(0u + _e111)].frame[1u];
-                let _e252 = nodes.member[(0u + _e111)].frame[2u];
-                let _e256 = nodes.member[(0u + _e111)].frame[3u];
-                let _e295 = core_intrinsics_maximum_number_nsz_f32_(abs(_e162.direction.x), abs(_e162.direction.y));
-                let _e296 = core_intrinsics_maximum_number_nsz_f32_(_e295, abs(_e162.direction.z));
-                let _e297 = (_e296 * 0.0000000000009094947f);
-                if (abs(_e162.direction.x) < _e297) {
-                    phi_915_ = _e297;
+                let _e250 = nodes.member[(0u + _e112)].frame[0u];
+                let _e254 = nodes.member[(0u + _e112)].frame[1u];
+                let _e258 = nodes.member[(0u + _e112)].frame[2u];
+                let _e262 = nodes.member[(0u + _e112)].frame[0u];
+                let _e266 = nodes.member[(0u + _e112)].frame[1u];
+                let _e270 = nodes.member[(0u + _e112)].frame[2u];
+                let _e274 = nodes.member[(0u + _e112)].frame[3u];
+                let _e313 = core_intrinsics_maximum_number_nsz_f32_(abs(_e180.direction.x), abs(_e180.direction.y));
+                let _e314 = core_intrinsics_maximum_number_nsz_f32_(_e313, abs(_e180.direction.z));
+                let _e315 = (_e314 * 0.0000000000009094947f);
+                if (abs(_e180.direction.x) < _e315) {
+                    phi_934_ = _e315;
                 } else {
-                    phi_915_ = abs(_e162.direction.x);
+                    phi_934_ = abs(_e180.direction.x);
                 }
-                let _e303 = phi_915_;
-                if (_e162.direction.x < 0f) {
-                    phi_922_ = (-1f / _e303);
+                let _e321 = phi_934_;
+                if (_e180.direction.x < 0f) {
+                    phi_941_ = (-1f / _e321);
                 } else {
-                    phi_922_ = (1f / _e303);
+                    phi_941_ = (1f / _e321);
                 }
-                let _e308 = phi_922_;
-                if (abs(_e162.direction.y) < _e297) {
-                    phi_930_ = _e297;
+                let _e326 = phi_941_;
+                if (abs(_e180.direction.y) < _e315) {
+                    phi_949_ = _e315;
                 } else {
-                    phi_930_ = abs(_e162.direction.y);
+                    phi_949_ = abs(_e180.direction.y);
                 }
-                let _e314 = phi_930_;
-                if (_e162.direction.y < 0f) {
-                    phi_937_ = (-1f / _e314);
+                let _e332 = phi_949_;
+                if (_e180.direction.y < 0f) {
+                    phi_956_ = (-1f / _e332);
                 } else {
-                    phi_937_ = (1f / _e314);
+                    phi_956_ = (1f / _e332);
                 }
-                let _e319 = phi_937_;
-                if (abs(_e162.direction.z) < _e297) {
-                    phi_945_ = _e297;
+                let _e337 = phi_956_;
+                if (abs(_e180.direction.z) < _e315) {
+                    phi_964_ = _e315;
                 } else {
-                    phi_945_ = abs(_e162.direction.z);
+                    phi_964_ = abs(_e180.direction.z);
                 }
-                let _e325 = phi_945_;
-                if (_e162.direction.z < 0f) {
-                    phi_952_ = (-1f / _e325);
+                let _e343 = phi_964_;
+                if (_e180.direction.z < 0f) {
+                    phi_971_ = (-1f / _e343);
                 } else {
-                    phi_952_ = (1f / _e325);
+                    phi_971_ = (1f / _e343);
                 }
-                let _e330 = phi_952_;
-                let _e337 = abs((bitcast<f32>(_e232) - _e162.origin.x));
-                let _e338 = abs((bitcast<f32>(_e236) - _e162.origin.y));
-                let _e339 = abs((bitcast<f32>(_e240) - _e162.origin.z));
-                let _e346 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e256 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.x));
-                let _e347 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e256 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.y));
-                let _e348 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e256 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.z));
-                if (_e337 > _e346) {
-                    phi_975_ = _e337;
+                let _e348 = phi_971_;
+                let _e355 = abs((bitcast<f32>(_e250) - _e180.origin.x));
+                let _e356 = abs((bitcast<f32>(_e254) - _e180.origin.y));
+                let _e357 = abs((bitcast<f32>(_e258) - _e180.origin.z));
+                let _e364 = abs(((bitcast<f32>(_e262) + (bitcast<f32>((((_e274 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e180.origin.x));
+                let _e365 = abs(((bitcast<f32>(_e266) + (bitcast<f32>((((_e274 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e180.origin.y));
+                let _e366 = abs(((bitcast<f32>(_e270) + (bitcast<f32>((((_e274 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e180.origin.z));
+                if (_e355 > _e364) {
+                    phi_994_ = _e355;
                 } else {
-                    phi_975_ = _e346;
+                    phi_994_ = _e364;
                 }
-                let _e351 = phi_975_;
-                if (_e338 > _e347) {
-                    phi_980_ = _e338;
+                let _e369 = phi_994_;
+                if (_e356 > _e365) {
+                    phi_999_ = _e356;
                 } else {
-                    phi_980_ = _e347;
+                    phi_999_ = _e365;
                 }
-                let _e354 = phi_980_;
-                if (_e339 > _e348) {
-                    phi_985_ = _e339;
+                let _e372 = phi_999_;
+                if (_e357 > _e366) {
+                    phi_1004_ = _e357;
                 } else {
-                    phi_985_ = _e348;
+                    phi_1004_ = _e366;
                 }
-                let _e357 = phi_985_;
-                if (_e351 > _e354) {
-                    phi_990_ = _e351;
+                let _e375 = phi_1004_;
+                if (_e369 > _e372) {
+                    phi_1009_ = _e369;
                 } else {
-                    phi_990_ = _e354;
+                    phi_1009_ = _e372;
                 }
-                let _e360 = phi_990_;
-                if (_e360 > _e357) {
-                    phi_995_ = _e360;
+                let _e378 = phi_1009_;
+                if (_e378 > _e375) {
+                    phi_1014_ = _e378;
                 } else {
-                    phi_995_ = _e357;
+                    phi_1014_ = _e375;
                 }
-                let _e363 = phi_995_;
-                let _e367 = (_e363 * 0.0000019073486f);
-                let _e368 = (abs(_e308) * _e367);
-                let _e369 = (abs(_e319) * _e367);
-                let _e370 = (abs(_e330) * _e367);
-                let _e374 = (_e363 * 0.0000009536743f);
-                let _e375 = (abs(_e308) * _e374);
-                let _e376 = (abs(_e319) * _e374);
-                let _e377 = (abs(_e330) * _e374);
-                if (_e308 < 0f) {
-                    phi_1014_ = 0u;
+                let _e381 = phi_1014_;
+                let _e385 = (_e381 * 0.0000019073486f);
+                let _e386 = (abs(_e326) * _e385);
+                let _e387 = (abs(_e337) * _e385);
+                let _e388 = (abs(_e348) * _e385);
+                let _e392 = (_e381 * 0.0000009536743f);
+                let _e393 = (abs(_e326) * _e392);
+                let _e394 = (abs(_e337) * _e392);
+                let _e395 = (abs(_e348) * _e392);
+                if (_e326 < 0f) {
+                    phi_1033_ = 0u;
                 } else {
-                    phi_1014_ = 1u;
+                    phi_1033_ = 1u;
                 }
-                let _e380 = phi_1014_;
-                if (_e319 < 0f) {
-                    phi_1019_ = 0u;
+                let _e398 = phi_1033_;
+                if (_e337 < 0f) {
+                    phi_1038_ = 0u;
                 } else {
-                    phi_1019_ = 2u;
+                    phi_1038_ = 2u;
                 }
-                let _e383 = phi_1019_;
-                if (_e330 < 0f) {
-                    phi_1024_ = 0u;
+                let _e401 = phi_1038_;
+                if (_e348 < 0f) {
+                    phi_1043_ = 0u;
                 } else {
-                    phi_1024_ = 4u;
+                    phi_1043_ = 4u;
                 }
-                let _e386 = phi_1024_;
-                let _e388 = ((_e380 | _e383) | _e386);
-                let _e389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e111, 2147483648u);
-                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e389.first[0], _e389.first[1], _e389.first[2], _e389.first[3], _e389.first[4], _e389.first[5], _e389.first[6], _e389.first[7], _e389.first[8], _e389.first[9], _e389.first[10], _e389.first[11], _e389.first[12], _e389.first[13], _e389.first[14], _e389.first[15], _e389.first[16], _e389.first[17], _e389.first[18], _e389.first[19], _e389.first[20], _e389.first[21], _e389.first[22], _e389.first[23], _e389.first[24], _e389.first[25], _e389.first[26], _e389.first[27], _e389.first[28], _e389.first[29], _e389.first[30], _e389.first[31]), array<u32, 32>(_e389.mask[0], _e389.mask[1], _e389.mask[2], _e389.mask[3], _e389.mask[4], _e389.mask[5], _e389.mask[6], _e389.mask[7], _e389.mask[8], _e389.mask[9], _e389.mask[10], _e389.mask[11], _e389.mask[12], _e389.mask[13], _e389.mask[14], _e389.mask[15], _e389.mask[16], _e389.mask[17], _e389.mask[18], _e389.mask[19], _e389.mask[20], _e389.mask[21], _e389.mask[22], _e389.mask[23], _e389.mask[24], _e389.mask[25], _e389.mask[26], _e389.mask[27], _e389.mask[28], _e389.mask[29], _e389.mask[30], _e389.mask[31]), _e389.len, _e389.group, _e389.group_mask);
-                let _e463 = local_3.group_mask;
-                if ((_e463 & 4278190080u) == 0u) {
-                    let _e467 = local_3.len;
-                    if (_e467 == 0u) {
-                        phi_1138_ = false;
+                let _e404 = phi_1043_;
+                let _e406 = ((_e398 | _e401) | _e404);
+                let _e407 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e112, 2147483648u);
+                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e407.first[0], _e407.first[1], _e407.first[2], _e407.first[3], _e407.first[4], _e407.first[5], _e407.first[6], _e407.first[7], _e407.first[8], _e407.first[9], _e407.first[10], _e407.first[11], _e407.first[12], _e407.first[13], _e407.first[14], _e407.first[15], _e407.first[16], _e407.first[17], _e407.first[18], _e407.first[19], _e407.first[20], _e407.first[21], _e407.first[22], _e407.first[23], _e407.first[24], _e407.first[25], _e407.first[26], _e407.first[27], _e407.first[28], _e407.first[29], _e407.first[30], _e407.first[31]), array<u32, 32>(_e407.mask[0], _e407.mask[1], _e407.mask[2], _e407.mask[3], _e407.mask[4], _e407.mask[5], _e407.mask[6], _e407.mask[7], _e407.mask[8], _e407.mask[9], _e407.mask[10], _e407.mask[11], _e407.mask[12], _e407.mask[13], _e407.mask[14], _e407.mask[15], _e407.mask[16], _e407.mask[17], _e407.mask[18], _e407.mask[19], _e407.mask[20], _e407.mask[21], _e407.mask[22], _e407.mask[23], _e407.mask[24], _e407.mask[25], _e407.mask[26], _e407.mask[27], _e407.mask[28], _e407.mask[29], _e407.mask[30], _e407.mask[31]), _e407.len, _e407.group, _e407.group_mask);
+                let _e481 = local_3.group_mask;
+                if ((_e481 & 4278190080u) == 0u) {
+                    let _e485 = local_3.len;
+                    if (_e485 == 0u) {
+                        phi_1157_ = false;
                     } else {
-                        let _e471 = local_3.len;
-                        local_3.len = (_e471 - 1u);
-                        let _e474 = local_3.len;
-                        if (_e474 < 32u) {
+                        let _e489 = local_3.len;
+                        local_3.len = (_e489 - 1u);
+                        let _e492 = local_3.len;
+                        if (_e492 < 32u) {
                         } else {
                             return;
                         }
-                        let _e479 = local_3.first[(0u + _e474)];
-                        local_3.group = _e479;
-                        let _e482 = local_3.len;
-                        if (_e482 < 32u) {
+                        let _e497 = local_3.first[(0u + _e492)];
+                        local_3.group = _e497;
+                        let _e500 = local_3.len;
+                        if (_e500 < 32u) {
                         } else {
                             return;
                         }
-                        let _e487 = local_3.mask[(0u + _e482)];
-                        local_3.group_mask = _e487;
-                        phi_1138_ = true;
+                        let _e505 = local_3.mask[(0u + _e500)];
+                        local_3.group_mask = _e505;
+                        phi_1157_ = true;
                     }
-                    let _e490 = phi_1138_;
-                    phi_1139_ = _e490;
+                    let _e508 = phi_1157_;
+                    phi_1158_ = _e508;
                 } else {
-                    phi_1139_ = true;
+                    phi_1158_ = true;
                 }
-                let _e492 = phi_1139_;
-                if _e492 {
-                    let _e494 = local_3.group_mask;
-                    let _e500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e494)), 32u, (_e494 == 0u)));
-                    let _e504 = local_3.group_mask;
-                    let _e518 = local_3.group_mask;
-                    local_3.group_mask = (_e518 & ~((1u << bitcast<u32>((_e500 & 31u)))));
-                    let _e521 = local_3.group;
-                    phi_1170_ = (_e521 + countOneBits(((_e504 & ~((4294967295u << bitcast<u32>((((_e500 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e510 = phi_1158_;
+                if _e510 {
+                    let _e512 = local_3.group_mask;
+                    let _e518 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e512)), 32u, (_e512 == 0u)));
+                    let _e522 = local_3.group_mask;
+                    let _e536 = local_3.group_mask;
+                    local_3.group_mask = (_e536 & ~((1u << bitcast<u32>((_e518 & 31u)))));
+                    let _e539 = local_3.group;
+                    phi_1189_ = (_e539 + countOneBits(((_e522 & ~((4294967295u << bitcast<u32>((((_e518 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1170_ = 4294967295u;
+                    phi_1189_ = 4294967295u;
                 }
-                let _e524 = phi_1170_;
-                phi_1172_ = _e524;
-                phi_1175_ = _e164;
+                let _e542 = phi_1189_;
+                phi_1191_ = _e542;
+                phi_1194_ = _e182;
                 loop {
-                    let _e526 = phi_1172_;
-                    let _e528 = phi_1175_;
-                    local_13 = _e528;
-                    let _e529 = (_e526 != 4294967295u);
-                    if _e529 {
-                        if (_e526 < _e78) {
+                    let _e544 = phi_1191_;
+                    let _e546 = phi_1194_;
+                    local_13 = _e546;
+                    let _e547 = (_e544 != 4294967295u);
+                    if _e547 {
+                        if (_e544 < _e79) {
                         } else {
                             return;
                         }
-                        let _e537 = nodes.member[(0u + _e526)].frame[3u];
-                        let _e562 = (bitcast<f32>((((_e537 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e308);
-                        let _e563 = (bitcast<f32>((((_e537 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
-                        let _e564 = (bitcast<f32>((((_e537 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e330);
-                        let _e567 = nodes.member[(0u + _e526)].frame[0u];
-                        let _e571 = nodes.member[(0u + _e526)].frame[1u];
-                        let _e575 = nodes.member[(0u + _e526)].frame[2u];
-                        let _e583 = ((bitcast<f32>(_e567) - _e162.origin.x) * _e308);
-                        let _e584 = ((bitcast<f32>(_e571) - _e162.origin.y) * _e319);
-                        let _e585 = ((bitcast<f32>(_e575) - _e162.origin.z) * _e330);
-                        let _e593 = nodes.member[(0u + _e526)].x;
-                        if (_e308 < 0f) {
-                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e593.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e604.unnamed.word, _e593.w), _e604.unnamed_1);
-                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_mask_LightPlace(_e593.x, _e610.unnamed_1.shift));
-                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_mask_LightPlace(_e616.unnamed_1.word, _e593.y));
+                        let _e555 = nodes.member[(0u + _e544)].frame[3u];
+                        let _e580 = (bitcast<f32>((((_e555 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e326);
+                        let _e581 = (bitcast<f32>((((_e555 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e337);
+                        let _e582 = (bitcast<f32>((((_e555 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e348);
+                        let _e585 = nodes.member[(0u + _e544)].frame[0u];
+                        let _e589 = nodes.member[(0u + _e544)].frame[1u];
+                        let _e593 = nodes.member[(0u + _e544)].frame[2u];
+                        let _e601 = ((bitcast<f32>(_e585) - _e180.origin.x) * _e326);
+                        let _e602 = ((bitcast<f32>(_e589) - _e180.origin.y) * _e337);
+                        let _e603 = ((bitcast<f32>(_e593) - _e180.origin.z) * _e348);
+                        let _e611 = nodes.member[(0u + _e544)].x;
+                        if (_e326 < 0f) {
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e611.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e622.unnamed.word, _e611.w), _e622.unnamed_1);
+                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_mask_LightPlace(_e611.x, _e628.unnamed_1.shift));
+                            phi_1279_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_mask_LightPlace(_e634.unnamed_1.word, _e611.y));
                         } else {
-                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e593.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e632.unnamed.word, _e593.y), _e632.unnamed_1);
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_mask_LightPlace(_e593.z, _e638.unnamed_1.shift));
-                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_mask_LightPlace(_e644.unnamed_1.word, _e593.w));
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e611.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e650.unnamed.word, _e611.y), _e650.unnamed_1);
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_mask_LightPlace(_e611.z, _e656.unnamed_1.shift));
+                            phi_1279_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e662.unnamed, lt_mask_LightPlace(_e662.unnamed_1.word, _e611.w));
                         }
-                        let _e652 = phi_1260_;
-                        let _e662 = nodes.member[(0u + _e526)].y;
-                        if (_e319 < 0f) {
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e673.unnamed.word, _e662.w), _e673.unnamed_1);
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e662.x, _e679.unnamed_1.shift));
-                            phi_1287_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_mask_LightPlace(_e685.unnamed_1.word, _e662.y));
+                        let _e670 = phi_1279_;
+                        let _e680 = nodes.member[(0u + _e544)].y;
+                        if (_e337 < 0f) {
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e680.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e691.unnamed.word, _e680.w), _e691.unnamed_1);
+                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_mask_LightPlace(_e680.x, _e697.unnamed_1.shift));
+                            phi_1306_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_mask_LightPlace(_e703.unnamed_1.word, _e680.y));
                         } else {
-                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.unnamed.word, _e662.y), _e701.unnamed_1);
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_mask_LightPlace(_e662.z, _e707.unnamed_1.shift));
-                            phi_1287_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_mask_LightPlace(_e713.unnamed_1.word, _e662.w));
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e680.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e719.unnamed.word, _e680.y), _e719.unnamed_1);
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_mask_LightPlace(_e680.z, _e725.unnamed_1.shift));
+                            phi_1306_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_mask_LightPlace(_e731.unnamed_1.word, _e680.w));
                         }
-                        let _e721 = phi_1287_;
-                        let _e731 = nodes.member[(0u + _e526)].z;
-                        if (_e330 < 0f) {
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e742.unnamed.word, _e731.w), _e742.unnamed_1);
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e731.x, _e748.unnamed_1.shift));
-                            phi_1314_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_mask_LightPlace(_e754.unnamed_1.word, _e731.y));
+                        let _e739 = phi_1306_;
+                        let _e749 = nodes.member[(0u + _e544)].z;
+                        if (_e348 < 0f) {
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e749.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e760.unnamed.word, _e749.w), _e760.unnamed_1);
+                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_mask_LightPlace(_e749.x, _e766.unnamed_1.shift));
+                            phi_1333_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_mask_LightPlace(_e772.unnamed_1.word, _e749.y));
                         } else {
-                            let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e770.unnamed.word, _e731.y), _e770.unnamed_1);
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_mask_LightPlace(_e731.z, _e776.unnamed_1.shift));
-                            phi_1314_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_mask_LightPlace(_e782.unnamed_1.word, _e731.w));
+                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e749.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e788.unnamed.word, _e749.y), _e788.unnamed_1);
+                            let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_mask_LightPlace(_e749.z, _e794.unnamed_1.shift));
+                            phi_1333_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_mask_LightPlace(_e800.unnamed_1.word, _e749.w));
                         }
-                        let _e790 = phi_1314_;
-                        phi_1320_ = 0u;
-                        phi_1323_ = 0u;
+                        let _e808 = phi_1333_;
+                        phi_1339_ = 0u;
+                        phi_1342_ = 0u;
                         loop {
-                            let _e800 = phi_1320_;
-                            let _e802 = phi_1323_;
-                            local_4 = _e802;
-                            local_5 = _e802;
-                            local_6 = _e802;
-                            let _e803 = (_e800 < 8u);
-                            if _e803 {
-                                let _e805 = (_e800 >> bitcast<u32>(2i));
-                                let _e806 = (_e800 & 3u);
-                                if (_e805 == 0u) {
-                                    phi_1337_ = _e652.unnamed.word;
+                            let _e818 = phi_1339_;
+                            let _e820 = phi_1342_;
+                            local_4 = _e820;
+                            local_5 = _e820;
+                            local_6 = _e820;
+                            let _e821 = (_e818 < 8u);
+                            if _e821 {
+                                let _e823 = (_e818 >> bitcast<u32>(2i));
+                                let _e824 = (_e818 & 3u);
+                                if (_e823 == 0u) {
+                                    phi_1356_ = _e670.unnamed.word;
                                 } else {
-                                    phi_1337_ = _e652.unnamed.shift;
+                                    phi_1356_ = _e670.unnamed.shift;
                                 }
-                                let _e809 = phi_1337_;
-                                if (_e805 == 0u) {
-                                    phi_1347_ = _e721.unnamed.word;
+                                let _e827 = phi_1356_;
+                                if (_e823 == 0u) {
+                                    phi_1366_ = _e739.unnamed.word;
                                 } else {
-                                    phi_1347_ = _e721.unnamed.shift;
+                                    phi_1366_ = _e739.unnamed.shift;
                                 }
-                                let _e818 = phi_1347_;
-                                if (_e805 == 0u) {
-                                    phi_1357_ = _e790.unnamed.word;
+                                let _e836 = phi_1366_;
+                                if (_e823 == 0u) {
+                                    phi_1376_ = _e808.unnamed.word;
                                 } else {
-                                    phi_1357_ = _e790.unnamed.shift;
+                                    phi_1376_ = _e808.unnamed.shift;
                                 }
-                                let _e827 = phi_1357_;
-                                let _e840 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e809 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e562) + (_e583 - _e368)), ((f32(((_e818 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e563) + (_e584 - _e369)));
-                                let _e841 = core_intrinsics_maximum_number_nsz_f32_(_e840, ((f32(((_e827 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e564) + (_e585 - _e370)));
-                                if (_e805 == 0u) {
-                                    phi_1375_ = _e652.unnamed_1.word;
+                                let _e845 = phi_1376_;
+                                let _e858 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e827 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e580) + (_e601 - _e386)), ((f32(((_e836 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e581) + (_e602 - _e387)));
+                                let _e859 = core_intrinsics_maximum_number_nsz_f32_(_e858, ((f32(((_e845 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e582) + (_e603 - _e388)));
+                                if (_e823 == 0u) {
+                                    phi_1394_ = _e670.unnamed_1.word;
                                 } else {
-                                    phi_1375_ = _e652.unnamed_1.shift;
+                                    phi_1394_ = _e670.unnamed_1.shift;
                                 }
-                                let _e844 = phi_1375_;
-                                if (_e805 == 0u) {
-                                    phi_1385_ = _e721.unnamed_1.word;
+                                let _e862 = phi_1394_;
+                                if (_e823 == 0u) {
+                                    phi_1404_ = _e739.unnamed_1.word;
                                 } else {
-                                    phi_1385_ = _e721.unnamed_1.shift;
+                                    phi_1404_ = _e739.unnamed_1.shift;
                                 }
-                                let _e853 = phi_1385_;
-                                if (_e805 == 0u) {
-                                    phi_1395_ = _e790.unnamed_1.word;
+                                let _e871 = phi_1404_;
+                                if (_e823 == 0u) {
+                                    phi_1414_ = _e808.unnamed_1.word;
                                 } else {
-                                    phi_1395_ = _e790.unnamed_1.shift;
+                                    phi_1414_ = _e808.unnamed_1.shift;
                                 }
-                                let _e862 = phi_1395_;
-                                let _e875 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e562) + (_e583 + _e368)), ((f32(((_e853 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e563) + (_e584 + _e369)));
-                                let _e876 = core_intrinsics_minimum_number_nsz_f32_(_e875, ((f32(((_e862 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e564) + (_e585 + _e370)));
-                                if (_e841 <= _e876) {
-                                    if (_e841 <= _e528.t) {
-                                        if (_e876 >= _e162.tmin) {
-                                            if (_e805 == 0u) {
-                                                let _e883 = nodes.member[(0u + _e526)].links[2u];
-                                                phi_1431_ = _e883;
+                                let _e880 = phi_1414_;
+                                let _e893 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e862 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e580) + (_e601 + _e386)), ((f32(((_e871 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e581) + (_e602 + _e387)));
+                                let _e894 = core_intrinsics_minimum_number_nsz_f32_(_e893, ((f32(((_e880 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e582) + (_e603 + _e388)));
+                                if (_e859 <= _e894) {
+                                    if (_e859 <= _e546.t) {
+                                        if (_e894 >= _e180.tmin) {
+                                            if (_e823 == 0u) {
+                                                let _e901 = nodes.member[(0u + _e544)].links[2u];
+                                                phi_1450_ = _e901;
                                             } else {
-                                                let _e886 = nodes.member[(0u + _e526)].links[3u];
-                                                phi_1431_ = _e886;
+                                                let _e904 = nodes.member[(0u + _e544)].links[3u];
+                                                phi_1450_ = _e904;
                                             }
-                                            let _e888 = phi_1431_;
-                                            let _e893 = ((_e888 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u);
-                                            let _e894 = (_e893 & 31u);
-                                            if (_e894 >= 24u) {
-                                                phi_1444_ = (24u + ((_e894 - 24u) ^ _e388));
+                                            let _e906 = phi_1450_;
+                                            let _e911 = ((_e906 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u);
+                                            let _e912 = (_e911 & 31u);
+                                            if (_e912 >= 24u) {
+                                                phi_1463_ = (24u + ((_e912 - 24u) ^ _e406));
                                             } else {
-                                                phi_1444_ = _e894;
+                                                phi_1463_ = _e912;
                                             }
-                                            let _e900 = phi_1444_;
-                                            phi_1449_ = (_e802 | ((_e893 >> bitcast<u32>(5i)) << bitcast<u32>((_e900 & 31u))));
+                                            let _e918 = phi_1463_;
+                                            phi_1468_ = (_e820 | ((_e911 >> bitcast<u32>(5i)) << bitcast<u32>((_e918 & 31u))));
                                         } else {
-                                            phi_1449_ = _e802;
+                                            phi_1468_ = _e820;
                                         }
-                                        let _e908 = phi_1449_;
-                                        phi_1450_ = _e908;
+                                        let _e926 = phi_1468_;
+                                        phi_1469_ = _e926;
                                     } else {
-                                        phi_1450_ = _e802;
+                                        phi_1469_ = _e820;
                                     }
-                                    let _e910 = phi_1450_;
-                                    phi_1451_ = _e910;
+                                    let _e928 = phi_1469_;
+                                    phi_1470_ = _e928;
                                 } else {
-                                    phi_1451_ = _e802;
+                                    phi_1470_ = _e820;
                                 }
-                                let _e912 = phi_1451_;
-                                phi_1321_ = (_e800 + 1u);
-                                phi_1324_ = _e912;
+                                let _e930 = phi_1470_;
+                                phi_1340_ = (_e818 + 1u);
+                                phi_1343_ = _e930;
                             } else {
-                                phi_1321_ = u32();
-                                phi_1324_ = u32();
+                                phi_1340_ = u32();
+                                phi_1343_ = u32();
                             }
-                            let _e915 = phi_1321_;
-                            let _e917 = phi_1324_;
+                            let _e933 = phi_1340_;
+                            let _e935 = phi_1343_;
                             continue;
                             continuing {
-                                phi_1320_ = _e915;
-                                phi_1323_ = _e917;
-                                break if !(_e803);
+                                phi_1339_ = _e933;
+                                phi_1342_ = _e935;
+                                break if !(_e821);
                             }
                         }
-                        let _e921 = nodes.member[(0u + _e526)].links[0u];
-                        let _e925 = nodes.member[(0u + _e526)].frame[3u];
-                        let _e929 = local_4;
-                        if ((_e929 & 4278190080u) == 0u) {
+                        let _e939 = nodes.member[(0u + _e544)].links[0u];
+                        let _e943 = nodes.member[(0u + _e544)].frame[3u];
+                        let _e947 = local_4;
+                        if ((_e947 & 4278190080u) == 0u) {
                         } else {
-                            let _e933 = local_3.group_mask;
-                            if ((_e933 & 4278190080u) == 0u) {
+                            let _e951 = local_3.group_mask;
+                            if ((_e951 & 4278190080u) == 0u) {
                             } else {
-                                let _e937 = local_3.len;
-                                if (_e937 < 32u) {
-                                    let _e940 = local_3.group;
-                                    let _e942 = local_3.len;
-                                    if (_e942 < 32u) {
+                                let _e955 = local_3.len;
+                                if (_e955 < 32u) {
+                                    let _e958 = local_3.group;
+                                    let _e960 = local_3.len;
+                                    if (_e960 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.first[(0u + _e942)] = _e940;
-                                    let _e948 = local_3.group_mask;
-                                    let _e950 = local_3.len;
-                                    if (_e950 < 32u) {
+                                    local_3.first[(0u + _e960)] = _e958;
+                                    let _e966 = local_3.group_mask;
+                                    let _e968 = local_3.len;
+                                    if (_e968 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.mask[(0u + _e950)] = _e948;
-                                    let _e957 = local_3.len;
-                                    local_3.len = (_e957 + 1u);
+                                    local_3.mask[(0u + _e968)] = _e966;
+                                    let _e975 = local_3.len;
+                                    local_3.len = (_e975 + 1u);
                                 }
                             }
-                            local_3.group = (_e111 + _e921);
-                            let _e961 = local_5;
-                            local_3.group_mask = ((_e961 & 4278190080u) | (_e925 >> bitcast<u32>(24i)));
+                            local_3.group = (_e112 + _e939);
+                            let _e979 = local_5;
+                            local_3.group_mask = ((_e979 & 4278190080u) | (_e943 >> bitcast<u32>(24i)));
                         }
-                        let _e966 = local_6;
-                        phi_1509_ = (_e966 & 16777215u);
-                        phi_1512_ = _e528;
+                        let _e984 = local_6;
+                        phi_1528_ = (_e984 & 16777215u);
+                        phi_1531_ = _e546;
                         loop {
-                            let _e969 = phi_1509_;
-                            let _e971 = phi_1512_;
-                            local_12 = _e971;
-                            if (_e969 == 0u) {
-                                phi_1510_ = u32();
-                                phi_1513_ = lt_bvh_Hit();
-                                phi_3399_ = false;
+                            let _e987 = phi_1528_;
+                            let _e989 = phi_1531_;
+                            local_12 = _e989;
+                            if (_e987 == 0u) {
+                                phi_1529_ = u32();
+                                phi_1532_ = lt_bvh_Hit();
+                                phi_3418_ = false;
                             } else {
-                                let _e975 = nodes.member[(0u + _e526)].links[1u];
-                                let _e979 = (_e975 + select(firstTrailingBit(_e969), 32u, (_e969 == 0u)));
-                                if (_e979 < _e93) {
+                                let _e993 = nodes.member[(0u + _e544)].links[1u];
+                                let _e997 = (_e993 + select(firstTrailingBit(_e987), 32u, (_e987 == 0u)));
+                                if (_e997 < _e94) {
                                 } else {
                                     return;
                                 }
-                                let _e986 = instances.member[(0u + _e979)].low_world;
-                                let _e988 = instances.member[(0u + _e979)].high_world;
-                                let _e998 = ((_e986.x - _e162.origin.x) * _e308);
-                                let _e999 = ((_e986.y - _e162.origin.y) * _e319);
-                                let _e1000 = ((_e986.z - _e162.origin.z) * _e330);
-                                let _e1010 = ((_e988.x - _e162.origin.x) * _e308);
-                                let _e1011 = ((_e988.y - _e162.origin.y) * _e319);
-                                let _e1012 = ((_e988.z - _e162.origin.z) * _e330);
-                                if (_e998 < _e1010) {
-                                    phi_1567_ = _e998;
+                                let _e1004 = instances.member[(0u + _e997)].low_world;
+                                let _e1006 = instances.member[(0u + _e997)].high_world;
+                                let _e1016 = ((_e1004.x - _e180.origin.x) * _e326);
+                                let _e1017 = ((_e1004.y - _e180.origin.y) * _e337);
+                                let _e1018 = ((_e1004.z - _e180.origin.z) * _e348);
+                                let _e1028 = ((_e1006.x - _e180.origin.x) * _e326);
+                                let _e1029 = ((_e1006.y - _e180.origin.y) * _e337);
+                                let _e1030 = ((_e1006.z - _e180.origin.z) * _e348);
+                                if (_e1016 < _e1028) {
+                                    phi_1586_ = _e1016;
                                 } else {
-                                    phi_1567_ = _e1010;
+                                    phi_1586_ = _e1028;
                                 }
-                                let _e1015 = phi_1567_;
-                                if (_e999 < _e1011) {
-                                    phi_1572_ = _e999;
+                                let _e1033 = phi_1586_;
+                                if (_e1017 < _e1029) {
+                                    phi_1591_ = _e1017;
                                 } else {
-                                    phi_1572_ = _e1011;
+                                    phi_1591_ = _e1029;
                                 }
-                                let _e1018 = phi_1572_;
-                                if (_e1000 < _e1012) {
-                                    phi_1577_ = _e1000;
+                                let _e1036 = phi_1591_;
+                                if (_e1018 < _e1030) {
+                                    phi_1596_ = _e1018;
                                 } else {
-                                    phi_1577_ = _e1012;
+                                    phi_1596_ = _e1030;
                                 }
-                                let _e1021 = phi_1577_;
-                                if (_e998 > _e1010) {
-                                    phi_1585_ = _e998;
+                                let _e1039 = phi_1596_;
+                                if (_e1016 > _e1028) {
+                                    phi_1604_ = _e1016;
                                 } else {
-                                    phi_1585_ = _e1010;
+                                    phi_1604_ = _e1028;
                                 }
-                                let _e1027 = phi_1585_;
-                                if (_e999 > _e1011) {
-                                    phi_1590_ = _e999;
+                                let _e1045 = phi_1604_;
+                                if (_e1017 > _e1029) {
+                                    phi_1609_ = _e1017;
                                 } else {
-                                    phi_1590_ = _e1011;
+                                    phi_1609_ = _e1029;
                                 }
-                                let _e1030 = phi_1590_;
-                                if (_e1000 > _e1012) {
-                                    phi_1595_ = _e1000;
+                                let _e1048 = phi_1609_;
+                                if (_e1018 > _e1030) {
+                                    phi_1614_ = _e1018;
                                 } else {
-                                    phi_1595_ = _e1012;
+                                    phi_1614_ = _e1030;
                                 }
-                                let _e1033 = phi_1595_;
-                                let _e1037 = core_intrinsics_maximum_number_nsz_f32_((_e1015 - _e375), (_e1018 - _e376));
-                                let _e1038 = core_intrinsics_maximum_number_nsz_f32_(_e1037, (_e1021 - _e377));
-                                let _e1039 = core_intrinsics_minimum_number_nsz_f32_((_e1027 + _e375), (_e1030 + _e376));
-                                let _e1040 = core_intrinsics_minimum_number_nsz_f32_(_e1039, (_e1033 + _e377));
-                                if (_e1038 <= _e1040) {
-                                    if (_e1038 <= _e971.t) {
-                                        if (_e1040 >= _e162.tmin) {
-                                            let _e1052 = instances.member[(0u + _e979)].world_to_object[0u];
-                                            let _e1063 = ((((_e1052.x * _e162.origin.x) + (_e1052.y * _e162.origin.y)) + (_e1052.z * _e162.origin.z)) + (_e1052.w * 1f));
-                                            let _e1065 = instances.member[(0u + _e979)].world_to_object[1u];
-                                            let _e1076 = ((((_e1065.x * _e162.origin.x) + (_e1065.y * _e162.origin.y)) + (_e1065.z * _e162.origin.z)) + (_e1065.w * 1f));
-                                            let _e1078 = instances.member[(0u + _e979)].world_to_object[2u];
-                                            let _e1089 = ((((_e1078.x * _e162.origin.x) + (_e1078.y * _e162.origin.y)) + (_e1078.z * _e162.origin.z)) + (_e1078.w * 1f));
-                                            let _e1096 = instances.member[(0u + _e979)].world_to_object[0u];
-                                            let _e1107 = ((((_e1096.x * _e162.direction.x) + (_e1096.y * _e162.direction.y)) + (_e1096.z * _e162.direction.z)) + (_e1096.w * 0f));
-                                            let _e1109 = instances.member[(0u + _e979)].world_to_object[1u];
-                                            let _e1120 = ((((_e1109.x * _e162.direction.x) + (_e1109.y * _e162.direction.y)) + (_e1109.z * _e162.direction.z)) + (_e1109.w * 0f));
-                                            let _e1122 = instances.member[(0u + _e979)].world_to_object[2u];
-                                            let _e1133 = ((((_e1122.x * _e162.direction.x) + (_e1122.y * _e162.direction.y)) + (_e1122.z * _e162.direction.z)) + (_e1122.w * 0f));
-                                            let _e1138 = instances.member[(0u + _e979)].root;
-                                            let _e1140 = instances.member[(0u + _e979)].first_triangle;
-                                            let _e1141 = abs(_e1107);
-                                            let _e1142 = abs(_e1120);
-                                            let _e1143 = abs(_e1133);
-                                            if (abs(_e1063) < 1000000000000000f) {
-                                                if (abs(_e1076) < 1000000000000000f) {
-                                                    phi_1727_ = (abs(_e1089) < 1000000000000000f);
-                                                    phi_1728_ = false;
+                                let _e1051 = phi_1614_;
+                                let _e1055 = core_intrinsics_maximum_number_nsz_f32_((_e1033 - _e393), (_e1036 - _e394));
+                                let _e1056 = core_intrinsics_maximum_number_nsz_f32_(_e1055, (_e1039 - _e395));
+                                let _e1057 = core_intrinsics_minimum_number_nsz_f32_((_e1045 + _e393), (_e1048 + _e394));
+                                let _e1058 = core_intrinsics_minimum_number_nsz_f32_(_e1057, (_e1051 + _e395));
+                                if (_e1056 <= _e1058) {
+                                    if (_e1056 <= _e989.t) {
+                                        if (_e1058 >= _e180.tmin) {
+                                            let _e1070 = instances.member[(0u + _e997)].world_to_object[0u];
+                                            let _e1081 = ((((_e1070.x * _e180.origin.x) + (_e1070.y * _e180.origin.y)) + (_e1070.z * _e180.origin.z)) + (_e1070.w * 1f));
+                                            let _e1083 = instances.member[(0u + _e997)].world_to_object[1u];
+                                            let _e1094 = ((((_e1083.x * _e180.origin.x) + (_e1083.y * _e180.origin.y)) + (_e1083.z * _e180.origin.z)) + (_e1083.w * 1f));
+                                            let _e1096 = instances.member[(0u + _e997)].world_to_object[2u];
+                                            let _e1107 = ((((_e1096.x * _e180.origin.x) + (_e1096.y * _e180.origin.y)) + (_e1096.z * _e180.origin.z)) + (_e1096.w * 1f));
+                                            let _e1114 = instances.member[(0u + _e997)].world_to_object[0u];
+                                            let _e1125 = ((((_e1114.x * _e180.direction.x) + (_e1114.y * _e180.direction.y)) + (_e1114.z * _e180.direction.z)) + (_e1114.w * 0f));
+                                            let _e1127 = instances.member[(0u + _e997)].world_to_object[1u];
+                                            let _e1138 = ((((_e1127.x * _e180.direction.x) + (_e1127.y * _e180.direction.y)) + (_e1127.z * _e180.direction.z)) + (_e1127.w * 0f));
+                                            let _e1140 = instances.member[(0u + _e997)].world_to_object[2u];
+                                            let _e1151 = ((((_e1140.x * _e180.direction.x) + (_e1140.y * _e180.direction.y)) + (_e1140.z * _e180.direction.z)) + (_e1140.w * 0f));
+                                            let _e1156 = instances.member[(0u + _e997)].root;
+                                            let _e1158 = instances.member[(0u + _e997)].first_triangle;
+                                            let _e1159 = abs(_e1125);
+                                            let _e1160 = abs(_e1138);
+                                            let _e1161 = abs(_e1151);
+                                            if (abs(_e1081) < 1000000000000000f) {
+                                                if (abs(_e1094) < 1000000000000000f) {
+                                                    phi_1746_ = (abs(_e1107) < 1000000000000000f);
+                                                    phi_1747_ = false;
                                                 } else {
-                                                    phi_1727_ = bool();
-                                                    phi_1728_ = true;
+                                                    phi_1746_ = bool();
+                                                    phi_1747_ = true;
                                                 }
-                                                let _e1151 = phi_1727_;
-                                                let _e1153 = phi_1728_;
-                                                phi_1729_ = _e1151;
-                                                phi_1730_ = _e1153;
+                                                let _e1169 = phi_1746_;
+                                                let _e1171 = phi_1747_;
+                                                phi_1748_ = _e1169;
+                                                phi_1749_ = _e1171;
                                             } else {
-                                                phi_1729_ = bool();
-                                                phi_1730_ = true;
+                                                phi_1748_ = bool();
+                                                phi_1749_ = true;
                                             }
-                                            let _e1155 = phi_1729_;
-                                            let _e1157 = phi_1730_;
-                                            if _e1157 {
-                                                phi_1734_ = false;
+                                            let _e1173 = phi_1748_;
+                                            let _e1175 = phi_1749_;
+                                            if _e1175 {
+                                                phi_1753_ = false;
                                             } else {
-                                                phi_1734_ = _e1155;
+                                                phi_1753_ = _e1173;
                                             }
-                                            let _e1159 = phi_1734_;
-                                            if _e1159 {
-                                                if (_e1141 < 1000000000000000f) {
-                                                    if (_e1142 < 1000000000000000f) {
-                                                        phi_1747_ = (_e1143 < 1000000000000000f);
-                                                        phi_1748_ = false;
+                                            let _e1177 = phi_1753_;
+                                            if _e1177 {
+                                                if (_e1159 < 1000000000000000f) {
+                                                    if (_e1160 < 1000000000000000f) {
+                                                        phi_1766_ = (_e1161 < 1000000000000000f);
+                                                        phi_1767_ = false;
                                                     } else {
-                                                        phi_1747_ = bool();
-                                                        phi_1748_ = true;
+                                                        phi_1766_ = bool();
+                                                        phi_1767_ = true;
                                                     }
-                                                    let _e1164 = phi_1747_;
-                                                    let _e1166 = phi_1748_;
-                                                    phi_1749_ = _e1164;
-                                                    phi_1750_ = _e1166;
+                                                    let _e1182 = phi_1766_;
+                                                    let _e1184 = phi_1767_;
+                                                    phi_1768_ = _e1182;
+                                                    phi_1769_ = _e1184;
                                                 } else {
-                                                    phi_1749_ = bool();
-                                                    phi_1750_ = true;
+                                                    phi_1768_ = bool();
+                                                    phi_1769_ = true;
                                                 }
-                                                let _e1168 = phi_1749_;
-                                                let _e1170 = phi_1750_;
-                                                if _e1170 {
-                                                    phi_1754_ = false;
+                                                let _e1186 = phi_1768_;
+                                                let _e1188 = phi_1769_;
+                                                if _e1188 {
+                                                    phi_1773_ = false;
                                                 } else {
-                                                    phi_1754_ = _e1168;
+                                                    phi_1773_ = _e1186;
                                                 }
-                                                let _e1172 = phi_1754_;
-                                                if _e1172 {
-                                                    if (_e1141 > 0f) {
-                                                        phi_1768_ = bool();
-                                                        phi_1769_ = true;
+                                                let _e1190 = phi_1773_;
+                                                if _e1190 {
+                                                    if (_e1159 > 0f) {
+                                                        phi_1787_ = bool();
+                                                        phi_1788_ = true;
                                                     } else {
-                                                        let _e1174 = (_e1142 > 0f);
-                                                        if _e1174 {
-                                                            phi_1767_ = bool();
+                                                        let _e1192 = (_e1160 > 0f);
+                                                        if _e1192 {
+                                                            phi_1786_ = bool();
                                                         } else {
-                                                            phi_1767_ = (_e1143 > 0f);
+                                                            phi_1786_ = (_e1161 > 0f);
                                                         }
-                                                        let _e1177 = phi_1767_;
-                                                        phi_1768_ = _e1177;
-                                                        phi_1769_ = _e1174;
+                                                        let _e1195 = phi_1786_;
+                                                        phi_1787_ = _e1195;
+                                                        phi_1788_ = _e1192;
                                                     }
-                                                    let _e1179 = phi_1768_;
-                                                    let _e1181 = phi_1769_;
-                                                    if _e1181 {
-                                                        phi_1773_ = true;
+                                                    let _e1197 = phi_1787_;
+                                                    let _e1199 = phi_1788_;
+                                                    if _e1199 {
+                                                        phi_1792_ = true;
                                                     } else {
-                                                        phi_1773_ = _e1179;
+                                                        phi_1792_ = _e1197;
                                                     }
-                                                    let _e1183 = phi_1773_;
-                                                    phi_1774_ = _e1183;
-                                                    phi_1775_ = false;
+                                                    let _e1201 = phi_1792_;
+                                                    phi_1793_ = _e1201;
+                                                    phi_1794_ = false;
                                                 } else {
-                                                    phi_1774_ = bool();
-                                                    phi_1775_ = true;
+                                                    phi_1793_ = bool();
+                                                    phi_1794_ = true;
                                                 }
-                                                let _e1185 = phi_1774_;
-                                                let _e1187 = phi_1775_;
-                                                phi_1776_ = _e1185;
-                                                phi_1777_ = _e1187;
+                                                let _e1203 = phi_1793_;
+                                                let _e1205 = phi_1794_;
+                                                phi_1795_ = _e1203;
+                                                phi_1796_ = _e1205;
                                             } else {
-                                                phi_1776_ = bool();
-                                                phi_1777_ = true;
+                                                phi_1795_ = bool();
+                                                phi_1796_ = true;
                                             }
-                                            let _e1189 = phi_1776_;
-                                            let _e1191 = phi_1777_;
-                                            if _e1191 {
-                                                phi_1781_ = false;
+                                            let _e1207 = phi_1795_;
+                                            let _e1209 = phi_1796_;
+                                            if _e1209 {
+                                                phi_1800_ = false;
                                             } else {
-                                                phi_1781_ = _e1189;
+                                                phi_1800_ = _e1207;
                                             }
-                                            let _e1193 = phi_1781_;
-                                            if _e1193 {
-                                                let _e1194 = (_e1138 >= _e78);
-                                                if _e1194 {
-                                                    phi_3389_ = lt_bvh_Hit();
+                                            let _e1211 = phi_1800_;
+                                            if _e1211 {
+                                                let _e1212 = (_e1156 >= _e79);
+                                                if _e1212 {
+                                                    phi_3408_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1138 < _e78) {
+                                                    if (_e1156 < _e79) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1200 = nodes.member[(0u + _e1138)].frame[0u];
-                                                    let _e1204 = nodes.member[(0u + _e1138)].frame[1u];
-                                                    let _e1208 = nodes.member[(0u + _e1138)].frame[2u];
-                                                    let _e1212 = nodes.member[(0u + _e1138)].frame[0u];
-                                                    let _e1216 = nodes.member[(0u + _e1138)].frame[1u];
-                                                    let _e1220 = nodes.member[(0u + _e1138)].frame[2u];
-                                                    let _e1224 = nodes.member[(0u + _e1138)].frame[3u];
-                                                    let _e1258 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1107), abs(_e1120));
-                                                    let _e1259 = core_intrinsics_maximum_number_nsz_f32_(_e1258, abs(_e1133));
-                                                    let _e1260 = (_e1259 * 0.0000000000009094947f);
-                                                    if (abs(_e1107) < _e1260) {
-                                                        phi_1851_ = _e1260;
+                                                    let _e1218 = nodes.member[(0u + _e1156)].frame[0u];
+                                                    let _e1222 = nodes.member[(0u + _e1156)].frame[1u];
+                                                    let _e1226 = nodes.member[(0u + _e1156)].frame[2u];
+                                                    let _e1230 = nodes.member[(0u + _e1156)].frame[0u];
+                                                    let _e1234 = nodes.member[(0u + _e1156)].frame[1u];
+                                                    let _e1238 = nodes.member[(0u + _e1156)].frame[2u];
+                                                    let _e1242 = nodes.member[(0u + _e1156)].frame[3u];
+                                                    let _e1276 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1125), abs(_e1138));
+                                                    let _e1277 = core_intrinsics_maximum_number_nsz_f32_(_e1276, abs(_e1151));
+                                                    let _e1278 = (_e1277 * 0.0000000000009094947f);
+                                                    if (abs(_e1125) < _e1278) {
+                                                        phi_1870_ = _e1278;
                                                     } else {
-                                                        phi_1851_ = abs(_e1107);
+                                                        phi_1870_ = abs(_e1125);
                                                     }
-                                                    let _e1265 = phi_1851_;
-                                                    if (_e1107 < 0f) {
-                                                        phi_1858_ = (-1f / _e1265);
+                                                    let _e1283 = phi_1870_;
+                                                    if (_e1125 < 0f) {
+                                                        phi_1877_ = (-1f / _e1283);
                                                     } else {
-                                                        phi_1858_ = (1f / _e1265);
+                                                        phi_1877_ = (1f / _e1283);
                                                     }
-                                                    let _e1270 = phi_1858_;
-                                                    if (abs(_e1120) < _e1260) {
-                                                        phi_1865_ = _e1260;
+                                                    let _e1288 = phi_1877_;
+                                                    if (abs(_e1138) < _e1278) {
+                                                        phi_1884_ = _e1278;
                                                     } else {
-                                                        phi_1865_ = abs(_e1120);
+                                                        phi_1884_ = abs(_e1138);
                                                     }
-                                                    let _e1275 = phi_1865_;
-                                                    if (_e1120 < 0f) {
-                                                        phi_1872_ = (-1f / _e1275);
+                                                    let _e1293 = phi_1884_;
+                                                    if (_e1138 < 0f) {
+                                                        phi_1891_ = (-1f / _e1293);
                                                     } else {
-                                                        phi_1872_ = (1f / _e1275);
+                                                        phi_1891_ = (1f / _e1293);
                                                     }
-                                                    let _e1280 = phi_1872_;
-                                                    if (abs(_e1133) < _e1260) {
-                                                        phi_1879_ = _e1260;
+                                                    let _e1298 = phi_1891_;
+                                                    if (abs(_e1151) < _e1278) {
+                                                        phi_1898_ = _e1278;
                                                     } else {
-                                                        phi_1879_ = abs(_e1133);
+                                                        phi_1898_ = abs(_e1151);
                                                     }
-                                                    let _e1285 = phi_1879_;
-                                                    if (_e1133 < 0f) {
-                                                        phi_1886_ = (-1f / _e1285);
+                                                    let _e1303 = phi_1898_;
+                                                    if (_e1151 < 0f) {
+                                                        phi_1905_ = (-1f / _e1303);
                                                     } else {
-                                                        phi_1886_ = (1f / _e1285);
+                                                        phi_1905_ = (1f / _e1303);
                                                     }
-                                                    let _e1290 = phi_1886_;
-                                                    let _e1294 = abs((bitcast<f32>(_e1200) - _e1063));
-                                                    let _e1295 = abs((bitcast<f32>(_e1204) - _e1076));
-                                                    let _e1296 = abs((bitcast<f32>(_e1208) - _e1089));
-                                                    let _e1300 = abs(((bitcast<f32>(_e1212) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1063));
-                                                    let _e1301 = abs(((bitcast<f32>(_e1216) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1076));
-                                                    let _e1302 = abs(((bitcast<f32>(_e1220) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1089));
-                                                    if (_e1294 > _e1300) {
-                                                        phi_1903_ = _e1294;
+                                                    let _e1308 = phi_1905_;
+                                                    let _e1312 = abs((bitcast<f32>(_e1218) - _e1081));
+                                                    let _e1313 = abs((bitcast<f32>(_e1222) - _e1094));
+                                                    let _e1314 = abs((bitcast<f32>(_e1226) - _e1107));
+                                                    let _e1318 = abs(((bitcast<f32>(_e1230) + (bitcast<f32>((((_e1242 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1081));
+                                                    let _e1319 = abs(((bitcast<f32>(_e1234) + (bitcast<f32>((((_e1242 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1094));
+                                                    let _e1320 = abs(((bitcast<f32>(_e1238) + (bitcast<f32>((((_e1242 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1107));
+                                                    if (_e1312 > _e1318) {
+                                                        phi_1922_ = _e1312;
                                                     } else {
-                                                        phi_1903_ = _e1300;
+                                                        phi_1922_ = _e1318;
                                                     }
-                                                    let _e1305 = phi_1903_;
-                                                    if (_e1295 > _e1301) {
-                                                        phi_1908_ = _e1295;
+                                                    let _e1323 = phi_1922_;
+                                                    if (_e1313 > _e1319) {
+                                                        phi_1927_ = _e1313;
                                                     } else {
-                                                        phi_1908_ = _e1301;
+                                                        phi_1927_ = _e1319;
                                                     }
-                                                    let _e1308 = phi_1908_;
-                                                    if (_e1296 > _e1302) {
-                                                        phi_1913_ = _e1296;
+                                                    let _e1326 = phi_1927_;
+                                                    if (_e1314 > _e1320) {
+                                                        phi_1932_ = _e1314;
                                                     } else {
-                                                        phi_1913_ = _e1302;
+                                                        phi_1932_ = _e1320;
                                                     }
-                                                    let _e1311 = phi_1913_;
-                                                    if (_e1305 > _e1308) {
-                                                        phi_1918_ = _e1305;
+                                                    let _e1329 = phi_1932_;
+                                                    if (_e1323 > _e1326) {
+                                                        phi_1937_ = _e1323;
                                                     } else {
-                                                        phi_1918_ = _e1308;
+                                                        phi_1937_ = _e1326;
                                                     }
-                                                    let _e1314 = phi_1918_;
-                                                    if (_e1314 > _e1311) {
-                                                        phi_1923_ = _e1314;
+                                                    let _e1332 = phi_1937_;
+                                                    if (_e1332 > _e1329) {
+                                                        phi_1942_ = _e1332;
                                                     } else {
-                                                        phi_1923_ = _e1311;
+                                                        phi_1942_ = _e1329;
                                                     }
-                                                    let _e1317 = phi_1923_;
-                                                    let _e1321 = (_e1317 * 0.0000019073486f);
-                                                    let _e1322 = (abs(_e1270) * _e1321);
-                                                    let _e1323 = (abs(_e1280) * _e1321);
-                                                    let _e1324 = (abs(_e1290) * _e1321);
-                                                    let _e1328 = (_e1317 * 0.0000009536743f);
-                                                    let _e1329 = (abs(_e1270) * _e1328);
-                                                    let _e1330 = (abs(_e1280) * _e1328);
-                                                    let _e1331 = (abs(_e1290) * _e1328);
-                                                    let _e1332 = abs(_e1107);
-                                                    let _e1333 = abs(_e1120);
-                                                    let _e1334 = abs(_e1133);
-                                                    if (_e1332 >= _e1333) {
-                                                        if (_e1332 >= _e1334) {
-                                                            phi_1949_ = false;
+                                                    let _e1335 = phi_1942_;
+                                                    let _e1339 = (_e1335 * 0.0000019073486f);
+                                                    let _e1340 = (abs(_e1288) * _e1339);
+                                                    let _e1341 = (abs(_e1298) * _e1339);
+                                                    let _e1342 = (abs(_e1308) * _e1339);
+                                                    let _e1346 = (_e1335 * 0.0000009536743f);
+                                                    let _e1347 = (abs(_e1288) * _e1346);
+                                                    let _e1348 = (abs(_e1298) * _e1346);
+                                                    let _e1349 = (abs(_e1308) * _e1346);
+                                                    let _e1350 = abs(_e1125);
+                                                    let _e1351 = abs(_e1138);
+                                                    let _e1352 = abs(_e1151);
+                                                    if (_e1350 >= _e1351) {
+                                                        if (_e1350 >= _e1352) {
+                                                            phi_1968_ = false;
                                                         } else {
-                                                            phi_1949_ = true;
+                                                            phi_1968_ = true;
                                                         }
-                                                        let _e1338 = phi_1949_;
-                                                        phi_1950_ = _e1338;
+                                                        let _e1356 = phi_1968_;
+                                                        phi_1969_ = _e1356;
                                                     } else {
-                                                        phi_1950_ = true;
+                                                        phi_1969_ = true;
                                                     }
-                                                    let _e1340 = phi_1950_;
-                                                    if _e1340 {
-                                                        if (_e1333 >= _e1334) {
-                                                            phi_1958_ = 1u;
+                                                    let _e1358 = phi_1969_;
+                                                    if _e1358 {
+                                                        if (_e1351 >= _e1352) {
+                                                            phi_1977_ = 1u;
                                                         } else {
-                                                            phi_1958_ = 2u;
+                                                            phi_1977_ = 2u;
                                                         }
-                                                        let _e1343 = phi_1958_;
-                                                        phi_1959_ = _e1343;
+                                                        let _e1361 = phi_1977_;
+                                                        phi_1978_ = _e1361;
                                                     } else {
-                                                        phi_1959_ = 0u;
+                                                        phi_1978_ = 0u;
                                                     }
-                                                    let _e1345 = phi_1959_;
-                                                    if (_e1345 == 0u) {
-                                                        phi_1971_ = vec3<f32>(_e1120, _e1133, _e1107);
+                                                    let _e1363 = phi_1978_;
+                                                    if (_e1363 == 0u) {
+                                                        phi_1990_ = vec3<f32>(_e1138, _e1151, _e1125);
                                                     } else {
-                                                        if (_e1345 == 1u) {
-                                                            phi_1970_ = vec3<f32>(_e1133, _e1107, _e1120);
+                                                        if (_e1363 == 1u) {
+                                                            phi_1989_ = vec3<f32>(_e1151, _e1125, _e1138);
                                                         } else {
-                                                            phi_1970_ = vec3<f32>(_e1107, _e1120, _e1133);
+                                                            phi_1989_ = vec3<f32>(_e1125, _e1138, _e1151);
                                                         }
-                                                        let _e1351 = phi_1970_;
-                                                        phi_1971_ = _e1351;
+                                                        let _e1369 = phi_1989_;
+                                                        phi_1990_ = _e1369;
                                                     }
-                                                    let _e1353 = phi_1971_;
-                                                    let _e1356 = (_e1353.x / _e1353.z);
-                                                    let _e1359 = (_e1353.y / _e1353.z);
-                                                    if (_e1270 < 0f) {
-                                                        phi_1984_ = 0u;
+                                                    let _e1371 = phi_1990_;
+                                                    let _e1374 = (_e1371.x / _e1371.z);
+                                                    let _e1377 = (_e1371.y / _e1371.z);
+                                                    if (_e1288 < 0f) {
+                                                        phi_2003_ = 0u;
                                                     } else {
-                                                        phi_1984_ = 1u;
+                                                        phi_2003_ = 1u;
                                                     }
-                                                    let _e1364 = phi_1984_;
-                                                    if (_e1280 < 0f) {
-                                                        phi_1989_ = 0u;
+                                                    let _e1382 = phi_2003_;
+                                                    if (_e1298 < 0f) {
+                                                        phi_2008_ = 0u;
                                                     } else {
-                                                        phi_1989_ = 2u;
+                                                        phi_2008_ = 2u;
                                                     }
-                                                    let _e1367 = phi_1989_;
-                                                    if (_e1290 < 0f) {
-                                                        phi_1994_ = 0u;
+                                                    let _e1385 = phi_2008_;
+                                                    if (_e1308 < 0f) {
+                                                        phi_2013_ = 0u;
                                                     } else {
-                                                        phi_1994_ = 4u;
+                                                        phi_2013_ = 4u;
                                                     }
-                                                    let _e1370 = phi_1994_;
-                                                    let _e1372 = ((_e1364 | _e1367) | _e1370);
-                                                    let _e1373 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1138, 2147483648u);
-                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1373.first[0], _e1373.first[1], _e1373.first[2], _e1373.first[3], _e1373.first[4], _e1373.first[5], _e1373.first[6], _e1373.first[7], _e1373.first[8], _e1373.first[9], _e1373.first[10], _e1373.first[11], _e1373.first[12], _e1373.first[13], _e1373.first[14], _e1373.first[15], _e1373.first[16], _e1373.first[17], _e1373.first[18], _e1373.first[19], _e1373.first[20], _e1373.first[21], _e1373.first[22], _e1373.first[23], _e1373.first[24], _e1373.first[25], _e1373.first[26], _e1373.first[27], _e1373.first[28], _e1373.first[29], _e1373.first[30], _e1373.first[31]), array<u32, 32>(_e1373.mask[0], _e1373.mask[1], _e1373.mask[2], _e1373.mask[3], _e1373.mask[4], _e1373.mask[5], _e1373.mask[6], _e1373.mask[7], _e1373.mask[8], _e1373.mask[9], _e1373.mask[10], _e1373.mask[11], _e1373.mask[12], _e1373.mask[13], _e1373.mask[14], _e1373.mask[15], _e1373.mask[16], _e1373.mask[17], _e1373.mask[18], _e1373.mask[19], _e1373.mask[20], _e1373.mask[21], _e1373.mask[22], _e1373.mask[23], _e1373.mask[24], _e1373.mask[25], _e1373.mask[26], _e1373.mask[27], _e1373.mask[28], _e1373.mask[29], _e1373.mask[30], _e1373.mask[31]), _e1373.len, _e1373.group, _e1373.group_mask);
-                                                    let _e1447 = local_2.group_mask;
-                                                    if ((_e1447 & 4278190080u) == 0u) {
-                                                        let _e1451 = local_2.len;
-                                                        if (_e1451 == 0u) {
-                                                            phi_2108_ = false;
+                                                    let _e1388 = phi_2013_;
+                                                    let _e1390 = ((_e1382 | _e1385) | _e1388);
+                                                    let _e1391 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1156, 2147483648u);
+                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1391.first[0], _e1391.first[1], _e1391.first[2], _e1391.first[3], _e1391.first[4], _e1391.first[5], _e1391.first[6], _e1391.first[7], _e1391.first[8], _e1391.first[9], _e1391.first[10], _e1391.first[11], _e1391.first[12], _e1391.first[13], _e1391.first[14], _e1391.first[15], _e1391.first[16], _e1391.first[17], _e1391.first[18], _e1391.first[19], _e1391.first[20], _e1391.first[21], _e1391.first[22], _e1391.first[23], _e1391.first[24], _e1391.first[25], _e1391.first[26], _e1391.first[27], _e1391.first[28], _e1391.first[29], _e1391.first[30], _e1391.first[31]), array<u32, 32>(_e1391.mask[0], _e1391.mask[1], _e1391.mask[2], _e1391.mask[3], _e1391.mask[4], _e1391.mask[5], _e1391.mask[6], _e1391.mask[7], _e1391.mask[8], _e1391.mask[9], _e1391.mask[10], _e1391.mask[11], _e1391.mask[12], _e1391.mask[13], _e1391.mask[14], _e1391.mask[15], _e1391.mask[16], _e1391.mask[17], _e1391.mask[18], _e1391.mask[19], _e1391.mask[20], _e1391.mask[21], _e1391.mask[22], _e1391.mask[23], _e1391.mask[24], _e1391.mask[25], _e1391.mask[26], _e1391.mask[27], _e1391.mask[28], _e1391.mask[29], _e1391.mask[30], _e1391.mask[31]), _e1391.len, _e1391.group, _e1391.group_mask);
+                                                    let _e1465 = local_2.group_mask;
+                                                    if ((_e1465 & 4278190080u) == 0u) {
+                                                        let _e1469 = local_2.len;
+                                                        if (_e1469 == 0u) {
+                                                            phi_2127_ = false;
                                                         } else {
-                                                            let _e1455 = local_2.len;
-                                                            local_2.len = (_e1455 - 1u);
-                                                            let _e1458 = local_2.len;
-                                                            if (_e1458 < 32u) {
+                                                            let _e1473 = local_2.len;
+                                                            local_2.len = (_e1473 - 1u);
+                                                            let _e1476 = local_2.len;
+                                                            if (_e1476 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1463 = local_2.first[(0u + _e1458)];
-                                                            local_2.group = _e1463;
-                                                            let _e1466 = local_2.len;
-                                                            if (_e1466 < 32u) {
+                                                            let _e1481 = local_2.first[(0u + _e1476)];
+                                                            local_2.group = _e1481;
+                                                            let _e1484 = local_2.len;
+                                                            if (_e1484 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1471 = local_2.mask[(0u + _e1466)];
-                                                            local_2.group_mask = _e1471;
-                                                            phi_2108_ = true;
+                                                            let _e1489 = local_2.mask[(0u + _e1484)];
+                                                            local_2.group_mask = _e1489;
+                                                            phi_2127_ = true;
                                                         }
-                                                        let _e1474 = phi_2108_;
-                                                        phi_2109_ = _e1474;
+                                                        let _e1492 = phi_2127_;
+                                                        phi_2128_ = _e1492;
                                                     } else {
-                                                        phi_2109_ = true;
+                                                        phi_2128_ = true;
                                                     }
-                                                    let _e1476 = phi_2109_;
-                                                    if _e1476 {
-                                                        let _e1478 = local_2.group_mask;
-                                                        let _e1484 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1478)), 32u, (_e1478 == 0u)));
-                                                        let _e1488 = local_2.group_mask;
-                                                        let _e1502 = local_2.group_mask;
-                                                        local_2.group_mask = (_e1502 & ~((1u << bitcast<u32>((_e1484 & 31u)))));
-                                                        let _e1505 = local_2.group;
-                                                        phi_2140_ = (_e1505 + countOneBits(((_e1488 & ~((4294967295u << bitcast<u32>((((_e1484 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1494 = phi_2128_;
+                                                    if _e1494 {
+                                                        let _e1496 = local_2.group_mask;
+                                                        let _e1502 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1496)), 32u, (_e1496 == 0u)));
+                                                        let _e1506 = local_2.group_mask;
+                                                        let _e1520 = local_2.group_mask;
+                                                        local_2.group_mask = (_e1520 & ~((1u << bitcast<u32>((_e1502 & 31u)))));
+                                                        let _e1523 = local_2.group;
+                                                        phi_2159_ = (_e1523 + countOneBits(((_e1506 & ~((4294967295u << bitcast<u32>((((_e1502 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2140_ = 4294967295u;
+                                                        phi_2159_ = 4294967295u;
                                                     }
-                                                    let _e1508 = phi_2140_;
-                                                    phi_2142_ = _e971;
-                                                    phi_2145_ = _e1508;
+                                                    let _e1526 = phi_2159_;
+                                                    phi_2161_ = _e989;
+                                                    phi_2164_ = _e1526;
                                                     loop {
-                                                        let _e1510 = phi_2142_;
-                                                        let _e1512 = phi_2145_;
-                                                        local_11 = _e1510;
-                                                        let _e1513 = (_e1512 != 4294967295u);
-                                                        if _e1513 {
-                                                            if (_e1512 < _e78) {
+                                                        let _e1528 = phi_2161_;
+                                                        let _e1530 = phi_2164_;
+                                                        local_11 = _e1528;
+                                                        let _e1531 = (_e1530 != 4294967295u);
+                                                        if _e1531 {
+                                                            if (_e1530 < _e79) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1520 = nodes.member[(0u + _e1512)].frame[3u];
-                                                            let _e1545 = (bitcast<f32>((((_e1520 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1270);
-                                                            let _e1546 = (bitcast<f32>((((_e1520 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1280);
-                                                            let _e1547 = (bitcast<f32>((((_e1520 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
-                                                            let _e1550 = nodes.member[(0u + _e1512)].frame[0u];
-                                                            let _e1554 = nodes.member[(0u + _e1512)].frame[1u];
-                                                            let _e1558 = nodes.member[(0u + _e1512)].frame[2u];
-                                                            let _e1563 = ((bitcast<f32>(_e1550) - _e1063) * _e1270);
-                                                            let _e1564 = ((bitcast<f32>(_e1554) - _e1076) * _e1280);
-                                                            let _e1565 = ((bitcast<f32>(_e1558) - _e1089) * _e1290);
-                                                            let _e1573 = nodes.member[(0u + _e1512)].x;
-                                                            if (_e1270 < 0f) {
-                                                                let _e1584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1573.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1584.unnamed.word, _e1573.w), _e1584.unnamed_1);
-                                                                let _e1596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1590.unnamed, lt_mask_LightPlace(_e1573.x, _e1590.unnamed_1.shift));
-                                                                phi_2226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1596.unnamed, lt_mask_LightPlace(_e1596.unnamed_1.word, _e1573.y));
+                                                            let _e1538 = nodes.member[(0u + _e1530)].frame[3u];
+                                                            let _e1563 = (bitcast<f32>((((_e1538 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1288);
+                                                            let _e1564 = (bitcast<f32>((((_e1538 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1298);
+                                                            let _e1565 = (bitcast<f32>((((_e1538 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1308);
+                                                            let _e1568 = nodes.member[(0u + _e1530)].frame[0u];
+                                                            let _e1572 = nodes.member[(0u + _e1530)].frame[1u];
+                                                            let _e1576 = nodes.member[(0u + _e1530)].frame[2u];
+                                                            let _e1581 = ((bitcast<f32>(_e1568) - _e1081) * _e1288);
+                                                            let _e1582 = ((bitcast<f32>(_e1572) - _e1094) * _e1298);
+                                                            let _e1583 = ((bitcast<f32>(_e1576) - _e1107) * _e1308);
+                                                            let _e1591 = nodes.member[(0u + _e1530)].x;
+                                                            if (_e1288 < 0f) {
+                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1591.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1602.unnamed.word, _e1591.w), _e1602.unnamed_1);
+                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_mask_LightPlace(_e1591.x, _e1608.unnamed_1.shift));
+                                                                phi_2245_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_mask_LightPlace(_e1614.unnamed_1.word, _e1591.y));
                                                             } else {
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1573.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1612.unnamed.word, _e1573.y), _e1612.unnamed_1);
-                                                                let _e1624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1618.unnamed, lt_mask_LightPlace(_e1573.z, _e1618.unnamed_1.shift));
-                                                                phi_2226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1624.unnamed, lt_mask_LightPlace(_e1624.unnamed_1.word, _e1573.w));
+                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1591.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1630.unnamed.word, _e1591.y), _e1630.unnamed_1);
+                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_mask_LightPlace(_e1591.z, _e1636.unnamed_1.shift));
+                                                                phi_2245_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_mask_LightPlace(_e1642.unnamed_1.word, _e1591.w));
                                                             }
-                                                            let _e1632 = phi_2226_;
-                                                            let _e1642 = nodes.member[(0u + _e1512)].y;
-                                                            if (_e1280 < 0f) {
-                                                                let _e1653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1642.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1653.unnamed.word, _e1642.w), _e1653.unnamed_1);
-                                                                let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1659.unnamed, lt_mask_LightPlace(_e1642.x, _e1659.unnamed_1.shift));
-                                                                phi_2253_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1665.unnamed, lt_mask_LightPlace(_e1665.unnamed_1.word, _e1642.y));
+                                                            let _e1650 = phi_2245_;
+                                                            let _e1660 = nodes.member[(0u + _e1530)].y;
+                                                            if (_e1298 < 0f) {
+                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1660.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1671.unnamed.word, _e1660.w), _e1671.unnamed_1);
+                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_mask_LightPlace(_e1660.x, _e1677.unnamed_1.shift));
+                                                                phi_2272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_mask_LightPlace(_e1683.unnamed_1.word, _e1660.y));
                                                             } else {
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1642.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1681.unnamed.word, _e1642.y), _e1681.unnamed_1);
-                                                                let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1687.unnamed, lt_mask_LightPlace(_e1642.z, _e1687.unnamed_1.shift));
-                                                                phi_2253_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1693.unnamed, lt_mask_LightPlace(_e1693.unnamed_1.word, _e1642.w));
+                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1660.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1699.unnamed.word, _e1660.y), _e1699.unnamed_1);
+                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_mask_LightPlace(_e1660.z, _e1705.unnamed_1.shift));
+                                                                phi_2272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_mask_LightPlace(_e1711.unnamed_1.word, _e1660.w));
                                                             }
-                                                            let _e1701 = phi_2253_;
-                                                            let _e1711 = nodes.member[(0u + _e1512)].z;
-                                                            if (_e1290 < 0f) {
-                                                                let _e1722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1711.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1722.unnamed.word, _e1711.w), _e1722.unnamed_1);
-                                                                let _e1734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1728.unnamed, lt_mask_LightPlace(_e1711.x, _e1728.unnamed_1.shift));
-                                                                phi_2280_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1734.unnamed, lt_mask_LightPlace(_e1734.unnamed_1.word, _e1711.y));
+                                                            let _e1719 = phi_2272_;
+                                                            let _e1729 = nodes.member[(0u + _e1530)].z;
+                                                            if (_e1308 < 0f) {
+                                                                let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1729.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1740.unnamed.word, _e1729.w), _e1740.unnamed_1);
+                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_mask_LightPlace(_e1729.x, _e1746.unnamed_1.shift));
+                                                                phi_2299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_mask_LightPlace(_e1752.unnamed_1.word, _e1729.y));
                                                             } else {
-                                                                let _e1750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1711.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1750.unnamed.word, _e1711.y), _e1750.unnamed_1);
-                                                                let _e1762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1756.unnamed, lt_mask_LightPlace(_e1711.z, _e1756.unnamed_1.shift));
-                                                                phi_2280_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1762.unnamed, lt_mask_LightPlace(_e1762.unnamed_1.word, _e1711.w));
+                                                                let _e1768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1729.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1768.unnamed.word, _e1729.y), _e1768.unnamed_1);
+                                                                let _e1780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1774.unnamed, lt_mask_LightPlace(_e1729.z, _e1774.unnamed_1.shift));
+                                                                phi_2299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1780.unnamed, lt_mask_LightPlace(_e1780.unnamed_1.word, _e1729.w));
                                                             }
-                                                            let _e1770 = phi_2280_;
-                                                            phi_2286_ = 0u;
-                                                            phi_2289_ = 0u;
+                                                            let _e1788 = phi_2299_;
+                                                            phi_2305_ = 0u;
+                                                            phi_2308_ = 0u;
                                                             loop {
-                                                                let _e1780 = phi_2286_;
-                                                                let _e1782 = phi_2289_;
-                                                                local_7 = _e1782;
-                                                                local_8 = _e1782;
-                                                                local_9 = _e1782;
-                                                                let _e1783 = (_e1780 < 8u);
-                                                                if _e1783 {
-                                                                    let _e1785 = (_e1780 >> bitcast<u32>(2i));
-                                                                    let _e1786 = (_e1780 & 3u);
-                                                                    if (_e1785 == 0u) {
-                                                                        phi_2303_ = _e1632.unnamed.word;
+                                                                let _e1798 = phi_2305_;
+                                                                let _e1800 = phi_2308_;
+                                                                local_7 = _e1800;
+                                                                local_8 = _e1800;
+                                                                local_9 = _e1800;
+                                                                let _e1801 = (_e1798 < 8u);
+                                                                if _e1801 {
+                                                                    let _e1803 = (_e1798 >> bitcast<u32>(2i));
+                                                                    let _e1804 = (_e1798 & 3u);
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2322_ = _e1650.unnamed.word;
                                                                     } else {
-                                                                        phi_2303_ = _e1632.unnamed.shift;
+                                                                        phi_2322_ = _e1650.unnamed.shift;
                                                                     }
-                                                                    let _e1789 = phi_2303_;
-                                                                    if (_e1785 == 0u) {
-                                                                        phi_2313_ = _e1701.unnamed.word;
+                                                                    let _e1807 = phi_2322_;
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2332_ = _e1719.unnamed.word;
                                                                     } else {
-                                                                        phi_2313_ = _e1701.unnamed.shift;
+                                                                        phi_2332_ = _e1719.unnamed.shift;
                                                                     }
-                                                                    let _e1798 = phi_2313_;
-                                                                    if (_e1785 == 0u) {
-                                                                        phi_2323_ = _e1770.unnamed.word;
+                                                                    let _e1816 = phi_2332_;
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2342_ = _e1788.unnamed.word;
                                                                     } else {
-                                                                        phi_2323_ = _e1770.unnamed.shift;
+                                                                        phi_2342_ = _e1788.unnamed.shift;
                                                                     }
-                                                                    let _e1807 = phi_2323_;
-                                                                    let _e1820 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1789 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1545) + (_e1563 - _e1322)), ((f32(((_e1798 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1546) + (_e1564 - _e1323)));
-                                                                    let _e1821 = core_intrinsics_maximum_number_nsz_f32_(_e1820, ((f32(((_e1807 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1547) + (_e1565 - _e1324)));
-                                                                    if (_e1785 == 0u) {
-                                                                        phi_2341_ = _e1632.unnamed_1.word;
+                                                                    let _e1825 = phi_2342_;
+                                                                    let _e1838 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1807 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)), ((f32(((_e1816 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1564) + (_e1582 - _e1341)));
+                                                                    let _e1839 = core_intrinsics_maximum_number_nsz_f32_(_e1838, ((f32(((_e1825 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1565) + (_e1583 - _e1342)));
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2360_ = _e1650.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2341_ = _e1632.unnamed_1.shift;
+                                                                        phi_2360_ = _e1650.unnamed_1.shift;
                                                                     }
-                                                                    let _e1824 = phi_2341_;
-                                                                    if (_e1785 == 0u) {
-                                                                        phi_2351_ = _e1701.unnamed_1.word;
+                                                                    let _e1842 = phi_2360_;
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2370_ = _e1719.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2351_ = _e1701.unnamed_1.shift;
+                                                                        phi_2370_ = _e1719.unnamed_1.shift;
                                                                     }
-                                                                    let _e1833 = phi_2351_;
-                                                                    if (_e1785 == 0u) {
-                                                                        phi_2361_ = _e1770.unnamed_1.word;
+                                                                    let _e1851 = phi_2370_;
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2380_ = _e1788.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2361_ = _e1770.unnamed_1.shift;
+                                                                        phi_2380_ = _e1788.unnamed_1.shift;
                                                                     }
-                                                                    let _e1842 = phi_2361_;
-                                                                    let _e1855 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1824 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1545) + (_e1563 + _e1322)), ((f32(((_e1833 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1546) + (_e1564 + _e1323)));
-                                                                    let _e1856 = core_intrinsics_minimum_number_nsz_f32_(_e1855, ((f32(((_e1842 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1547) + (_e1565 + _e1324)));
-                                                                    if (_e1821 <= _e1856) {
-                                                                        if (_e1821 <= _e1510.t) {
-                                                                            if (_e1856 >= _e162.tmin) {
-                                                                                if (_e1785 == 0u) {
-                                                                                    let _e1863 = nodes.member[(0u + _e1512)].links[2u];
-                                                                                    phi_2397_ = _e1863;
+                                                                    let _e1860 = phi_2380_;
+                                                                    let _e1873 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1842 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 + _e1340)), ((f32(((_e1851 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1564) + (_e1582 + _e1341)));
+                                                                    let _e1874 = core_intrinsics_minimum_number_nsz_f32_(_e1873, ((f32(((_e1860 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1565) + (_e1583 + _e1342)));
+                                                                    if (_e1839 <= _e1874) {
+                                                                        if (_e1839 <= _e1528.t) {
+                                                                            if (_e1874 >= _e180.tmin) {
+                                                                                if (_e1803 == 0u) {
+                                                                                    let _e1881 = nodes.member[(0u + _e1530)].links[2u];
+                                                                                    phi_2416_ = _e1881;
                                                                                 } else {
-                                                                                    let _e1866 = nodes.member[(0u + _e1512)].links[3u];
-                                                                                    phi_2397_ = _e1866;
+                                                                                    let _e1884 = nodes.member[(0u + _e1530)].links[3u];
+                                                                                    phi_2416_ = _e1884;
                                                                                 }
-                                                                                let _e1868 = phi_2397_;
-                                                                                let _e1873 = ((_e1868 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u);
-                                                                                let _e1874 = (_e1873 & 31u);
-                                                                                if (_e1874 >= 24u) {
-                                                                                    phi_2410_ = (24u + ((_e1874 - 24u) ^ _e1372));
+                                                                                let _e1886 = phi_2416_;
+                                                                                let _e1891 = ((_e1886 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u);
+                                                                                let _e1892 = (_e1891 & 31u);
+                                                                                if (_e1892 >= 24u) {
+                                                                                    phi_2429_ = (24u + ((_e1892 - 24u) ^ _e1390));
                                                                                 } else {
-                                                                                    phi_2410_ = _e1874;
+                                                                                    phi_2429_ = _e1892;
                                                                                 }
-                                                                                let _e1880 = phi_2410_;
-                                                                                phi_2415_ = (_e1782 | ((_e1873 >> bitcast<u32>(5i)) << bitcast<u32>((_e1880 & 31u))));
+                                                                                let _e1898 = phi_2429_;
+                                                                                phi_2434_ = (_e1800 | ((_e1891 >> bitcast<u32>(5i)) << bitcast<u32>((_e1898 & 31u))));
                                                                             } else {
-                                                                                phi_2415_ = _e1782;
+                                                                                phi_2434_ = _e1800;
                                                                             }
-                                                                            let _e1888 = phi_2415_;
-                                                                            phi_2416_ = _e1888;
+                                                                            let _e1906 = phi_2434_;
+                                                                            phi_2435_ = _e1906;
                                                                         } else {
-                                                                            phi_2416_ = _e1782;
+                                                                            phi_2435_ = _e1800;
                                                                         }
-                                                                        let _e1890 = phi_2416_;
-                                                                        phi_2417_ = _e1890;
+                                                                        let _e1908 = phi_2435_;
+                                                                        phi_2436_ = _e1908;
                                                                     } else {
-                                                                        phi_2417_ = _e1782;
+                                                                        phi_2436_ = _e1800;
                                                                     }
-                                                                    let _e1892 = phi_2417_;
-                                                                    phi_2287_ = (_e1780 + 1u);
-                                                                    phi_2290_ = _e1892;
+                                                                    let _e1910 = phi_2436_;
+                                                                    phi_2306_ = (_e1798 + 1u);
+                                                                    phi_2309_ = _e1910;
                                                                 } else {
-                                                                    phi_2287_ = u32();
-                                                                    phi_2290_ = u32();
+                                                                    phi_2306_ = u32();
+                                                                    phi_2309_ = u32();
                                                                 }
-                                                                let _e1895 = phi_2287_;
-                                                                let _e1897 = phi_2290_;
+                                                                let _e1913 = phi_2306_;
+                                                                let _e1915 = phi_2309_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2286_ = _e1895;
-                                                                    phi_2289_ = _e1897;
-                                                                    break if !(_e1783);
+                                                                    phi_2305_ = _e1913;
+                                                                    phi_2308_ = _e1915;
+                                                                    break if !(_e1801);
                                                                 }
                                                             }
-                                                            let _e1901 = nodes.member[(0u + _e1512)].links[0u];
-                                                            let _e1905 = nodes.member[(0u + _e1512)].frame[3u];
-                                                            let _e1909 = local_7;
-                                                            if ((_e1909 & 4278190080u) == 0u) {
+                                                            let _e1919 = nodes.member[(0u + _e1530)].links[0u];
+                                                            let _e1923 = nodes.member[(0u + _e1530)].frame[3u];
+                                                            let _e1927 = local_7;
+                                                            if ((_e1927 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1913 = local_2.group_mask;
-                                                                if ((_e1913 & 4278190080u) == 0u) {
+                                                                let _e1931 = local_2.group_mask;
+                                                                if ((_e1931 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1917 = local_2.len;
-                                                                    if (_e1917 < 32u) {
-                                                                        let _e1920 = local_2.group;
-                                                                        let _e1922 = local_2.len;
-                                                                        if (_e1922 < 32u) {
+                                                                    let _e1935 = local_2.len;
+                                                                    if (_e1935 < 32u) {
+                                                                        let _e1938 = local_2.group;
+                                                                        let _e1940 = local_2.len;
+                                                                        if (_e1940 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.first[(0u + _e1922)] = _e1920;
-                                                                        let _e1928 = local_2.group_mask;
-                                                                        let _e1930 = local_2.len;
-                                                                        if (_e1930 < 32u) {
+                                                                        local_2.first[(0u + _e1940)] = _e1938;
+                                                                        let _e1946 = local_2.group_mask;
+                                                                        let _e1948 = local_2.len;
+                                                                        if (_e1948 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.mask[(0u + _e1930)] = _e1928;
-                                                                        let _e1937 = local_2.len;
-                                                                        local_2.len = (_e1937 + 1u);
+                                                                        local_2.mask[(0u + _e1948)] = _e1946;
+                                                                        let _e1955 = local_2.len;
+                                                                        local_2.len = (_e1955 + 1u);
                                                                     }
                                                                 }
-                                                                local_2.group = (_e1138 + _e1901);
-                                                                let _e1941 = local_8;
-                                                                local_2.group_mask = ((_e1941 & 4278190080u) | (_e1905 >> bitcast<u32>(24i)));
+                                                                local_2.group = (_e1156 + _e1919);
+                                                                let _e1959 = local_8;
+                                                                local_2.group_mask = ((_e1959 & 4278190080u) | (_e1923 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1946 = local_9;
-                                                            phi_2475_ = _e1510;
-                                                            phi_2478_ = (_e1946 & 16777215u);
+                                                            let _e1964 = local_9;
+                                                            phi_2494_ = _e1528;
+                                                            phi_2497_ = (_e1964 & 16777215u);
                                                             loop {
-                                                                let _e1949 = phi_2475_;
-                                                                let _e1951 = phi_2478_;
-                                                                local_10 = _e1949;
-                                                                if (_e1951 == 0u) {
-                                                                    phi_2476_ = lt_bvh_Hit();
-                                                                    phi_2479_ = u32();
-                                                                    phi_3317_ = false;
+                                                                let _e1967 = phi_2494_;
+                                                                let _e1969 = phi_2497_;
+                                                                local_10 = _e1967;
+                                                                if (_e1969 == 0u) {
+                                                                    phi_2495_ = lt_bvh_Hit();
+                                                                    phi_2498_ = u32();
+                                                                    phi_3336_ = false;
                                                                 } else {
-                                                                    let _e1955 = nodes.member[(0u + _e1512)].links[1u];
-                                                                    let _e1960 = ((_e1140 + _e1955) + select(firstTrailingBit(_e1951), 32u, (_e1951 == 0u)));
-                                                                    if (_e1960 < _e81) {
+                                                                    let _e1973 = nodes.member[(0u + _e1530)].links[1u];
+                                                                    let _e1978 = ((_e1158 + _e1973) + select(firstTrailingBit(_e1969), 32u, (_e1969 == 0u)));
+                                                                    if (_e1978 < _e82) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1967 = triangles.member[(0u + _e1960)].v0_;
-                                                                    let _e1969 = (_e1967.x - _e1063);
-                                                                    let _e1971 = (_e1967.y - _e1076);
-                                                                    let _e1973 = (_e1967.z - _e1089);
-                                                                    if (_e1345 == 0u) {
-                                                                        phi_2523_ = vec3<f32>(_e1971, _e1973, _e1969);
+                                                                    let _e1985 = triangles.member[(0u + _e1978)].v0_;
+                                                                    let _e1987 = (_e1985.x - _e1081);
+                                                                    let _e1989 = (_e1985.y - _e1094);
+                                                                    let _e1991 = (_e1985.z - _e1107);
+                                                                    if (_e1363 == 0u) {
+                                                                        phi_2542_ = vec3<f32>(_e1989, _e1991, _e1987);
                                                                     } else {
-                                                                        if (_e1345 == 1u) {
-                                                                            phi_2522_ = vec3<f32>(_e1973, _e1969, _e1971);
+                                                                        if (_e1363 == 1u) {
+                                                                            phi_2541_ = vec3<f32>(_e1991, _e1987, _e1989);
                                                                         } else {
-                                                                            phi_2522_ = (_e1967 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                            phi_2541_ = (_e1985 - vec3<f32>(_e1081, _e1094, _e1107));
                                                                         }
-                                                                        let _e1981 = phi_2522_;
-                                                                        phi_2523_ = _e1981;
+                                                                        let _e1999 = phi_2541_;
+                                                                        phi_2542_ = _e1999;
                                                                     }
-                                                                    let _e1983 = phi_2523_;
-                                                                    let _e1987 = (_e1983.x - (_e1356 * _e1983.z));
-                                                                    let _e1991 = (_e1983.y - (_e1359 * _e1983.z));
-                                                                    let _e1993 = triangles.member[(0u + _e1960)].v1_;
-                                                                    let _e1995 = (_e1993.x - _e1063);
-                                                                    let _e1997 = (_e1993.y - _e1076);
-                                                                    let _e1999 = (_e1993.z - _e1089);
-                                                                    if (_e1345 == 0u) {
-                                                                        phi_2553_ = vec3<f32>(_e1997, _e1999, _e1995);
+                                                                    let _e2001 = phi_2542_;
+                                                                    let _e2005 = (_e2001.x - (_e1374 * _e2001.z));
+                                                                    let _e2009 = (_e2001.y - (_e1377 * _e2001.z));
+                                                                    let _e2011 = triangles.member[(0u + _e1978)].v1_;
+                                                                    let _e2013 = (_e2011.x - _e1081);
+                                                                    let _e2015 = (_e2011.y - _e1094);
+                                                                    let _e2017 = (_e2011.z - _e1107);
+                                                                    if (_e1363 == 0u) {
+                                                                        phi_2572_ = vec3<f32>(_e2015, _e2017, _e2013);
                                                                     } else {
-                                                                        if (_e1345 == 1u) {
-                                                                            phi_2552_ = vec3<f32>(_e1999, _e1995, _e1997);
+                                                                        if (_e1363 == 1u) {
+                                                                            phi_2571_ = vec3<f32>(_e2017, _e2013, _e2015);
                                                                         } else {
-                                                                            phi_2552_ = (_e1993 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                            phi_2571_ = (_e2011 - vec3<f32>(_e1081, _e1094, _e1107));
                                                                         }
-                                                                        let _e2007 = phi_2552_;
-                                                                        phi_2553_ = _e2007;
+                                                                        let _e2025 = phi_2571_;
+                                                                        phi_2572_ = _e2025;
                                                                     }
-                                                                    let _e2009 = phi_2553_;
-                                                                    let _e2013 = (_e2009.x - (_e1356 * _e2009.z));
-                                                                    let _e2017 = (_e2009.y - (_e1359 * _e2009.z));
-                                                                    let _e2019 = triangles.member[(0u + _e1960)].v2_;
-                                                                    let _e2021 = (_e2019.x - _e1063);
-                                                                    let _e2023 = (_e2019.y - _e1076);
-                                                                    let _e2025 = (_e2019.z - _e1089);
-                                                                    if (_e1345 == 0u) {
-                                                                        phi_2583_ = vec3<f32>(_e2023, _e2025, _e2021);
+                                                                    let _e2027 = phi_2572_;
+                                                                    let _e2031 = (_e2027.x - (_e1374 * _e2027.z));
+                                                                    let _e2035 = (_e2027.y - (_e1377 * _e2027.z));
+                                                                    let _e2037 = triangles.member[(0u + _e1978)].v2_;
+                                                                    let _e2039 = (_e2037.x - _e1081);
+                                                                    let _e2041 = (_e2037.y - _e1094);
+                                                                    let _e2043 = (_e2037.z - _e1107);
+                                                                    if (_e1363 == 0u) {
+                                                                        phi_2602_ = vec3<f32>(_e2041, _e2043, _e2039);
                                                                     } else {
-                                                                        if (_e1345 == 1u) {
-                                                                            phi_2582_ = vec3<f32>(_e2025, _e2021, _e2023);
+                                                                        if (_e1363 == 1u) {
+                                                                            phi_2601_ = vec3<f32>(_e2043, _e2039, _e2041);
                                                                         } else {
-                                                                            phi_2582_ = (_e2019 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                            phi_2601_ = (_e2037 - vec3<f32>(_e1081, _e1094, _e1107));
                                                                         }
-                                                                        let _e2033 = phi_2582_;
-                                                                        phi_2583_ = _e2033;
+                                                                        let _e2051 = phi_2601_;
+                                                                        phi_2602_ = _e2051;
                                                                     }
-                                                                    let _e2035 = phi_2583_;
-                                                                    let _e2039 = (_e2035.x - (_e1356 * _e2035.z));
-                                                                    let _e2043 = (_e2035.y - (_e1359 * _e2035.z));
-                                                                    if (_e2013 < _e2039) {
-                                                                        phi_2602_ = true;
+                                                                    let _e2053 = phi_2602_;
+                                                                    let _e2057 = (_e2053.x - (_e1374 * _e2053.z));
+                                                                    let _e2061 = (_e2053.y - (_e1377 * _e2053.z));
+                                                                    if (_e2031 < _e2057) {
+                                                                        phi_2621_ = true;
                                                                     } else {
-                                                                        if (_e2013 == _e2039) {
-                                                                            phi_2601_ = (_e2017 < _e2043);
+                                                                        if (_e2031 == _e2057) {
+                                                                            phi_2620_ = (_e2035 < _e2061);
                                                                         } else {
-                                                                            phi_2601_ = false;
+                                                                            phi_2620_ = false;
                                                                         }
-                                                                        let _e2048 = phi_2601_;
-                                                                        phi_2602_ = _e2048;
+                                                                        let _e2066 = phi_2620_;
+                                                                        phi_2621_ = _e2066;
                                                                     }
-                                                                    let _e2050 = phi_2602_;
-                                                                    if _e2050 {
-                                                                        phi_2606_ = _e2043;
-                                                                        phi_2607_ = _e2039;
-                                                                        phi_2608_ = _e2017;
-                                                                        phi_2609_ = _e2013;
+                                                                    let _e2068 = phi_2621_;
+                                                                    if _e2068 {
+                                                                        phi_2625_ = _e2061;
+                                                                        phi_2626_ = _e2057;
+                                                                        phi_2627_ = _e2035;
+                                                                        phi_2628_ = _e2031;
                                                                     } else {
-                                                                        phi_2606_ = _e2017;
-                                                                        phi_2607_ = _e2013;
-                                                                        phi_2608_ = _e2043;
-                                                                        phi_2609_ = _e2039;
+                                                                        phi_2625_ = _e2035;
+                                                                        phi_2626_ = _e2031;
+                                                                        phi_2627_ = _e2061;
+                                                                        phi_2628_ = _e2057;
                                                                     }
-                                                                    let _e2052 = phi_2606_;
-                                                                    let _e2054 = phi_2607_;
-                                                                    let _e2056 = phi_2608_;
-                                                                    let _e2058 = phi_2609_;
-                                                                    let _e2061 = ((_e2058 * _e2052) - (_e2056 * _e2054));
-                                                                    if _e2050 {
-                                                                        phi_2617_ = -(_e2061);
+                                                                    let _e2070 = phi_2625_;
+                                                                    let _e2072 = phi_2626_;
+                                                                    let _e2074 = phi_2627_;
+                                                                    let _e2076 = phi_2628_;
+                                                                    let _e2079 = ((_e2076 * _e2070) - (_e2074 * _e2072));
+                                                                    if _e2068 {
+                                                                        phi_2636_ = -(_e2079);
                                                                     } else {
-                                                                        phi_2617_ = _e2061;
+                                                                        phi_2636_ = _e2079;
                                                                     }
-                                                                    let _e2064 = phi_2617_;
-                                                                    if (_e2039 < _e1987) {
-                                                                        phi_2628_ = true;
+                                                                    let _e2082 = phi_2636_;
+                                                                    if (_e2057 < _e2005) {
+                                                                        phi_2647_ = true;
                                                                     } else {
-                                                                        if (_e2039 == _e1987) {
-                                                                            phi_2627_ = (_e2043 < _e1991);
+                                                                        if (_e2057 == _e2005) {
+                                                                            phi_2646_ = (_e2061 < _e2009);
                                                                         } else {
-                                                                            phi_2627_ = false;
+                                                                            phi_2646_ = false;
                                                                         }
-                                                                        let _e2069 = phi_2627_;
-                                                                        phi_2628_ = _e2069;
+                                                                        let _e2087 = phi_2646_;
+                                                                        phi_2647_ = _e2087;
                                                                     }
-                                                                    let _e2071 = phi_2628_;
-                                                                    if _e2071 {
-                                                                        phi_2632_ = _e1991;
-                                                                        phi_2633_ = _e1987;
-                                                                        phi_2634_ = _e2043;
-                                                                        phi_2635_ = _e2039;
+                                                                    let _e2089 = phi_2647_;
+                                                                    if _e2089 {
+                                                                        phi_2651_ = _e2009;
+                                                                        phi_2652_ = _e2005;
+                                                                        phi_2653_ = _e2061;
+                                                                        phi_2654_ = _e2057;
                                                                     } else {
-                                                                        phi_2632_ = _e2043;
-                                                                        phi_2633_ = _e2039;
-                                                                        phi_2634_ = _e1991;
-                                                                        phi_2635_ = _e1987;
+                                                                        phi_2651_ = _e2061;
+                                                                        phi_2652_ = _e2057;
+                                                                        phi_2653_ = _e2009;
+                                                                        phi_2654_ = _e2005;
                                                                     }
-                                                                    let _e2073 = phi_2632_;
-                                                                    let _e2075 = phi_2633_;
-                                                                    let _e2077 = phi_2634_;
-                                                                    let _e2079 = phi_2635_;
-                                                                    let _e2082 = ((_e2079 * _e2073) - (_e2077 * _e2075));
-                                                                    if _e2071 {
-                                                                        phi_2643_ = -(_e2082);
+                                                                    let _e2091 = phi_2651_;
+                                                                    let _e2093 = phi_2652_;
+                                                                    let _e2095 = phi_2653_;
+                                                                    let _e2097 = phi_2654_;
+                                                                    let _e2100 = ((_e2097 * _e2091) - (_e2095 * _e2093));
+                                                                    if _e2089 {
+                                                                        phi_2662_ = -(_e2100);
                                                                     } else {
-                                                                        phi_2643_ = _e2082;
+                                                                        phi_2662_ = _e2100;
                                                                     }
-                                                                    let _e2085 = phi_2643_;
-                                                                    if (_e1987 < _e2013) {
-                                                                        phi_2654_ = true;
+                                                                    let _e2103 = phi_2662_;
+                                                                    if (_e2005 < _e2031) {
+                                                                        phi_2673_ = true;
                                                                     } else {
-                                                                        if (_e1987 == _e2013) {
-                                                                            phi_2653_ = (_e1991 < _e2017);
+                                                                        if (_e2005 == _e2031) {
+                                                                            phi_2672_ = (_e2009 < _e2035);
                                                                         } else {
-                                                                            phi_2653_ = false;
+                                                                            phi_2672_ = false;
                                                                         }
-                                                                        let _e2090 = phi_2653_;
-                                                                        phi_2654_ = _e2090;
+                                                                        let _e2108 = phi_2672_;
+                                                                        phi_2673_ = _e2108;
                                                                     }
-                                                                    let _e2092 = phi_2654_;
-                                                                    if _e2092 {
-                                                                        phi_2658_ = _e2017;
-                                                                        phi_2659_ = _e2013;
-                                                                        phi_2660_ = _e1991;
-                                                                        phi_2661_ = _e1987;
+                                                                    let _e2110 = phi_2673_;
+                                                                    if _e2110 {
+                                                                        phi_2677_ = _e2035;
+                                                                        phi_2678_ = _e2031;
+                                                                        phi_2679_ = _e2009;
+                                                                        phi_2680_ = _e2005;
                                                                     } else {
-                                                                        phi_2658_ = _e1991;
-                                                                        phi_2659_ = _e1987;
-                                                                        phi_2660_ = _e2017;
-                                                                        phi_2661_ = _e2013;
+                                                                        phi_2677_ = _e2009;
+                                                                        phi_2678_ = _e2005;
+                                                                        phi_2679_ = _e2035;
+                                                                        phi_2680_ = _e2031;
                                                                     }
-                                                                    let _e2094 = phi_2658_;
-                                                                    let _e2096 = phi_2659_;
-                                                                    let _e2098 = phi_2660_;
-                                                                    let _e2100 = phi_2661_;
-                                                                    let _e2103 = ((_e2100 * _e2094) - (_e2098 * _e2096));
-                                                                    if _e2092 {
-                                                                        phi_2669_ = -(_e2103);
+                                                                    let _e2112 = phi_2677_;
+                                                                    let _e2114 = phi_2678_;
+                                                                    let _e2116 = phi_2679_;
+                                                                    let _e2118 = phi_2680_;
+                                                                    let _e2121 = ((_e2118 * _e2112) - (_e2116 * _e2114));
+                                                                    if _e2110 {
+                                                                        phi_2688_ = -(_e2121);
                                                                     } else {
-                                                                        phi_2669_ = _e2103;
+                                                                        phi_2688_ = _e2121;
                                                                     }
-                                                                    let _e2106 = phi_2669_;
-                                                                    if (_e2064 >= 0f) {
-                                                                        if (_e2085 >= 0f) {
-                                                                            if (_e2106 >= 0f) {
-                                                                                phi_2684_ = ((_e2064 + _e2085) + _e2106);
-                                                                                phi_2685_ = false;
+                                                                    let _e2124 = phi_2688_;
+                                                                    if (_e2082 >= 0f) {
+                                                                        if (_e2103 >= 0f) {
+                                                                            if (_e2124 >= 0f) {
+                                                                                phi_2703_ = ((_e2082 + _e2103) + _e2124);
+                                                                                phi_2704_ = false;
                                                                             } else {
-                                                                                phi_2684_ = f32();
-                                                                                phi_2685_ = true;
+                                                                                phi_2703_ = f32();
+                                                                                phi_2704_ = true;
                                                                             }
-                                                                            let _e2113 = phi_2684_;
-                                                                            let _e2115 = phi_2685_;
-                                                                            phi_2686_ = _e2113;
-                                                                            phi_2687_ = _e2115;
+                                                                            let _e2131 = phi_2703_;
+                                                                            let _e2133 = phi_2704_;
+                                                                            phi_2705_ = _e2131;
+                                                                            phi_2706_ = _e2133;
                                                                         } else {
-                                                                            phi_2686_ = f32();
-                                                                            phi_2687_ = true;
+                                                                            phi_2705_ = f32();
+                                                                            phi_2706_ = true;
                                                                         }
-                                                                        let _e2117 = phi_2686_;
-                                                                        let _e2119 = phi_2687_;
-                                                                        phi_2688_ = _e2117;
-                                                                        phi_2689_ = _e2119;
+                                                                        let _e2135 = phi_2705_;
+                                                                        let _e2137 = phi_2706_;
+                                                                        phi_2707_ = _e2135;
+                                                                        phi_2708_ = _e2137;
                                                                     } else {
-                                                                        phi_2688_ = f32();
-                                                                        phi_2689_ = true;
+                                                                        phi_2707_ = f32();
+                                                                        phi_2708_ = true;
                                                                     }
-                                                                    let _e2121 = phi_2688_;
-                                                                    let _e2123 = phi_2689_;
-                                                                    if _e2123 {
-                                                                        if (_e2064 <= 0f) {
-                                                                            if (_e2085 <= 0f) {
-                                                                                let _e2126 = (_e2106 <= 0f);
-                                                                                if _e2126 {
+                                                                    let _e2139 = phi_2707_;
+                                                                    let _e2141 = phi_2708_;
+                                                                    if _e2141 {
+                                                                        if (_e2082 <= 0f) {
+                                                                            if (_e2103 <= 0f) {
+                                                                                let _e2144 = (_e2124 <= 0f);
+                                                                                if _e2144 {
                                                                                 }
-                                                                                phi_2707_ = ((_e2064 + _e2085) + _e2106);
-                                                                                phi_2708_ = false;
-                                                                                phi_2709_ = _e2126;
+                                                                                phi_2726_ = ((_e2082 + _e2103) + _e2124);
+                                                                                phi_2727_ = false;
+                                                                                phi_2728_ = _e2144;
                                                                             } else {
-                                                                                phi_2707_ = f32();
-                                                                                phi_2708_ = true;
-                                                                                phi_2709_ = false;
+                                                                                phi_2726_ = f32();
+                                                                                phi_2727_ = true;
+                                                                                phi_2728_ = false;
                                                                             }
-                                                                            let _e2130 = phi_2707_;
-                                                                            let _e2132 = phi_2708_;
-                                                                            let _e2134 = phi_2709_;
-                                                                            phi_2710_ = _e2130;
-                                                                            phi_2711_ = _e2132;
-                                                                            phi_2712_ = _e2134;
+                                                                            let _e2148 = phi_2726_;
+                                                                            let _e2150 = phi_2727_;
+                                                                            let _e2152 = phi_2728_;
+                                                                            phi_2729_ = _e2148;
+                                                                            phi_2730_ = _e2150;
+                                                                            phi_2731_ = _e2152;
                                                                         } else {
-                                                                            phi_2710_ = f32();
-                                                                            phi_2711_ = true;
-                                                                            phi_2712_ = false;
+                                                                            phi_2729_ = f32();
+                                                                            phi_2730_ = true;
+                                                                            phi_2731_ = false;
                                                                         }
-                                                                        let _e2136 = phi_2710_;
-                                                                        let _e2138 = phi_2711_;
-                                                                        let _e2140 = phi_2712_;
-                                                                        if _e2138 {
-                                                                            phi_2716_ = false;
+                                                                        let _e2154 = phi_2729_;
+                                                                        let _e2156 = phi_2730_;
+                                                                        let _e2158 = phi_2731_;
+                                                                        if _e2156 {
+                                                                            phi_2735_ = false;
                                                                         } else {
-                                                                            phi_2716_ = _e2140;
+                                                                            phi_2735_ = _e2158;
                                                                         }
-                                                                        let _e2142 = phi_2716_;
-                                                                        phi_2717_ = _e2136;
-                                                                        phi_2718_ = _e2142;
+                                                                        let _e2160 = phi_2735_;
+                                                                        phi_2736_ = _e2154;
+                                                                        phi_2737_ = _e2160;
                                                                     } else {
-                                                                        phi_2717_ = _e2121;
-                                                                        phi_2718_ = true;
+                                                                        phi_2736_ = _e2139;
+                                                                        phi_2737_ = true;
                                                                     }
-                                                                    let _e2144 = phi_2717_;
-                                                                    let _e2146 = phi_2718_;
-                                                                    if _e2146 {
-                                                                        let _e2147 = (_e2144 == 0f);
-                                                                        if _e2147 {
-                                                                            phi_3034_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3035_ = false;
+                                                                    let _e2162 = phi_2736_;
+                                                                    let _e2164 = phi_2737_;
+                                                                    if _e2164 {
+                                                                        let _e2165 = (_e2162 == 0f);
+                                                                        if _e2165 {
+                                                                            phi_3053_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3054_ = false;
                                                                         } else {
-                                                                            let _e2149 = triangles.member[(0u + _e1960)].v0_;
-                                                                            let _e2151 = (_e2149.x - _e1063);
-                                                                            let _e2153 = (_e2149.y - _e1076);
-                                                                            let _e2155 = (_e2149.z - _e1089);
-                                                                            if (_e1345 == 0u) {
-                                                                                phi_2747_ = vec3<f32>(_e2153, _e2155, _e2151);
+                                                                            let _e2167 = triangles.member[(0u + _e1978)].v0_;
+                                                                            let _e2169 = (_e2167.x - _e1081);
+                                                                            let _e2171 = (_e2167.y - _e1094);
+                                                                            let _e2173 = (_e2167.z - _e1107);
+                                                                            if (_e1363 == 0u) {
+                                                                                phi_2766_ = vec3<f32>(_e2171, _e2173, _e2169);
                                                                             } else {
-                                                                                if (_e1345 == 1u) {
-                                                                                    phi_2746_ = vec3<f32>(_e2155, _e2151, _e2153);
+                                                                                if (_e1363 == 1u) {
+                                                                                    phi_2765_ = vec3<f32>(_e2173, _e2169, _e2171);
                                                                                 } else {
-                                                                                    phi_2746_ = (_e2149 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                                    phi_2765_ = (_e2167 - vec3<f32>(_e1081, _e1094, _e1107));
                                                                                 }
-                                                                                let _e2163 = phi_2746_;
-                                                                                phi_2747_ = _e2163;
+                                                                                let _e2181 = phi_2765_;
+                                                                                phi_2766_ = _e2181;
                                                                             }
-                                                                            let _e2165 = phi_2747_;
-                                                                            let _e2167 = triangles.member[(0u + _e1960)].v1_;
-                                                                            let _e2169 = triangles.member[(0u + _e1960)].v0_;
-                                                                            let _e2172 = (_e2167.x - _e2169.x);
-                                                                            let _e2175 = (_e2167.y - _e2169.y);
-                                                                            let _e2178 = (_e2167.z - _e2169.z);
-                                                                            if (_e1345 == 0u) {
-                                                                                phi_2773_ = vec3<f32>(_e2175, _e2178, _e2172);
+                                                                            let _e2183 = phi_2766_;
+                                                                            let _e2185 = triangles.member[(0u + _e1978)].v1_;
+                                                                            let _e2187 = triangles.member[(0u + _e1978)].v0_;
+                                                                            let _e2190 = (_e2185.x - _e2187.x);
+                                                                            let _e2193 = (_e2185.y - _e2187.y);
+                                                                            let _e2196 = (_e2185.z - _e2187.z);
+                                                                            if (_e1363 == 0u) {
+                                                                                phi_2792_ = vec3<f32>(_e2193, _e2196, _e2190);
                                                                             } else {
-                                                                                if (_e1345 == 1u) {
-                                                                                    phi_2772_ = vec3<f32>(_e2178, _e2172, _e2175);
+                                                                                if (_e1363 == 1u) {
+                                                                                    phi_2791_ = vec3<f32>(_e2196, _e2190, _e2193);
                                                                                 } else {
-                                                                                    phi_2772_ = (_e2167 - _e2169);
+                                                                                    phi_2791_ = (_e2185 - _e2187);
                                                                                 }
-                                                                                let _e2185 = phi_2772_;
-                                                                                phi_2773_ = _e2185;
+                                                                                let _e2203 = phi_2791_;
+                                                                                phi_2792_ = _e2203;
                                                                             }
-                                                                            let _e2187 = phi_2773_;
-                                                                            let _e2189 = triangles.member[(0u + _e1960)].v2_;
-                                                                            let _e2191 = triangles.member[(0u + _e1960)].v0_;
-                                                                            let _e2194 = (_e2189.x - _e2191.x);
-                                                                            let _e2197 = (_e2189.y - _e2191.y);
-                                                                            let _e2200 = (_e2189.z - _e2191.z);
-                                                                            if (_e1345 == 0u) {
-                                                                                phi_2799_ = vec3<f32>(_e2197, _e2200, _e2194);
+                                                                            let _e2205 = phi_2792_;
+                                                                            let _e2207 = triangles.member[(0u + _e1978)].v2_;
+                                                                            let _e2209 = triangles.member[(0u + _e1978)].v0_;
+                                                                            let _e2212 = (_e2207.x - _e2209.x);
+                                                                            let _e2215 = (_e2207.y - _e2209.y);
+                                                                            let _e2218 = (_e2207.z - _e2209.z);
+                                                                            if (_e1363 == 0u) {
+                                                                                phi_2818_ = vec3<f32>(_e2215, _e2218, _e2212);
                                                                             } else {
-                                                                                if (_e1345 == 1u) {
-                                                                                    phi_2798_ = vec3<f32>(_e2200, _e2194, _e2197);
+                                                                                if (_e1363 == 1u) {
+                                                                                    phi_2817_ = vec3<f32>(_e2218, _e2212, _e2215);
                                                                                 } else {
-                                                                                    phi_2798_ = (_e2189 - _e2191);
+                                                                                    phi_2817_ = (_e2207 - _e2209);
                                                                                 }
-                                                                                let _e2207 = phi_2798_;
-                                                                                phi_2799_ = _e2207;
+                                                                                let _e2225 = phi_2817_;
+                                                                                phi_2818_ = _e2225;
                                                                             }
-                                                                            let _e2209 = phi_2799_;
-                                                                            let _e2216 = ((_e2187.y * _e2209.z) - (_e2187.z * _e2209.y));
-                                                                            let _e2223 = ((_e2187.z * _e2209.x) - (_e2187.x * _e2209.z));
-                                                                            let _e2230 = ((_e2187.x * _e2209.y) - (_e2187.y * _e2209.x));
-                                                                            let _e2244 = (((1f / _e1353.z) * (((_e2216 * _e2165.x) + (_e2223 * _e2165.y)) + (_e2230 * _e2165.z))) / (((_e2216 * _e1356) + (_e2223 * _e1359)) + _e2230));
-                                                                            if (_e2244 > _e162.tmin) {
-                                                                                if (_e2244 < _e162.tmax) {
-                                                                                    let _e2248 = triangles.member[(0u + _e1960)].v0_;
-                                                                                    let _e2250 = triangles.member[(0u + _e1960)].v1_;
-                                                                                    if (_e2248.x < _e2250.x) {
-                                                                                        phi_2855_ = _e2248.x;
+                                                                            let _e2227 = phi_2818_;
+                                                                            let _e2234 = ((_e2205.y * _e2227.z) - (_e2205.z * _e2227.y));
+                                                                            let _e2241 = ((_e2205.z * _e2227.x) - (_e2205.x * _e2227.z));
+                                                                            let _e2248 = ((_e2205.x * _e2227.y) - (_e2205.y * _e2227.x));
+                                                                            let _e2262 = (((1f / _e1371.z) * (((_e2234 * _e2183.x) + (_e2241 * _e2183.y)) + (_e2248 * _e2183.z))) / (((_e2234 * _e1374) + (_e2241 * _e1377)) + _e2248));
+                                                                            if (_e2262 > _e180.tmin) {
+                                                                                if (_e2262 < _e180.tmax) {
+                                                                                    let _e2266 = triangles.member[(0u + _e1978)].v0_;
+                                                                                    let _e2268 = triangles.member[(0u + _e1978)].v1_;
+                                                                                    if (_e2266.x < _e2268.x) {
+                                                                                        phi_2874_ = _e2266.x;
                                                                                     } else {
-                                                                                        phi_2855_ = _e2250.x;
+                                                                                        phi_2874_ = _e2268.x;
                                                                                     }
-                                                                                    let _e2257 = phi_2855_;
-                                                                                    if (_e2248.y < _e2250.y) {
-                                                                                        phi_2864_ = _e2248.y;
+                                                                                    let _e2275 = phi_2874_;
+                                                                                    if (_e2266.y < _e2268.y) {
+                                                                                        phi_2883_ = _e2266.y;
                                                                                     } else {
-                                                                                        phi_2864_ = _e2250.y;
+                                                                                        phi_2883_ = _e2268.y;
                                                                                     }
-                                                                                    let _e2264 = phi_2864_;
-                                                                                    if (_e2248.z < _e2250.z) {
-                                                                                        phi_2873_ = _e2248.z;
+                                                                                    let _e2282 = phi_2883_;
+                                                                                    if (_e2266.z < _e2268.z) {
+                                                                                        phi_2892_ = _e2266.z;
                                                                                     } else {
-                                                                                        phi_2873_ = _e2250.z;
+                                                                                        phi_2892_ = _e2268.z;
                                                                                     }
-                                                                                    let _e2271 = phi_2873_;
-                                                                                    let _e2273 = triangles.member[(0u + _e1960)].v2_;
-                                                                                    if (_e2257 < _e2273.x) {
-                                                                                        phi_2882_ = _e2257;
+                                                                                    let _e2289 = phi_2892_;
+                                                                                    let _e2291 = triangles.member[(0u + _e1978)].v2_;
+                                                                                    if (_e2275 < _e2291.x) {
+                                                                                        phi_2901_ = _e2275;
                                                                                     } else {
-                                                                                        phi_2882_ = _e2273.x;
+                                                                                        phi_2901_ = _e2291.x;
                                                                                     }
-                                                                                    let _e2278 = phi_2882_;
-                                                                                    if (_e2264 < _e2273.y) {
-                                                                                        phi_2889_ = _e2264;
+                                                                                    let _e2296 = phi_2901_;
+                                                                                    if (_e2282 < _e2291.y) {
+                                                                                        phi_2908_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2889_ = _e2273.y;
+                                                                                        phi_2908_ = _e2291.y;
                                                                                     }
-                                                                                    let _e2283 = phi_2889_;
-                                                                                    if (_e2271 < _e2273.z) {
-                                                                                        phi_2896_ = _e2271;
+                                                                                    let _e2301 = phi_2908_;
+                                                                                    if (_e2289 < _e2291.z) {
+                                                                                        phi_2915_ = _e2289;
                                                                                     } else {
-                                                                                        phi_2896_ = _e2273.z;
+                                                                                        phi_2915_ = _e2291.z;
                                                                                     }
-                                                                                    let _e2288 = phi_2896_;
-                                                                                    let _e2290 = triangles.member[(0u + _e1960)].v0_;
-                                                                                    let _e2292 = triangles.member[(0u + _e1960)].v1_;
-                                                                                    if (_e2290.x > _e2292.x) {
-                                                                                        phi_2909_ = _e2290.x;
+                                                                                    let _e2306 = phi_2915_;
+                                                                                    let _e2308 = triangles.member[(0u + _e1978)].v0_;
+                                                                                    let _e2310 = triangles.member[(0u + _e1978)].v1_;
+                                                                                    if (_e2308.x > _e2310.x) {
+                                                                                        phi_2928_ = _e2308.x;
                                                                                     } else {
-                                                                                        phi_2909_ = _e2292.x;
+                                                                                        phi_2928_ = _e2310.x;
                                                                                     }
-                                                                                    let _e2299 = phi_2909_;
-                                                                                    if (_e2290.y > _e2292.y) {
-                                                                                        phi_2918_ = _e2290.y;
+                                                                                    let _e2317 = phi_2928_;
+                                                                                    if (_e2308.y > _e2310.y) {
+                                                                                        phi_2937_ = _e2308.y;
                                                                                     } else {
-                                                                                        phi_2918_ = _e2292.y;
+                                                                                        phi_2937_ = _e2310.y;
                                                                                     }
-                                                                                    let _e2306 = phi_2918_;
-                                                                                    if (_e2290.z > _e2292.z) {
-                                                                                        phi_2927_ = _e2290.z;
+                                                                                    let _e2324 = phi_2937_;
+                                                                                    if (_e2308.z > _e2310.z) {
+                                                                                        phi_2946_ = _e2308.z;
                                                                                     } else {
-                                                                                        phi_2927_ = _e2292.z;
+                                                                                        phi_2946_ = _e2310.z;
                                                                                     }
-                                                                                    let _e2313 = phi_2927_;
-                                                                                    let _e2315 = triangles.member[(0u + _e1960)].v2_;
-                                                                                    if (_e2299 > _e2315.x) {
-                                                                                        phi_2936_ = _e2299;
+                                                                                    let _e2331 = phi_2946_;
+                                                                                    let _e2333 = triangles.member[(0u + _e1978)].v2_;
+                                                                                    if (_e2317 > _e2333.x) {
+                                                                                        phi_2955_ = _e2317;
                                                                                     } else {
-                                                                                        phi_2936_ = _e2315.x;
+                                                                                        phi_2955_ = _e2333.x;
                                                                                     }
-                                                                                    let _e2320 = phi_2936_;
-                                                                                    if (_e2306 > _e2315.y) {
-                                                                                        phi_2943_ = _e2306;
+                                                                                    let _e2338 = phi_2955_;
+                                                                                    if (_e2324 > _e2333.y) {
+                                                                                        phi_2962_ = _e2324;
                                                                                     } else {
-                                                                                        phi_2943_ = _e2315.y;
+                                                                                        phi_2962_ = _e2333.y;
                                                                                     }
-                                                                                    let _e2325 = phi_2943_;
-                                                                                    if (_e2313 > _e2315.z) {
-                                                                                        phi_2950_ = _e2313;
+                                                                                    let _e2343 = phi_2962_;
+                                                                                    if (_e2331 > _e2333.z) {
+                                                                                        phi_2969_ = _e2331;
                                                                                     } else {
-                                                                                        phi_2950_ = _e2315.z;
+                                                                                        phi_2969_ = _e2333.z;
                                                                                     }
-                                                                                    let _e2330 = phi_2950_;
-                                                                                    let _e2334 = ((_e2278 - _e1063) * _e1270);
-                                                                                    let _e2335 = ((_e2283 - _e1076) * _e1280);
-                                                                                    let _e2336 = ((_e2288 - _e1089) * _e1290);
-                                                                                    let _e2340 = ((_e2320 - _e1063) * _e1270);
-                                                                                    let _e2341 = ((_e2325 - _e1076) * _e1280);
-                                                                                    let _e2342 = ((_e2330 - _e1089) * _e1290);
-                                                                                    if (_e2334 < _e2340) {
-                                                                                        phi_2967_ = _e2334;
+                                                                                    let _e2348 = phi_2969_;
+                                                                                    let _e2352 = ((_e2296 - _e1081) * _e1288);
+                                                                                    let _e2353 = ((_e2301 - _e1094) * _e1298);
+                                                                                    let _e2354 = ((_e2306 - _e1107) * _e1308);
+                                                                                    let _e2358 = ((_e2338 - _e1081) * _e1288);
+                                                                                    let _e2359 = ((_e2343 - _e1094) * _e1298);
+                                                                                    let _e2360 = ((_e2348 - _e1107) * _e1308);
+                                                                                    if (_e2352 < _e2358) {
+                                                                                        phi_2986_ = _e2352;
                                                                                     } else {
-                                                                                        phi_2967_ = _e2340;
+                                                                                        phi_2986_ = _e2358;
                                                                                     }
-                                                                                    let _e2345 = phi_2967_;
-                                                                                    if (_e2335 < _e2341) {
-                                                                                        phi_2972_ = _e2335;
+                                                                                    let _e2363 = phi_2986_;
+                                                                                    if (_e2353 < _e2359) {
+                                                                                        phi_2991_ = _e2353;
                                                                                     } else {
-                                                                                        phi_2972_ = _e2341;
+                                                                                        phi_2991_ = _e2359;
                                                                                     }
-                                                                                    let _e2348 = phi_2972_;
-                                                                                    if (_e2336 < _e2342) {
-                                                                                        phi_2977_ = _e2336;
+                                                                                    let _e2366 = phi_2991_;
+                                                                                    if (_e2354 < _e2360) {
+                                                                                        phi_2996_ = _e2354;
                                                                                     } else {
-                                                                                        phi_2977_ = _e2342;
+                                                                                        phi_2996_ = _e2360;
                                                                                     }
-                                                                                    let _e2351 = phi_2977_;
-                                                                                    if (_e2334 > _e2340) {
-                                                                                        phi_2985_ = _e2334;
+                                                                                    let _e2369 = phi_2996_;
+                                                                                    if (_e2352 > _e2358) {
+                                                                                        phi_3004_ = _e2352;
                                                                                     } else {
-                                                                                        phi_2985_ = _e2340;
+                                                                                        phi_3004_ = _e2358;
                                                                                     }
-                                                                                    let _e2357 = phi_2985_;
-                                                                                    if (_e2335 > _e2341) {
-                                                                                        phi_2990_ = _e2335;
+                                                                                    let _e2375 = phi_3004_;
+                                                                                    if (_e2353 > _e2359) {
+                                                                                        phi_3009_ = _e2353;
                                                                                     } else {
-                                                                                        phi_2990_ = _e2341;
+                                                                                        phi_3009_ = _e2359;
                                                                                     }
-                                                                                    let _e2360 = phi_2990_;
-                                                                                    if (_e2336 > _e2342) {
-                                                                                        phi_2995_ = _e2336;
+                                                                                    let _e2378 = phi_3009_;
+                                                                                    if (_e2354 > _e2360) {
+                                                                                        phi_3014_ = _e2354;
                                                                                     } else {
-                                                                                        phi_2995_ = _e2342;
+                                                                                        phi_3014_ = _e2360;
                                                                                     }
-                                                                                    let _e2363 = phi_2995_;
-                                                                                    let _e2367 = core_intrinsics_maximum_number_nsz_f32_((_e2345 - _e1329), (_e2348 - _e1330));
-                                                                                    let _e2368 = core_intrinsics_maximum_number_nsz_f32_(_e2367, (_e2351 - _e1331));
-                                                                                    let _e2369 = core_intrinsics_minimum_number_nsz_f32_((_e2357 + _e1329), (_e2360 + _e1330));
-                                                                                    let _e2370 = core_intrinsics_minimum_number_nsz_f32_(_e2369, (_e2363 + _e1331));
-                                                                                    if (_e2368 > _e1038) {
-                                                                                        phi_3007_ = _e2368;
+                                                                                    let _e2381 = phi_3014_;
+                                                                                    let _e2385 = core_intrinsics_maximum_number_nsz_f32_((_e2363 - _e1347), (_e2366 - _e1348));
+                                                                                    let _e2386 = core_intrinsics_maximum_number_nsz_f32_(_e2385, (_e2369 - _e1349));
+                                                                                    let _e2387 = core_intrinsics_minimum_number_nsz_f32_((_e2375 + _e1347), (_e2378 + _e1348));
+                                                                                    let _e2388 = core_intrinsics_minimum_number_nsz_f32_(_e2387, (_e2381 + _e1349));
+                                                                                    if (_e2386 > _e1056) {
+                                                                                        phi_3026_ = _e2386;
                                                                                     } else {
-                                                                                        phi_3007_ = _e1038;
+                                                                                        phi_3026_ = _e1056;
                                                                                     }
-                                                                                    let _e2373 = phi_3007_;
-                                                                                    if (_e2370 < _e1040) {
-                                                                                        phi_3012_ = _e2370;
+                                                                                    let _e2391 = phi_3026_;
+                                                                                    if (_e2388 < _e1058) {
+                                                                                        phi_3031_ = _e2388;
                                                                                     } else {
-                                                                                        phi_3012_ = _e1040;
+                                                                                        phi_3031_ = _e1058;
                                                                                     }
-                                                                                    let _e2376 = phi_3012_;
-                                                                                    if (_e2244 < _e2373) {
-                                                                                        phi_3017_ = _e2373;
+                                                                                    let _e2394 = phi_3031_;
+                                                                                    if (_e2262 < _e2391) {
+                                                                                        phi_3036_ = _e2391;
                                                                                     } else {
-                                                                                        phi_3017_ = _e2244;
+                                                                                        phi_3036_ = _e2262;
                                                                                     }
-                                                                                    let _e2379 = phi_3017_;
-                                                                                    if (_e2379 > _e2376) {
-                                                                                        phi_3022_ = _e2376;
+                                                                                    let _e2397 = phi_3036_;
+                                                                                    if (_e2397 > _e2394) {
+                                                                                        phi_3041_ = _e2394;
                                                                                     } else {
-                                                                                        phi_3022_ = _e2379;
+                                                                                        phi_3041_ = _e2397;
                                                                                     }
-                                                                                    let _e2382 = phi_3022_;
-                                                                                    phi_3027_ = lt_bvh_triangle_Intersection(_e2382, (_e2085 / _e2144), (_e2106 / _e2144), (_e2373 <= _e2376));
-                                                                                    phi_3028_ = false;
+                                                                                    let _e2400 = phi_3041_;
+                                                                                    phi_3046_ = lt_bvh_triangle_Intersection(_e2400, (_e2103 / _e2162), (_e2124 / _e2162), (_e2391 <= _e2394));
+                                                                                    phi_3047_ = false;
                                                                                 } else {
-                                                                                    phi_3027_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_3028_ = true;
+                                                                                    phi_3046_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3047_ = true;
                                                                                 }
-                                                                                let _e2388 = phi_3027_;
-                                                                                let _e2390 = phi_3028_;
-                                                                                phi_3029_ = _e2388;
-                                                                                phi_3030_ = _e2390;
+                                                                                let _e2406 = phi_3046_;
+                                                                                let _e2408 = phi_3047_;
+                                                                                phi_3048_ = _e2406;
+                                                                                phi_3049_ = _e2408;
                                                                             } else {
-                                                                                phi_3029_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3030_ = true;
+                                                                                phi_3048_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3049_ = true;
                                                                             }
-                                                                            let _e2392 = phi_3029_;
-                                                                            let _e2394 = phi_3030_;
-                                                                            if _e2394 {
+                                                                            let _e2410 = phi_3048_;
+                                                                            let _e2412 = phi_3049_;
+                                                                            if _e2412 {
                                                                             }
-                                                                            phi_3034_ = _e2392;
-                                                                            phi_3035_ = _e2394;
+                                                                            phi_3053_ = _e2410;
+                                                                            phi_3054_ = _e2412;
                                                                         }
-                                                                        let _e2396 = phi_3034_;
-                                                                        let _e2398 = phi_3035_;
-                                                                        phi_3036_ = _e2396;
-                                                                        phi_3037_ = _e2147;
-                                                                        phi_3038_ = _e2398;
+                                                                        let _e2414 = phi_3053_;
+                                                                        let _e2416 = phi_3054_;
+                                                                        phi_3055_ = _e2414;
+                                                                        phi_3056_ = _e2165;
+                                                                        phi_3057_ = _e2416;
                                                                     } else {
-                                                                        phi_3036_ = lt_bvh_triangle_Intersection();
-                                                                        phi_3037_ = true;
-                                                                        phi_3038_ = false;
+                                                                        phi_3055_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3056_ = true;
+                                                                        phi_3057_ = false;
                                                                     }
-                                                                    let _e2400 = phi_3036_;
-                                                                    let _e2402 = phi_3037_;
-                                                                    let _e2404 = phi_3038_;
-                                                                    if _e2402 {
-                                                                        phi_3042_ = true;
+                                                                    let _e2418 = phi_3055_;
+                                                                    let _e2420 = phi_3056_;
+                                                                    let _e2422 = phi_3057_;
+                                                                    if _e2420 {
+                                                                        phi_3061_ = true;
                                                                     } else {
-                                                                        phi_3042_ = _e2404;
+                                                                        phi_3061_ = _e2422;
                                                                     }
-                                                                    let _e2406 = phi_3042_;
-                                                                    if _e2406 {
-                                                                        phi_3046_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2424 = phi_3061_;
+                                                                    if _e2424 {
+                                                                        phi_3065_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3046_ = _e2400;
+                                                                        phi_3065_ = _e2418;
                                                                     }
-                                                                    let _e2408 = phi_3046_;
-                                                                    if _e2408.is_hit {
-                                                                        if (_e2408.t > _e162.tmin) {
-                                                                            if (_e2408.t < _e1949.t) {
-                                                                                phi_3094_ = true;
+                                                                    let _e2426 = phi_3065_;
+                                                                    if _e2426.is_hit {
+                                                                        if (_e2426.t > _e180.tmin) {
+                                                                            if (_e2426.t < _e1967.t) {
+                                                                                phi_3113_ = true;
                                                                             } else {
-                                                                                if (_e2408.t == _e1949.t) {
-                                                                                    if (_e1949.triangle != 4294967295u) {
-                                                                                        if (_e1960 < _e1949.triangle) {
-                                                                                            phi_3085_ = true;
+                                                                                if (_e2426.t == _e1967.t) {
+                                                                                    if (_e1967.triangle != 4294967295u) {
+                                                                                        if (_e1978 < _e1967.triangle) {
+                                                                                            phi_3104_ = true;
                                                                                         } else {
-                                                                                            if (_e1960 == _e1949.triangle) {
-                                                                                                phi_3084_ = (_e979 < _e1949.instance);
+                                                                                            if (_e1978 == _e1967.triangle) {
+                                                                                                phi_3103_ = (_e997 < _e1967.instance);
                                                                                             } else {
-                                                                                                phi_3084_ = false;
+                                                                                                phi_3103_ = false;
                                                                                             }
-                                                                                            let _e2426 = phi_3084_;
-                                                                                            phi_3085_ = _e2426;
+                                                                                            let _e2444 = phi_3103_;
+                                                                                            phi_3104_ = _e2444;
                                                                                         }
-                                                                                        let _e2428 = phi_3085_;
-                                                                                        phi_3086_ = _e2428;
-                                                                                        phi_3087_ = false;
+                                                                                        let _e2446 = phi_3104_;
+                                                                                        phi_3105_ = _e2446;
+                                                                                        phi_3106_ = false;
                                                                                     } else {
-                                                                                        phi_3086_ = bool();
-                                                                                        phi_3087_ = true;
+                                                                                        phi_3105_ = bool();
+                                                                                        phi_3106_ = true;
                                                                                     }
-                                                                                    let _e2430 = phi_3086_;
-                                                                                    let _e2432 = phi_3087_;
-                                                                                    phi_3088_ = _e2430;
-                                                                                    phi_3089_ = _e2432;
+                                                                                    let _e2448 = phi_3105_;
+                                                                                    let _e2450 = phi_3106_;
+                                                                                    phi_3107_ = _e2448;
+                                                                                    phi_3108_ = _e2450;
                                                                                 } else {
-                                                                                    phi_3088_ = bool();
-                                                                                    phi_3089_ = true;
+                                                                                    phi_3107_ = bool();
+                                                                                    phi_3108_ = true;
                                                                                 }
-                                                                                let _e2434 = phi_3088_;
-                                                                                let _e2436 = phi_3089_;
-                                                                                if _e2436 {
-                                                                                    phi_3093_ = false;
+                                                                                let _e2452 = phi_3107_;
+                                                                                let _e2454 = phi_3108_;
+                                                                                if _e2454 {
+                                                                                    phi_3112_ = false;
                                                                                 } else {
-                                                                                    phi_3093_ = _e2434;
+                                                                                    phi_3112_ = _e2452;
                                                                                 }
-                                                                                let _e2438 = phi_3093_;
-                                                                                phi_3094_ = _e2438;
+                                                                                let _e2456 = phi_3112_;
+                                                                                phi_3113_ = _e2456;
                                                                             }
-                                                                            let _e2440 = phi_3094_;
-                                                                            if _e2440 {
-                                                                                let _e2442 = triangles.member[(0u + _e1960)].i0_;
-                                                                                if ((_e2442 & 2147483648u) == 0u) {
-                                                                                    phi_3305_ = true;
+                                                                            let _e2458 = phi_3113_;
+                                                                            if _e2458 {
+                                                                                let _e2460 = triangles.member[(0u + _e1978)].i0_;
+                                                                                if ((_e2460 & 2147483648u) == 0u) {
+                                                                                    phi_3324_ = true;
                                                                                 } else {
-                                                                                    if (_e1960 < _e81) {
+                                                                                    if (_e1978 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2451 = triangles.member[(0u + _e1960)].i0_;
-                                                                                    let _e2452 = (_e2451 & 2147483647u);
-                                                                                    let _e2454 = triangles.member[(0u + _e1960)].i1_;
-                                                                                    let _e2456 = triangles.member[(0u + _e1960)].i2_;
-                                                                                    if (_e2452 < _e84) {
+                                                                                    let _e2469 = triangles.member[(0u + _e1978)].i0_;
+                                                                                    let _e2470 = (_e2469 & 2147483647u);
+                                                                                    let _e2472 = triangles.member[(0u + _e1978)].i1_;
+                                                                                    let _e2474 = triangles.member[(0u + _e1978)].i2_;
+                                                                                    if (_e2470 < _e85) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2460 = vertices.member[(0u + _e2452)];
-                                                                                    if (_e2454 < _e84) {
+                                                                                    let _e2478 = vertices.member[(0u + _e2470)];
+                                                                                    if (_e2472 < _e85) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2464 = vertices.member[(0u + _e2454)];
-                                                                                    if (_e2456 < _e84) {
+                                                                                    let _e2482 = vertices.member[(0u + _e2472)];
+                                                                                    if (_e2474 < _e85) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2468 = vertices.member[(0u + _e2456)];
-                                                                                    let _e2469 = array<abi_Vertex, 3>(_e2460, _e2464, _e2468);
-                                                                                    if (_e2469[0].material < _e87) {
+                                                                                    let _e2486 = vertices.member[(0u + _e2474)];
+                                                                                    let _e2487 = array<abi_Vertex, 3>(_e2478, _e2482, _e2486);
+                                                                                    if (_e2487[0].material < _e88) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2475 = materials.member[(0u + _e2469[0].material)];
-                                                                                    if ((_e2475.flags & 0u) == 0u) {
-                                                                                        let _e2480 = ((1f - _e2408.u) - _e2408.v);
-                                                                                        if (_e2475.cutoff <= 0f) {
-                                                                                            phi_3300_ = true;
+                                                                                    let _e2493 = materials.member[(0u + _e2487[0].material)];
+                                                                                    if ((_e2493.flags & 0u) == 0u) {
+                                                                                        let _e2498 = ((1f - _e2426.u) - _e2426.v);
+                                                                                        if (_e2493.cutoff <= 0f) {
+                                                                                            phi_3319_ = true;
                                                                                         } else {
-                                                                                            let _e2507 = (_e2475.base_color.w * ((((f32((_e2469[0].color >> bitcast<u32>(24i))) * _e2480) + (f32((_e2469[1].color >> bitcast<u32>(24i))) * _e2408.u)) + (f32((_e2469[2].color >> bitcast<u32>(24i))) * _e2408.v)) * (1f / 255f)));
-                                                                                            if (_e2475.alpha_size == 0u) {
-                                                                                                phi_3297_ = _e2507;
+                                                                                            let _e2525 = (_e2493.base_color.w * ((((f32((_e2487[0].color >> bitcast<u32>(24i))) * _e2498) + (f32((_e2487[1].color >> bitcast<u32>(24i))) * _e2426.u)) + (f32((_e2487[2].color >> bitcast<u32>(24i))) * _e2426.v)) * (1f / 255f)));
+                                                                                            if (_e2493.alpha_size == 0u) {
+                                                                                                phi_3316_ = _e2525;
                                                                                             } else {
-                                                                                                local_1.offset = _e2475.alpha_offset;
-                                                                                                local_1.size = _e2475.alpha_size;
-                                                                                                local_1.flags = _e2475.flags;
-                                                                                                let _e2538 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2469[0].u * _e2480) + (_e2469[1].u * _e2408.u)) + (_e2469[2].u * _e2408.v)), (((_e2469[0].v * _e2480) + (_e2469[1].v * _e2408.u)) + (_e2469[2].v * _e2408.v)));
-                                                                                                let _e2542 = (_e2538.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2542 < _e96) {
+                                                                                                local_1.offset = _e2493.alpha_offset;
+                                                                                                local_1.size = _e2493.alpha_size;
+                                                                                                local_1.flags = _e2493.flags;
+                                                                                                let _e2556 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2487[0].u * _e2498) + (_e2487[1].u * _e2426.u)) + (_e2487[2].u * _e2426.v)), (((_e2487[0].v * _e2498) + (_e2487[1].v * _e2426.u)) + (_e2487[2].v * _e2426.v)));
+                                                                                                let _e2560 = (_e2556.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2560 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2546 = alpha_texels.member[(0u + _e2542)];
-                                                                                                let _e2562 = (_e2538.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2562 < _e96) {
+                                                                                                let _e2564 = alpha_texels.member[(0u + _e2560)];
+                                                                                                let _e2580 = (_e2556.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2580 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2566 = alpha_texels.member[(0u + _e2562)];
-                                                                                                let _e2583 = (_e2538.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2583 < _e96) {
+                                                                                                let _e2584 = alpha_texels.member[(0u + _e2580)];
+                                                                                                let _e2601 = (_e2556.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2601 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2587 = alpha_texels.member[(0u + _e2583)];
-                                                                                                let _e2604 = (_e2538.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2604 < _e96) {
+                                                                                                let _e2605 = alpha_texels.member[(0u + _e2601)];
+                                                                                                let _e2622 = (_e2556.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2622 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2608 = alpha_texels.member[(0u + _e2604)];
-                                                                                                phi_3297_ = (_e2507 * (((((f32(((_e2546 >> bitcast<u32>((((_e2538.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2538.weights.x) + ((f32(((_e2566 >> bitcast<u32>((((_e2538.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2538.weights.y)) + ((f32(((_e2587 >> bitcast<u32>((((_e2538.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2538.weights.z)) + ((f32(((_e2608 >> bitcast<u32>((((_e2538.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2538.weights.w)));
+                                                                                                let _e2626 = alpha_texels.member[(0u + _e2622)];
+                                                                                                phi_3316_ = (_e2525 * (((((f32(((_e2564 >> bitcast<u32>((((_e2556.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2556.weights.x) + ((f32(((_e2584 >> bitcast<u32>((((_e2556.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2556.weights.y)) + ((f32(((_e2605 >> bitcast<u32>((((_e2556.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2556.weights.z)) + ((f32(((_e2626 >> bitcast<u32>((((_e2556.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2556.weights.w)));
                                                                                             }
-                                                                                            let _e2624 = phi_3297_;
-                                                                                            phi_3300_ = (_e2624 >= _e2475.cutoff);
+                                                                                            let _e2642 = phi_3316_;
+                                                                                            phi_3319_ = (_e2642 >= _e2493.cutoff);
                                                                                         }
-                                                                                        let _e2628 = phi_3300_;
-                                                                                        phi_3301_ = _e2628;
+                                                                                        let _e2646 = phi_3319_;
+                                                                                        phi_3320_ = _e2646;
                                                                                     } else {
-                                                                                        phi_3301_ = false;
+                                                                                        phi_3320_ = false;
                                                                                     }
-                                                                                    let _e2630 = phi_3301_;
-                                                                                    if _e2630 {
+                                                                                    let _e2648 = phi_3320_;
+                                                                                    if _e2648 {
                                                                                     }
-                                                                                    phi_3305_ = _e2630;
+                                                                                    phi_3324_ = _e2648;
                                                                                 }
-                                                                                let _e2632 = phi_3305_;
-                                                                                if _e2632 {
-                                                                                    phi_3313_ = lt_bvh_Hit(_e2408.t, _e2408.u, _e2408.v, _e1960, _e979);
+                                                                                let _e2650 = phi_3324_;
+                                                                                if _e2650 {
+                                                                                    phi_3332_ = lt_bvh_Hit(_e2426.t, _e2426.u, _e2426.v, _e1978, _e997);
                                                                                 } else {
-                                                                                    phi_3313_ = _e1949;
+                                                                                    phi_3332_ = _e1967;
                                                                                 }
-                                                                                let _e2638 = phi_3313_;
-                                                                                phi_3314_ = _e2638;
+                                                                                let _e2656 = phi_3332_;
+                                                                                phi_3333_ = _e2656;
                                                                             } else {
-                                                                                phi_3314_ = _e1949;
+                                                                                phi_3333_ = _e1967;
                                                                             }
-                                                                            let _e2640 = phi_3314_;
-                                                                            phi_3315_ = _e2640;
+                                                                            let _e2658 = phi_3333_;
+                                                                            phi_3334_ = _e2658;
                                                                         } else {
-                                                                            phi_3315_ = _e1949;
+                                                                            phi_3334_ = _e1967;
                                                                         }
-                                                                        let _e2642 = phi_3315_;
-                                                                        phi_3316_ = _e2642;
+                                                                        let _e2660 = phi_3334_;
+                                                                        phi_3335_ = _e2660;
                                                                     } else {
-                                                                        phi_3316_ = _e1949;
+                                                                        phi_3335_ = _e1967;
                                                                     }
-                                                                    let _e2644 = phi_3316_;
-                                                                    phi_2476_ = _e2644;
-                                                                    phi_2479_ = (_e1951 & (_e1951 - 1u));
-                                                                    phi_3317_ = true;
+                                                                    let _e2662 = phi_3335_;
+                                                                    phi_2495_ = _e2662;
+                                                                    phi_2498_ = (_e1969 & (_e1969 - 1u));
+                                                                    phi_3336_ = true;
                                                                 }
-                                                                let _e2646 = phi_2476_;
-                                                                let _e2648 = phi_2479_;
-                                                                let _e2650 = phi_3317_;
+                                                                let _e2664 = phi_2495_;
+                                                                let _e2666 = phi_2498_;
+                                                                let _e2668 = phi_3336_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2475_ = _e2646;
-                                                                    phi_2478_ = _e2648;
-                                                                    break if !(_e2650);
+                                                                    phi_2494_ = _e2664;
+                                                                    phi_2497_ = _e2666;
+                                                                    break if !(_e2668);
                                                                 }
                                                             }
-                                                            let _e2653 = local_2.group_mask;
-                                                            if ((_e2653 & 4278190080u) == 0u) {
-                                                                let _e2657 = local_2.len;
-                                                                if (_e2657 == 0u) {
-                                                                    phi_3356_ = false;
+                                                            let _e2671 = local_2.group_mask;
+                                                            if ((_e2671 & 4278190080u) == 0u) {
+                                                                let _e2675 = local_2.len;
+                                                                if (_e2675 == 0u) {
+                                                                    phi_3375_ = false;
                                                                 } else {
-                                                                    let _e2661 = local_2.len;
-                                                                    local_2.len = (_e2661 - 1u);
-                                                                    let _e2664 = local_2.len;
-                                                                    if (_e2664 < 32u) {
+                                                                    let _e2679 = local_2.len;
+                                                                    local_2.len = (_e2679 - 1u);
+                                                                    let _e2682 = local_2.len;
+                                                                    if (_e2682 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2669 = local_2.first[(0u + _e2664)];
-                                                                    local_2.group = _e2669;
-                                                                    let _e2672 = local_2.len;
-                                                                    if (_e2672 < 32u) {
+                                                                    let _e2687 = local_2.first[(0u + _e2682)];
+                                                                    local_2.group = _e2687;
+                                                                    let _e2690 = local_2.len;
+                                                                    if (_e2690 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2677 = local_2.mask[(0u + _e2672)];
-                                                                    local_2.group_mask = _e2677;
-                                                                    phi_3356_ = true;
+                                                                    let _e2695 = local_2.mask[(0u + _e2690)];
+                                                                    local_2.group_mask = _e2695;
+                                                                    phi_3375_ = true;
                                                                 }
-                                                                let _e2680 = phi_3356_;
-                                                                phi_3357_ = _e2680;
+                                                                let _e2698 = phi_3375_;
+                                                                phi_3376_ = _e2698;
                                                             } else {
-                                                                phi_3357_ = true;
+                                                                phi_3376_ = true;
                                                             }
-                                                            let _e2682 = phi_3357_;
-                                                            if _e2682 {
-                                                                let _e2684 = local_2.group_mask;
-                                                                let _e2690 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2684)), 32u, (_e2684 == 0u)));
-                                                                let _e2694 = local_2.group_mask;
-                                                                let _e2708 = local_2.group_mask;
-                                                                local_2.group_mask = (_e2708 & ~((1u << bitcast<u32>((_e2690 & 31u)))));
-                                                                let _e2711 = local_2.group;
-                                                                phi_3388_ = (_e2711 + countOneBits(((_e2694 & ~((4294967295u << bitcast<u32>((((_e2690 - 24u) ^ _e1372) & 31u))))) & 255u)));
+                                                            let _e2700 = phi_3376_;
+                                                            if _e2700 {
+                                                                let _e2702 = local_2.group_mask;
+                                                                let _e2708 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2702)), 32u, (_e2702 == 0u)));
+                                                                let _e2712 = local_2.group_mask;
+                                                                let _e2726 = local_2.group_mask;
+                                                                local_2.group_mask = (_e2726 & ~((1u << bitcast<u32>((_e2708 & 31u)))));
+                                                                let _e2729 = local_2.group;
+                                                                phi_3407_ = (_e2729 + countOneBits(((_e2712 & ~((4294967295u << bitcast<u32>((((_e2708 - 24u) ^ _e1390) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3388_ = 4294967295u;
+                                                                phi_3407_ = 4294967295u;
                                                             }
-                                                            let _e2714 = phi_3388_;
-                                                            let _e3843 = local_10;
-                                                            phi_2143_ = _e3843;
-                                                            phi_2146_ = _e2714;
+                                                            let _e2732 = phi_3407_;
+                                                            let _e3861 = local_10;
+                                                            phi_2162_ = _e3861;
+                                                            phi_2165_ = _e2732;
                                                         } else {
-                                                            phi_2143_ = lt_bvh_Hit();
-                                                            phi_2146_ = u32();
+                                                            phi_2162_ = lt_bvh_Hit();
+                                                            phi_2165_ = u32();
                                                         }
-                                                        let _e2716 = phi_2143_;
-                                                        let _e2718 = phi_2146_;
+                                                        let _e2734 = phi_2162_;
+                                                        let _e2736 = phi_2165_;
                                                         continue;
                                                         continuing {
-                                                            phi_2142_ = _e2716;
-                                                            phi_2145_ = _e2718;
-                                                            break if !(_e1513);
+                                                            phi_2161_ = _e2734;
+                                                            phi_2164_ = _e2736;
+                                                            break if !(_e1531);
                                                         }
                                                     }
-                                                    let _e3847 = local_11;
-                                                    phi_3389_ = _e3847;
+                                                    let _e3865 = local_11;
+                                                    phi_3408_ = _e3865;
                                                 }
-                                                let _e2721 = phi_3389_;
-                                                phi_3390_ = _e2721;
-                                                phi_3391_ = _e1194;
+                                                let _e2739 = phi_3408_;
+                                                phi_3409_ = _e2739;
+                                                phi_3410_ = _e1212;
                                             } else {
-                                                phi_3390_ = lt_bvh_Hit();
-                                                phi_3391_ = true;
+                                                phi_3409_ = lt_bvh_Hit();
+                                                phi_3410_ = true;
                                             }
-                                            let _e2723 = phi_3390_;
-                                            let _e2725 = phi_3391_;
-                                            if _e2725 {
-                                                phi_3395_ = _e971;
+                                            let _e2741 = phi_3409_;
+                                            let _e2743 = phi_3410_;
+                                            if _e2743 {
+                                                phi_3414_ = _e989;
                                             } else {
-                                                phi_3395_ = _e2723;
+                                                phi_3414_ = _e2741;
                                             }
-                                            let _e2727 = phi_3395_;
-                                            phi_3396_ = _e2727;
+                                            let _e2745 = phi_3414_;
+                                            phi_3415_ = _e2745;
                                         } else {
-                                            phi_3396_ = _e971;
+                                            phi_3415_ = _e989;
                                         }
-                                        let _e2729 = phi_3396_;
-                                        phi_3397_ = _e2729;
+                                        let _e2747 = phi_3415_;
+                                        phi_3416_ = _e2747;
                                     } else {
-                                        phi_3397_ = _e971;
+                                        phi_3416_ = _e989;
                                     }
-                                    let _e2731 = phi_3397_;
-                                    phi_3398_ = _e2731;
+                                    let _e2749 = phi_3416_;
+                                    phi_3417_ = _e2749;
                                 } else {
-                                    phi_3398_ = _e971;
+                                    phi_3417_ = _e989;
                                 }
-                                let _e2733 = phi_3398_;
-                                phi_1510_ = (_e969 & (_e969 - 1u));
-                                phi_1513_ = _e2733;
-                                phi_3399_ = true;
+                                let _e2751 = phi_3417_;
+                                phi_1529_ = (_e987 & (_e987 - 1u));
+                                phi_1532_ = _e2751;
+                                phi_3418_ = true;
                             }
-                            let _e2735 = phi_1510_;
-                            let _e2737 = phi_1513_;
-                            let _e2739 = phi_3399_;
+                            let _e2753 = phi_1529_;
+                            let _e2755 = phi_1532_;
+                            let _e2757 = phi_3418_;
                             continue;
                             continuing {
-                                phi_1509_ = _e2735;
-                                phi_1512_ = _e2737;
-                                break if !(_e2739);
+                                phi_1528_ = _e2753;
+                                phi_1531_ = _e2755;
+                                break if !(_e2757);
                             }
                         }
-                        let _e2742 = local_3.group_mask;
-                        if ((_e2742 & 4278190080u) == 0u) {
-                            let _e2746 = local_3.len;
-                            if (_e2746 == 0u) {
-                                phi_3438_ = false;
+                        let _e2760 = local_3.group_mask;
+                        if ((_e2760 & 4278190080u) == 0u) {
+                            let _e2764 = local_3.len;
+                            if (_e2764 == 0u) {
+                                phi_3457_ = false;
                             } else {
-                                let _e2750 = local_3.len;
-                                local_3.len = (_e2750 - 1u);
-                                let _e2753 = local_3.len;
-                                if (_e2753 < 32u) {
+                                let _e2768 = local_3.len;
+                                local_3.len = (_e2768 - 1u);
+                                let _e2771 = local_3.len;
+                                if (_e2771 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2758 = local_3.first[(0u + _e2753)];
-                                local_3.group = _e2758;
-                                let _e2761 = local_3.len;
-                                if (_e2761 < 32u) {
+                                let _e2776 = local_3.first[(0u + _e2771)];
+                                local_3.group = _e2776;
+                                let _e2779 = local_3.len;
+                                if (_e2779 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2766 = local_3.mask[(0u + _e2761)];
-                                local_3.group_mask = _e2766;
-                                phi_3438_ = true;
+                                let _e2784 = local_3.mask[(0u + _e2779)];
+                                local_3.group_mask = _e2784;
+                                phi_3457_ = true;
                             }
-                            let _e2769 = phi_3438_;
-                            phi_3439_ = _e2769;
+                            let _e2787 = phi_3457_;
+                            phi_3458_ = _e2787;
                         } else {
-                            phi_3439_ = true;
+                            phi_3458_ = true;
                         }
-                        let _e2771 = phi_3439_;
-                        if _e2771 {
-                            let _e2773 = local_3.group_mask;
-                            let _e2779 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2773)), 32u, (_e2773 == 0u)));
-                            let _e2783 = local_3.group_mask;
-                            let _e2797 = local_3.group_mask;
-                            local_3.group_mask = (_e2797 & ~((1u << bitcast<u32>((_e2779 & 31u)))));
-                            let _e2800 = local_3.group;
-                            phi_3470_ = (_e2800 + countOneBits(((_e2783 & ~((4294967295u << bitcast<u32>((((_e2779 - 24u) ^ _e388) & 31u))))) & 255u)));
+                        let _e2789 = phi_3458_;
+                        if _e2789 {
+                            let _e2791 = local_3.group_mask;
+                            let _e2797 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2791)), 32u, (_e2791 == 0u)));
+                            let _e2801 = local_3.group_mask;
+                            let _e2815 = local_3.group_mask;
+                            local_3.group_mask = (_e2815 & ~((1u << bitcast<u32>((_e2797 & 31u)))));
+                            let _e2818 = local_3.group;
+                            phi_3489_ = (_e2818 + countOneBits(((_e2801 & ~((4294967295u << bitcast<u32>((((_e2797 - 24u) ^ _e406) & 31u))))) & 255u)));
                         } else {
-                            phi_3470_ = 4294967295u;
+                            phi_3489_ = 4294967295u;
                         }
-                        let _e2803 = phi_3470_;
-                        phi_1173_ = _e2803;
-                        let _e3863 = local_12;
-                        phi_1176_ = _e3863;
+                        let _e2821 = phi_3489_;
+                        phi_1192_ = _e2821;
+                        let _e3881 = local_12;
+                        phi_1195_ = _e3881;
                     } else {
-                        phi_1173_ = u32();
-                        phi_1176_ = lt_bvh_Hit();
+                        phi_1192_ = u32();
+                        phi_1195_ = lt_bvh_Hit();
                     }
-                    let _e2805 = phi_1173_;
-                    let _e2807 = phi_1176_;
+                    let _e2823 = phi_1192_;
+                    let _e2825 = phi_1195_;
                     continue;
                     continuing {
-                        phi_1172_ = _e2805;
-                        phi_1175_ = _e2807;
-                        break if !(_e529);
+                        phi_1191_ = _e2823;
+                        phi_1194_ = _e2825;
+                        break if !(_e547);
                     }
                 }
-                let _e3866 = local_13;
-                phi_3471_ = _e3866;
+                let _e3884 = local_13;
+                phi_3490_ = _e3884;
             }
-            let _e2810 = phi_3471_;
-            phi_3472_ = _e2810;
-            phi_3473_ = _e226;
+            let _e2828 = phi_3490_;
+            phi_3491_ = _e2828;
+            phi_3492_ = _e244;
         } else {
-            phi_3472_ = lt_bvh_Hit();
-            phi_3473_ = true;
+            phi_3491_ = lt_bvh_Hit();
+            phi_3492_ = true;
         }
-        let _e2812 = phi_3472_;
-        let _e2814 = phi_3473_;
-        if _e2814 {
-            phi_3477_ = _e164;
+        let _e2830 = phi_3491_;
+        let _e2832 = phi_3492_;
+        if _e2832 {
+            phi_3496_ = _e182;
         } else {
-            phi_3477_ = _e2812;
+            phi_3496_ = _e2830;
         }
-        let _e2816 = phi_3477_;
-        if (_e2816.triangle != 4294967295u) {
-            let _e2822 = ((1f - _e2816.u) - _e2816.v);
-            if (_e2816.triangle < _e81) {
+        let _e2834 = phi_3496_;
+        if (_e2834.triangle != 4294967295u) {
+            let _e2840 = ((1f - _e2834.u) - _e2834.v);
+            if (_e2834.triangle < _e82) {
             } else {
                 return;
             }
-            let _e2827 = triangles.member[(0u + _e2816.triangle)];
-            if (_e2816.instance < _e93) {
+            let _e2845 = triangles.member[(0u + _e2834.triangle)];
+            if (_e2834.instance < _e94) {
             } else {
                 return;
             }
-            let _e2838 = instances.member[(0u + _e2816.instance)].object_to_world[0u];
-            let _e2849 = ((((_e2838.x * _e2827.v0_.x) + (_e2838.y * _e2827.v0_.y)) + (_e2838.z * _e2827.v0_.z)) + (_e2838.w * 1f));
-            let _e2851 = instances.member[(0u + _e2816.instance)].object_to_world[1u];
-            let _e2862 = ((((_e2851.x * _e2827.v0_.x) + (_e2851.y * _e2827.v0_.y)) + (_e2851.z * _e2827.v0_.z)) + (_e2851.w * 1f));
-            let _e2864 = instances.member[(0u + _e2816.instance)].object_to_world[2u];
-            let _e2875 = ((((_e2864.x * _e2827.v0_.x) + (_e2864.y * _e2827.v0_.y)) + (_e2864.z * _e2827.v0_.z)) + (_e2864.w * 1f));
-            let _e2882 = instances.member[(0u + _e2816.instance)].object_to_world[0u];
-            let _e2893 = ((((_e2882.x * _e2827.v1_.x) + (_e2882.y * _e2827.v1_.y)) + (_e2882.z * _e2827.v1_.z)) + (_e2882.w * 1f));
-            let _e2895 = instances.member[(0u + _e2816.instance)].object_to_world[1u];
-            let _e2906 = ((((_e2895.x * _e2827.v1_.x) + (_e2895.y * _e2827.v1_.y)) + (_e2895.z * _e2827.v1_.z)) + (_e2895.w * 1f));
-            let _e2908 = instances.member[(0u + _e2816.instance)].object_to_world[2u];
-            let _e2919 = ((((_e2908.x * _e2827.v1_.x) + (_e2908.y * _e2827.v1_.y)) + (_e2908.z * _e2827.v1_.z)) + (_e2908.w * 1f));
-            let _e2926 = instances.member[(0u + _e2816.instance)].object_to_world[0u];
-            let _e2937 = ((((_e2926.x * _e2827.v2_.x) + (_e2926.y * _e2827.v2_.y)) + (_e2926.z * _e2827.v2_.z)) + (_e2926.w * 1f));
-            let _e2939 = instances.member[(0u + _e2816.instance)].object_to_world[1u];
-            let _e2950 = ((((_e2939.x * _e2827.v2_.x) + (_e2939.y * _e2827.v2_.y)) + (_e2939.z * _e2827.v2_.z)) + (_e2939.w * 1f));
-            let _e2952 = instances.member[(0u + _e2816.instance)].object_to_world[2u];
-            let _e2963 = ((((_e2952.x * _e2827.v2_.x) + (_e2952.y * _e2827.v2_.y)) + (_e2952.z * _e2827.v2_.z)) + (_e2952.w * 1f));
-            let _e2976 = (((_e2849 * _e2822) + (_e2893 * _e2816.u)) + (_e2937 * _e2816.v));
-            let _e2977 = (((_e2862 * _e2822) + (_e2906 * _e2816.u)) + (_e2950 * _e2816.v));
-            let _e2978 = (((_e2875 * _e2822) + (_e2919 * _e2816.u)) + (_e2963 * _e2816.v));
-            let _e2980 = abs(_e2849);
-            let _e2981 = abs(_e2862);
-            let _e2982 = abs(_e2875);
-            let _e2983 = abs(_e2893);
-            let _e2984 = abs(_e2906);
-            let _e2985 = abs(_e2919);
-            if (_e2980 > _e2983) {
-                phi_3664_ = _e2980;
+            let _e2856 = instances.member[(0u + _e2834.instance)].object_to_world[0u];
+            let _e2867 = ((((_e2856.x * _e2845.v0_.x) + (_e2856.y * _e2845.v0_.y)) + (_e2856.z * _e2845.v0_.z)) + (_e2856.w * 1f));
+            let _e2869 = instances.member[(0u + _e2834.instance)].object_to_world[1u];
+            let _e2880 = ((((_e2869.x * _e2845.v0_.x) + (_e2869.y * _e2845.v0_.y)) + (_e2869.z * _e2845.v0_.z)) + (_e2869.w * 1f));
+            let _e2882 = instances.member[(0u + _e2834.instance)].object_to_world[2u];
+            let _e2893 = ((((_e2882.x * _e2845.v0_.x) + (_e2882.y * _e2845.v0_.y)) + (_e2882.z * _e2845.v0_.z)) + (_e2882.w * 1f));
+            let _e2900 = instances.member[(0u + _e2834.instance)].object_to_world[0u];
+            let _e2911 = ((((_e2900.x * _e2845.v1_.x) + (_e2900.y * _e2845.v1_.y)) + (_e2900.z * _e2845.v1_.z)) + (_e2900.w * 1f));
+            let _e2913 = instances.member[(0u + _e2834.instance)].object_to_world[1u];
+            let _e2924 = ((((_e2913.x * _e2845.v1_.x) + (_e2913.y * _e2845.v1_.y)) + (_e2913.z * _e2845.v1_.z)) + (_e2913.w * 1f));
+            let _e2926 = instances.member[(0u + _e2834.instance)].object_to_world[2u];
+            let _e2937 = ((((_e2926.x * _e2845.v1_.x) + (_e2926.y * _e2845.v1_.y)) + (_e2926.z * _e2845.v1_.z)) + (_e2926.w * 1f));
+            let _e2944 = instances.member[(0u + _e2834.instance)].object_to_world[0u];
+            let _e2955 = ((((_e2944.x * _e2845.v2_.x) + (_e2944.y * _e2845.v2_.y)) + (_e2944.z * _e2845.v2_.z)) + (_e2944.w * 1f));
+            let _e2957 = instances.member[(0u + _e2834.instance)].object_to_world[1u];
+            let _e2968 = ((((_e2957.x * _e2845.v2_.x) + (_e2957.y * _e2845.v2_.y)) + (_e2957.z * _e2845.v2_.z)) + (_e2957.w * 1f));
+            let _e2970 = instances.member[(0u + _e2834.instance)].object_to_world[2u];
+            let _e2981 = ((((_e2970.x * _e2845.v2_.x) + (_e2970.y * _e2845.v2_.y)) + (_e2970.z * _e2845.v2_.z)) + (_e2970.w * 1f));
+            let _e2994 = (((_e2867 * _e2840) + (_e2911 * _e2834.u)) + (_e2955 * _e2834.v));
+            let _e2995 = (((_e2880 * _e2840) + (_e2924 * _e2834.u)) + (_e2968 * _e2834.v));
+            let _e2996 = (((_e2893 * _e2840) + (_e2937 * _e2834.u)) + (_e2981 * _e2834.v));
+            let _e2998 = abs(_e2867);
+            let _e2999 = abs(_e2880);
+            let _e3000 = abs(_e2893);
+            let _e3001 = abs(_e2911);
+            let _e3002 = abs(_e2924);
+            let _e3003 = abs(_e2937);
+            if (_e2998 > _e3001) {
+                phi_3683_ = _e2998;
             } else {
-                phi_3664_ = _e2983;
+                phi_3683_ = _e3001;
             }
-            let _e2988 = phi_3664_;
-            if (_e2981 > _e2984) {
-                phi_3669_ = _e2981;
+            let _e3006 = phi_3683_;
+            if (_e2999 > _e3002) {
+                phi_3688_ = _e2999;
             } else {
-                phi_3669_ = _e2984;
+                phi_3688_ = _e3002;
             }
-            let _e2991 = phi_3669_;
-            if (_e2982 > _e2985) {
-                phi_3674_ = _e2982;
+            let _e3009 = phi_3688_;
+            if (_e3000 > _e3003) {
+                phi_3693_ = _e3000;
             } else {
-                phi_3674_ = _e2985;
+                phi_3693_ = _e3003;
             }
-            let _e2994 = phi_3674_;
-            let _e2995 = abs(_e2937);
-            let _e2996 = abs(_e2950);
-            let _e2997 = abs(_e2963);
-            if (_e2988 > _e2995) {
-                phi_3682_ = _e2988;
+            let _e3012 = phi_3693_;
+            let _e3013 = abs(_e2955);
+            let _e3014 = abs(_e2968);
+            let _e3015 = abs(_e2981);
+            if (_e3006 > _e3013) {
+                phi_3701_ = _e3006;
             } else {
-                phi_3682_ = _e2995;
+                phi_3701_ = _e3013;
             }
-            let _e3000 = phi_3682_;
-            if (_e2991 > _e2996) {
-                phi_3687_ = _e2991;
+            let _e3018 = phi_3701_;
+            if (_e3009 > _e3014) {
+                phi_3706_ = _e3009;
             } else {
-                phi_3687_ = _e2996;
+                phi_3706_ = _e3014;
             }
-            let _e3003 = phi_3687_;
-            if (_e2994 > _e2997) {
-                phi_3692_ = _e2994;
+            let _e3021 = phi_3706_;
+            if (_e3012 > _e3015) {
+                phi_3711_ = _e3012;
             } else {
-                phi_3692_ = _e2997;
+                phi_3711_ = _e3015;
             }
-            let _e3006 = phi_3692_;
-            let _e3007 = (_e2893 - _e2849);
-            let _e3008 = (_e2906 - _e2862);
-            let _e3009 = (_e2919 - _e2875);
-            let _e3010 = (_e2937 - _e2849);
-            let _e3011 = (_e2950 - _e2862);
-            let _e3012 = (_e2963 - _e2875);
-            let _e3016 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3008), abs(_e3009));
-            let _e3017 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3007), _e3016);
-            let _e3018 = (_e3007 / _e3017);
-            let _e3019 = (_e3008 / _e3017);
-            let _e3020 = (_e3009 / _e3017);
-            let _e3024 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3011), abs(_e3012));
-            let _e3025 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3010), _e3024);
-            let _e3026 = (_e3010 / _e3025);
-            let _e3027 = (_e3011 / _e3025);
-            let _e3028 = (_e3012 / _e3025);
-            let _e3031 = ((_e3019 * _e3028) - (_e3027 * _e3020));
-            let _e3034 = ((_e3020 * _e3026) - (_e3028 * _e3018));
-            let _e3037 = ((_e3018 * _e3027) - (_e3026 * _e3019));
-            let _e3039 = p.member.eye;
-            let _e3052 = (1f / sqrt((((_e3031 * _e3031) + (_e3034 * _e3034)) + (_e3037 * _e3037))));
-            let _e3053 = (_e3031 * _e3052);
-            let _e3054 = (_e3034 * _e3052);
-            let _e3055 = (_e3037 * _e3052);
-            if ((((_e3053 * (_e3039.x - _e2976)) + (_e3054 * (_e3039.y - _e2977))) + (_e3055 * (_e3039.z - _e2978))) < 0f) {
-                phi_3756_ = vec3<f32>(-(_e3053), -(_e3054), -(_e3055));
+            let _e3024 = phi_3711_;
+            let _e3025 = (_e2911 - _e2867);
+            let _e3026 = (_e2924 - _e2880);
+            let _e3027 = (_e2937 - _e2893);
+            let _e3028 = (_e2955 - _e2867);
+            let _e3029 = (_e2968 - _e2880);
+            let _e3030 = (_e2981 - _e2893);
+            let _e3034 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3026), abs(_e3027));
+            let _e3035 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3025), _e3034);
+            let _e3036 = (_e3025 / _e3035);
+            let _e3037 = (_e3026 / _e3035);
+            let _e3038 = (_e3027 / _e3035);
+            let _e3042 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3029), abs(_e3030));
+            let _e3043 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3028), _e3042);
+            let _e3044 = (_e3028 / _e3043);
+            let _e3045 = (_e3029 / _e3043);
+            let _e3046 = (_e3030 / _e3043);
+            let _e3049 = ((_e3037 * _e3046) - (_e3045 * _e3038));
+            let _e3052 = ((_e3038 * _e3044) - (_e3046 * _e3036));
+            let _e3055 = ((_e3036 * _e3045) - (_e3044 * _e3037));
+            let _e3057 = p.member.eye;
+            let _e3070 = (1f / sqrt((((_e3049 * _e3049) + (_e3052 * _e3052)) + (_e3055 * _e3055))));
+            let _e3071 = (_e3049 * _e3070);
+            let _e3072 = (_e3052 * _e3070);
+            let _e3073 = (_e3055 * _e3070);
+            if ((((_e3071 * (_e3057.x - _e2994)) + (_e3072 * (_e3057.y - _e2995))) + (_e3073 * (_e3057.z - _e2996))) < 0f) {
+                phi_3775_ = vec3<f32>(-(_e3071), -(_e3072), -(_e3073));
             } else {
-                phi_3756_ = vec3<f32>(_e3053, _e3054, _e3055);
+                phi_3775_ = vec3<f32>(_e3071, _e3072, _e3073);
             }
-            let _e3068 = phi_3756_;
-            if (_e2816.triangle < _e81) {
+            let _e3086 = phi_3775_;
+            if (_e2834.triangle < _e82) {
             } else {
                 return;
             }
-            let _e3073 = triangles.member[(0u + _e2816.triangle)];
-            let _e3075 = (_e3073.i0_ & 2147483647u);
-            if (_e3075 < _e84) {
+            let _e3091 = triangles.member[(0u + _e2834.triangle)];
+            let _e3093 = (_e3091.i0_ & 2147483647u);
+            if (_e3093 < _e85) {
             } else {
                 return;
             }
-            let _e3081 = vertices.member[(0u + _e3075)];
-            if (_e3073.i1_ < _e84) {
+            let _e3099 = vertices.member[(0u + _e3093)];
+            if (_e3091.i1_ < _e85) {
             } else {
                 return;
             }
-            let _e3085 = vertices.member[(0u + _e3073.i1_)];
-            if (_e3073.i2_ < _e84) {
+            let _e3103 = vertices.member[(0u + _e3091.i1_)];
+            if (_e3091.i2_ < _e85) {
             } else {
                 return;
             }
-            let _e3089 = vertices.member[(0u + _e3073.i2_)];
-            let _e3090 = array<abi_Vertex, 3>(_e3081, _e3085, _e3089);
-            if (_e3090[0].material < _e87) {
+            let _e3107 = vertices.member[(0u + _e3091.i2_)];
+            let _e3108 = array<abi_Vertex, 3>(_e3099, _e3103, _e3107);
+            if (_e3108[0].material < _e88) {
             } else {
                 return;
             }
-            let _e3096 = materials.member[(0u + _e3090[0].material)];
-            let _e3113 = (1f / 255f);
-            let _e3132 = (1f / 255f);
-            let _e3154 = (1f / 255f);
-            if (_e3096.color_size == 0u) {
-                phi_3999_ = vec3<f32>(1f, 1f, 1f);
+            let _e3114 = materials.member[(0u + _e3108[0].material)];
+            let _e3131 = (1f / 255f);
+            let _e3150 = (1f / 255f);
+            let _e3172 = (1f / 255f);
+            if (_e3114.color_size == 0u) {
+                phi_4018_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e3096.color_offset;
-                local.size = _e3096.color_size;
-                local.flags = _e3096.flags;
-                let _e3197 = _lt_shaders_texture_TextureView_quad((&local), (((_e3090[0].u * _e2822) + (_e3090[1].u * _e2816.u)) + (_e3090[2].u * _e2816.v)), (((_e3090[0].v * _e2822) + (_e3090[1].v * _e2816.u)) + (_e3090[2].v * _e2816.v)));
-                if (_e3197.indices[0] < _e99) {
+                local.offset = _e3114.color_offset;
+                local.size = _e3114.color_size;
+                local.flags = _e3114.flags;
+                let _e3215 = _lt_shaders_texture_TextureView_quad((&local), (((_e3108[0].u * _e2840) + (_e3108[1].u * _e2834.u)) + (_e3108[2].u * _e2834.v)), (((_e3108[0].v * _e2840) + (_e3108[1].v * _e2834.u)) + (_e3108[2].v * _e2834.v)));
+                if (_e3215.indices[0] < _e100) {
                 } else {
                     return;
                 }
-                let _e3203 = color_texels.member[(0u + _e3197.indices[0])];
-                let _e3214 = (1f / 255f);
-                if (_e3197.indices[1] < _e99) {
+                let _e3221 = color_texels.member[(0u + _e3215.indices[0])];
+                let _e3232 = (1f / 255f);
+                if (_e3215.indices[1] < _e100) {
                 } else {
                     return;
                 }
-                let _e3228 = color_texels.member[(0u + _e3197.indices[1])];
-                let _e3239 = (1f / 255f);
-                if (_e3197.indices[2] < _e99) {
+                let _e3246 = color_texels.member[(0u + _e3215.indices[1])];
+                let _e3257 = (1f / 255f);
+                if (_e3215.indices[2] < _e100) {
                 } else {
                     return;
                 }
-                let _e3256 = color_texels.member[(0u + _e3197.indices[2])];
-                let _e3267 = (1f / 255f);
-                if (_e3197.indices[3] < _e99) {
+                let _e3274 = color_texels.member[(0u + _e3215.indices[2])];
+                let _e3285 = (1f / 255f);
+                if (_e3215.indices[3] < _e100) {
                 } else {
                     return;
                 }
-                let _e3284 = color_texels.member[(0u + _e3197.indices[3])];
-                let _e3295 = (1f / 255f);
-                let _e3304 = (((((f32((_e3203 & 255u)) * _e3214) * _e3197.weights.x) + ((f32((_e3228 & 255u)) * _e3239) * _e3197.weights.y)) + ((f32((_e3256 & 255u)) * _e3267) * _e3197.weights.z)) + ((f32((_e3284 & 255u)) * _e3295) * _e3197.weights.w));
-                let _e3305 = (((((f32(((_e3203 >> bitcast<u32>(8i)) & 255u)) * _e3214) * _e3197.weights.x) + ((f32(((_e3228 >> bitcast<u32>(8i)) & 255u)) * _e3239) * _e3197.weights.y)) + ((f32(((_e3256 >> bitcast<u32>(8i)) & 255u)) * _e3267) * _e3197.weights.z)) + ((f32(((_e3284 >> bitcast<u32>(8i)) & 255u)) * _e3295) * _e3197.weights.w));
-                let _e3306 = (((((f32(((_e3203 >> bitcast<u32>(16i)) & 255u)) * _e3214) * _e3197.weights.x) + ((f32(((_e3228 >> bitcast<u32>(16i)) & 255u)) * _e3239) * _e3197.weights.y)) + ((f32(((_e3256 >> bitcast<u32>(16i)) & 255u)) * _e3267) * _e3197.weights.z)) + ((f32(((_e3284 >> bitcast<u32>(16i)) & 255u)) * _e3295) * _e3197.weights.w));
-                phi_3999_ = vec3<f32>((_e3304 * _e3304), (_e3305 * _e3305), (_e3306 * _e3306));
+                let _e3302 = color_texels.member[(0u + _e3215.indices[3])];
+                let _e3313 = (1f / 255f);
+                let _e3322 = (((((f32((_e3221 & 255u)) * _e3232) * _e3215.weights.x) + ((f32((_e3246 & 255u)) * _e3257) * _e3215.weights.y)) + ((f32((_e3274 & 255u)) * _e3285) * _e3215.weights.z)) + ((f32((_e3302 & 255u)) * _e3313) * _e3215.weights.w));
+                let _e3323 = (((((f32(((_e3221 >> bitcast<u32>(8i)) & 255u)) * _e3232) * _e3215.weights.x) + ((f32(((_e3246 >> bitcast<u32>(8i)) & 255u)) * _e3257) * _e3215.weights.y)) + ((f32(((_e3274 >> bitcast<u32>(8i)) & 255u)) * _e3285) * _e3215.weights.z)) + ((f32(((_e3302 >> bitcast<u32>(8i)) & 255u)) * _e3313) * _e3215.weights.w));
+                let _e3324 = (((((f32(((_e3221 >> bitcast<u32>(16i)) & 255u)) * _e3232) * _e3215.weights.x) + ((f32(((_e3246 >> bitcast<u32>(16i)) & 255u)) * _e3257) * _e3215.weights.y)) + ((f32(((_e3274 >> bitcast<u32>(16i)) & 255u)) * _e3285) * _e3215.weights.z)) + ((f32(((_e3302 >> bitcast<u32>(16i)) & 255u)) * _e3313) * _e3215.weights.w));
+                phi_4018_ = vec3<f32>((_e3322 * _e3322), (_e3323 * _e3323), (_e3324 * _e3324));
             }
-            let _e3312 = phi_3999_;
-            let _e3314 = ((_e3096.base_color.x * ((((f32((_e3090[0].color & 255u)) * _e3113) * _e2822) + ((f32((_e3090[1].color & 255u)) * _e3132) * _e2816.u)) + ((f32((_e3090[2].color & 255u)) * _e3154) * _e2816.v))) * _e3312.x);
-            let _e3316 = ((_e3096.base_color.y * ((((f32(((_e3090[0].color >> bitcast<u32>(8i)) & 255u)) * _e3113) * _e2822) + ((f32(((_e3090[1].color >> bitcast<u32>(8i)) & 255u)) * _e3132) * _e2816.u)) + ((f32(((_e3090[2].color >> bitcast<u32>(8i)) & 255u)) * _e3154) * _e2816.v))) * _e3312.y);
-            let _e3318 = ((_e3096.base_color.z * ((((f32(((_e3090[0].color >> bitcast<u32>(16i)) & 255u)) * _e3113) * _e2822) + ((f32(((_e3090[1].color >> bitcast<u32>(16i)) & 255u)) * _e3132) * _e2816.u)) + ((f32(((_e3090[2].color >> bitcast<u32>(16i)) & 255u)) * _e3154) * _e2816.v))) * _e3312.z);
-            let _e3319 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3003, _e3006);
-            let _e3320 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3000, _e3319);
-            if ((_e3096.flags & 2u) == 0u) {
-                phi_4014_ = 0u;
+            let _e3330 = phi_4018_;
+            let _e3332 = ((_e3114.base_color.x * ((((f32((_e3108[0].color & 255u)) * _e3131) * _e2840) + ((f32((_e3108[1].color & 255u)) * _e3150) * _e2834.u)) + ((f32((_e3108[2].color & 255u)) * _e3172) * _e2834.v))) * _e3330.x);
+            let _e3334 = ((_e3114.base_color.y * ((((f32(((_e3108[0].color >> bitcast<u32>(8i)) & 255u)) * _e3131) * _e2840) + ((f32(((_e3108[1].color >> bitcast<u32>(8i)) & 255u)) * _e3150) * _e2834.u)) + ((f32(((_e3108[2].color >> bitcast<u32>(8i)) & 255u)) * _e3172) * _e2834.v))) * _e3330.y);
+            let _e3336 = ((_e3114.base_color.z * ((((f32(((_e3108[0].color >> bitcast<u32>(16i)) & 255u)) * _e3131) * _e2840) + ((f32(((_e3108[1].color >> bitcast<u32>(16i)) & 255u)) * _e3150) * _e2834.u)) + ((f32(((_e3108[2].color >> bitcast<u32>(16i)) & 255u)) * _e3172) * _e2834.v))) * _e3330.z);
+            let _e3337 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3021, _e3024);
+            let _e3338 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3018, _e3337);
+            if ((_e3114.flags & 2u) == 0u) {
+                phi_4033_ = 0u;
             } else {
-                phi_4014_ = 1u;
+                phi_4033_ = 1u;
             }
-            let _e3325 = phi_4014_;
-            if (_e3090[0].normal == 2147516416u) {
-                phi_4244_ = _e3068;
+            let _e3343 = phi_4033_;
+            if (_e3108[0].normal == 2147516416u) {
+                phi_4263_ = _e3086;
             } else {
-                let _e3338 = (f32((bitcast<i32>((_e3090[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3344 = (f32((bitcast<i32>(_e3090[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3348 = ((1f - abs(_e3338)) - abs(_e3344));
-                if (_e3348 < 0f) {
-                    phi_4041_ = -(_e3348);
+                let _e3356 = (f32((bitcast<i32>((_e3108[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3362 = (f32((bitcast<i32>(_e3108[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3366 = ((1f - abs(_e3356)) - abs(_e3362));
+                if (_e3366 < 0f) {
+                    phi_4060_ = -(_e3366);
                 } else {
-                    phi_4041_ = 0f;
+                    phi_4060_ = 0f;
                 }
-                let _e3352 = phi_4041_;
-                if (_e3338 < 0f) {
-                    phi_4048_ = (_e3338 + _e3352);
+                let _e3370 = phi_4060_;
+                if (_e3356 < 0f) {
+                    phi_4067_ = (_e3356 + _e3370);
                 } else {
-                    phi_4048_ = (_e3338 - _e3352);
+                    phi_4067_ = (_e3356 - _e3370);
                 }
-                let _e3357 = phi_4048_;
-                if (_e3344 < 0f) {
-                    phi_4055_ = (_e3344 + _e3352);
+                let _e3375 = phi_4067_;
+                if (_e3362 < 0f) {
+                    phi_4074_ = (_e3362 + _e3370);
                 } else {
-                    phi_4055_ = (_e3344 - _e3352);
+                    phi_4074_ = (_e3362 - _e3370);
                 }
-                let _e3362 = phi_4055_;
-                let _e3369 = (1f / sqrt((((_e3357 * _e3357) + (_e3362 * _e3362)) + (_e3348 * _e3348))));
-                let _e3385 = (f32((bitcast<i32>((_e3090[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3391 = (f32((bitcast<i32>(_e3090[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3395 = ((1f - abs(_e3385)) - abs(_e3391));
-                if (_e3395 < 0f) {
-                    phi_4090_ = -(_e3395);
+                let _e3380 = phi_4074_;
+                let _e3387 = (1f / sqrt((((_e3375 * _e3375) + (_e3380 * _e3380)) + (_e3366 * _e3366))));
+                let _e3403 = (f32((bitcast<i32>((_e3108[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3409 = (f32((bitcast<i32>(_e3108[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3413 = ((1f - abs(_e3403)) - abs(_e3409));
+                if (_e3413 < 0f) {
+                    phi_4109_ = -(_e3413);
                 } else {
-                    phi_4090_ = 0f;
+                    phi_4109_ = 0f;
                 }
-                let _e3399 = phi_4090_;
-                if (_e3385 < 0f) {
-                    phi_4097_ = (_e3385 + _e3399);
+                let _e3417 = phi_4109_;
+                if (_e3403 < 0f) {
+                    phi_4116_ = (_e3403 + _e3417);
                 } else {
-                    phi_4097_ = (_e3385 - _e3399);
+                    phi_4116_ = (_e3403 - _e3417);
                 }
-                let _e3404 = phi_4097_;
-                if (_e3391 < 0f) {
-                    phi_4104_ = (_e3391 + _e3399);
+                let _e3422 = phi_4116_;
+                if (_e3409 < 0f) {
+                    phi_4123_ = (_e3409 + _e3417);
                 } else {
-                    phi_4104_ = (_e3391 - _e3399);
+                    phi_4123_ = (_e3409 - _e3417);
                 }
-                let _e3409 = phi_4104_;
-                let _e3416 = (1f / sqrt((((_e3404 * _e3404) + (_e3409 * _e3409)) + (_e3395 * _e3395))));
-                let _e3435 = (f32((bitcast<i32>((_e3090[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3441 = (f32((bitcast<i32>(_e3090[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3445 = ((1f - abs(_e3435)) - abs(_e3441));
-                if (_e3445 < 0f) {
-                    phi_4142_ = -(_e3445);
+                let _e3427 = phi_4123_;
+                let _e3434 = (1f / sqrt((((_e3422 * _e3422) + (_e3427 * _e3427)) + (_e3413 * _e3413))));
+                let _e3453 = (f32((bitcast<i32>((_e3108[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3459 = (f32((bitcast<i32>(_e3108[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3463 = ((1f - abs(_e3453)) - abs(_e3459));
+                if (_e3463 < 0f) {
+                    phi_4161_ = -(_e3463);
                 } else {
-                    phi_4142_ = 0f;
+                    phi_4161_ = 0f;
                 }
-                let _e3449 = phi_4142_;
-                if (_e3435 < 0f) {
-                    phi_4149_ = (_e3435 + _e3449);
+                let _e3467 = phi_4161_;
+                if (_e3453 < 0f) {
+                    phi_4168_ = (_e3453 + _e3467);
                 } else {
-                    phi_4149_ = (_e3435 - _e3449);
+                    phi_4168_ = (_e3453 - _e3467);
                 }
-                let _e3454 = phi_4149_;
-                if (_e3441 < 0f) {
-                    phi_4156_ = (_e3441 + _e3449);
+                let _e3472 = phi_4168_;
+                if (_e3459 < 0f) {
+                    phi_4175_ = (_e3459 + _e3467);
                 } else {
-                    phi_4156_ = (_e3441 - _e3449);
+                    phi_4175_ = (_e3459 - _e3467);
                 }
-                let _e3459 = phi_4156_;
-                let _e3466 = (1f / sqrt((((_e3454 * _e3454) + (_e3459 * _e3459)) + (_e3445 * _e3445))));
-                let _e3473 = ((((_e3357 * _e3369) * _e2822) + ((_e3404 * _e3416) * _e2816.u)) + ((_e3454 * _e3466) * _e2816.v));
-                let _e3474 = ((((_e3362 * _e3369) * _e2822) + ((_e3409 * _e3416) * _e2816.u)) + ((_e3459 * _e3466) * _e2816.v));
-                let _e3475 = ((((_e3348 * _e3369) * _e2822) + ((_e3395 * _e3416) * _e2816.u)) + ((_e3445 * _e3466) * _e2816.v));
-                if (_e2816.instance < _e93) {
+                let _e3477 = phi_4175_;
+                let _e3484 = (1f / sqrt((((_e3472 * _e3472) + (_e3477 * _e3477)) + (_e3463 * _e3463))));
+                let _e3491 = ((((_e3375 * _e3387) * _e2840) + ((_e3422 * _e3434) * _e2834.u)) + ((_e3472 * _e3484) * _e2834.v));
+                let _e3492 = ((((_e3380 * _e3387) * _e2840) + ((_e3427 * _e3434) * _e2834.u)) + ((_e3477 * _e3484) * _e2834.v));
+                let _e3493 = ((((_e3366 * _e3387) * _e2840) + ((_e3413 * _e3434) * _e2834.u)) + ((_e3463 * _e3484) * _e2834.v));
+                if (_e2834.instance < _e94) {
                 } else {
                     return;
                 }
-                let _e3482 = instances.member[(0u + _e2816.instance)].world_to_object[0u];
-                let _e3491 = instances.member[(0u + _e2816.instance)].world_to_object[1u];
-                let _e3503 = instances.member[(0u + _e2816.instance)].world_to_object[2u];
-                let _e3510 = (((_e3482.x * _e3473) + (_e3491.x * _e3474)) + (_e3503.x * _e3475));
-                let _e3511 = (((_e3482.y * _e3473) + (_e3491.y * _e3474)) + (_e3503.y * _e3475));
-                let _e3512 = (((_e3482.z * _e3473) + (_e3491.z * _e3474)) + (_e3503.z * _e3475));
-                let _e3518 = sqrt((((_e3510 * _e3510) + (_e3511 * _e3511)) + (_e3512 * _e3512)));
-                if (_e3518 > 0f) {
-                    let _e3520 = (_e3510 / _e3518);
-                    let _e3521 = (_e3511 / _e3518);
-                    let _e3522 = (_e3512 / _e3518);
-                    if ((((_e3520 * _e3068.x) + (_e3521 * _e3068.y)) + (_e3522 * _e3068.z)) < 0f) {
-                        phi_4242_ = vec3<f32>(-(_e3520), -(_e3521), -(_e3522));
+                let _e3500 = instances.member[(0u + _e2834.instance)].world_to_object[0u];
+                let _e3509 = instances.member[(0u + _e2834.instance)].world_to_object[1u];
+                let _e3521 = instances.member[(0u + _e2834.instance)].world_to_object[2u];
+                let _e3528 = (((_e3500.x * _e3491) + (_e3509.x * _e3492)) + (_e3521.x * _e3493));
+                let _e3529 = (((_e3500.y * _e3491) + (_e3509.y * _e3492)) + (_e3521.y * _e3493));
+                let _e3530 = (((_e3500.z * _e3491) + (_e3509.z * _e3492)) + (_e3521.z * _e3493));
+                let _e3536 = sqrt((((_e3528 * _e3528) + (_e3529 * _e3529)) + (_e3530 * _e3530)));
+                if (_e3536 > 0f) {
+                    let _e3538 = (_e3528 / _e3536);
+                    let _e3539 = (_e3529 / _e3536);
+                    let _e3540 = (_e3530 / _e3536);
+                    if ((((_e3538 * _e3086.x) + (_e3539 * _e3086.y)) + (_e3540 * _e3086.z)) < 0f) {
+                        phi_4261_ = vec3<f32>(-(_e3538), -(_e3539), -(_e3540));
                     } else {
-                        phi_4242_ = vec3<f32>(_e3520, _e3521, _e3522);
+                        phi_4261_ = vec3<f32>(_e3538, _e3539, _e3540);
                     }
-                    let _e3538 = phi_4242_;
-                    phi_4243_ = _e3538;
+                    let _e3556 = phi_4261_;
+                    phi_4262_ = _e3556;
                 } else {
-                    phi_4243_ = _e3068;
+                    phi_4262_ = _e3086;
                 }
-                let _e3540 = phi_4243_;
-                phi_4244_ = _e3540;
+                let _e3558 = phi_4262_;
+                phi_4263_ = _e3558;
             }
-            let _e3542 = phi_4244_;
-            if (_e3314 > 0f) {
-                if (_e3314 < 1f) {
-                    phi_4253_ = _e3314;
+            let _e3560 = phi_4263_;
+            if (_e3332 > 0f) {
+                if (_e3332 < 1f) {
+                    phi_4272_ = _e3332;
                 } else {
-                    phi_4253_ = 1f;
+                    phi_4272_ = 1f;
                 }
-                let _e3546 = phi_4253_;
-                phi_4254_ = _e3546;
+                let _e3564 = phi_4272_;
+                phi_4273_ = _e3564;
             } else {
-                phi_4254_ = 0f;
+                phi_4273_ = 0f;
             }
-            let _e3548 = phi_4254_;
-            if (_e3316 > 0f) {
-                if (_e3316 < 1f) {
-                    phi_4264_ = _e3316;
+            let _e3566 = phi_4273_;
+            if (_e3334 > 0f) {
+                if (_e3334 < 1f) {
+                    phi_4283_ = _e3334;
                 } else {
-                    phi_4264_ = 1f;
+                    phi_4283_ = 1f;
                 }
-                let _e3553 = phi_4264_;
-                phi_4265_ = _e3553;
+                let _e3571 = phi_4283_;
+                phi_4284_ = _e3571;
             } else {
-                phi_4265_ = 0f;
+                phi_4284_ = 0f;
             }
-            let _e3555 = phi_4265_;
-            if (_e3318 > 0f) {
-                if (_e3318 < 1f) {
-                    phi_4275_ = _e3318;
+            let _e3573 = phi_4284_;
+            if (_e3336 > 0f) {
+                if (_e3336 < 1f) {
+                    phi_4294_ = _e3336;
                 } else {
-                    phi_4275_ = 1f;
+                    phi_4294_ = 1f;
                 }
-                let _e3560 = phi_4275_;
-                phi_4276_ = _e3560;
+                let _e3578 = phi_4294_;
+                phi_4295_ = _e3578;
             } else {
-                phi_4276_ = 0f;
+                phi_4295_ = 0f;
             }
-            let _e3562 = phi_4276_;
-            let _e3565 = ((sqrt(_e3548) * 255f) + 0.5f);
-            let _e3574 = ((sqrt(_e3555) * 255f) + 0.5f);
-            let _e3586 = ((sqrt(_e3562) * 255f) + 0.5f);
-            phi_4311_ = abi_Sample(vec3<f32>(_e2976, _e2977, _e2978), _e3320, _e3068, _e3325, _e3542, ((select(select(u32(_e3565), 0u, (_e3565 < bitcast<f32>(0u))), 4294967295u, (_e3565 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3574), 0u, (_e3574 < bitcast<f32>(0u))), 4294967295u, (_e3574 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3586), 0u, (_e3586 < bitcast<f32>(0u))), 4294967295u, (_e3586 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3580 = phi_4295_;
+            let _e3583 = ((sqrt(_e3566) * 255f) + 0.5f);
+            let _e3592 = ((sqrt(_e3573) * 255f) + 0.5f);
+            let _e3604 = ((sqrt(_e3580) * 255f) + 0.5f);
+            phi_4330_ = abi_Sample(vec3<f32>(_e2994, _e2995, _e2996), _e3338, _e3086, _e3343, _e3560, ((select(select(u32(_e3583), 0u, (_e3583 < bitcast<f32>(0u))), 4294967295u, (_e3583 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3592), 0u, (_e3592 < bitcast<f32>(0u))), 4294967295u, (_e3592 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3604), 0u, (_e3604 < bitcast<f32>(0u))), 4294967295u, (_e3604 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4311_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4330_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3600 = phi_4311_;
-        if (_e105.shift < arrayLength((&samples.member))) {
+        let _e3618 = phi_4330_;
+        if (_e106.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e105.shift)] = _e3600;
+        samples.member[(0u + _e106.shift)] = _e3618;
     }
     return;
 }

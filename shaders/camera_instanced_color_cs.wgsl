@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -176,430 +176,430 @@ var<storage> instances: type_57;
 var<storage> color_texels: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_216_: lt_mask_LightPlace;
-    var phi_217_: bool;
     var phi_218_: lt_mask_LightPlace;
     var phi_219_: bool;
-    var phi_224_: lt_mask_LightPlace;
+    var phi_220_: lt_mask_LightPlace;
+    var phi_221_: bool;
+    var phi_226_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_216_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_217_ = false;
+            phi_218_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_219_ = false;
         } else {
-            phi_216_ = lt_mask_LightPlace();
-            phi_217_ = true;
+            phi_218_ = lt_mask_LightPlace();
+            phi_219_ = true;
         }
-        let _e82 = phi_216_;
-        let _e84 = phi_217_;
-        phi_218_ = _e82;
-        phi_219_ = _e84;
+        let _e83 = phi_218_;
+        let _e85 = phi_219_;
+        phi_220_ = _e83;
+        phi_221_ = _e85;
     } else {
-        phi_218_ = lt_mask_LightPlace();
-        phi_219_ = true;
+        phi_220_ = lt_mask_LightPlace();
+        phi_221_ = true;
     }
-    let _e86 = phi_218_;
-    let _e88 = phi_219_;
-    if _e88 {
-        phi_224_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e87 = phi_220_;
+    let _e89 = phi_221_;
+    if _e89 {
+        phi_226_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_224_ = _e86;
+        phi_226_ = _e87;
     }
-    let _e93 = phi_224_;
-    return lt_mask_LightPlace(_e93.word, _e93.shift);
+    let _e94 = phi_226_;
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_239_: bool;
-    var phi_243_: f32;
+    var phi_241_: bool;
+    var phi_245_: f32;
 
     if (param_3 != param_3) {
-        phi_239_ = true;
+        phi_241_ = true;
     } else {
-        let _e72 = (param_4 >= param_3);
-        if _e72 {
+        let _e73 = (param_4 >= param_3);
+        if _e73 {
         }
-        phi_239_ = _e72;
+        phi_241_ = _e73;
     }
-    let _e74 = phi_239_;
-    if _e74 {
-        phi_243_ = param_4;
+    let _e75 = phi_241_;
+    if _e75 {
+        phi_245_ = param_4;
     } else {
-        phi_243_ = param_3;
+        phi_245_ = param_3;
     }
-    let _e76 = phi_243_;
-    return _e76;
+    let _e77 = phi_245_;
+    return _e77;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_255_: bool;
-    var phi_259_: f32;
+    var phi_257_: bool;
+    var phi_261_: f32;
 
     if (param_5 != param_5) {
-        phi_255_ = true;
+        phi_257_ = true;
     } else {
-        let _e72 = (param_6 <= param_5);
-        if _e72 {
+        let _e73 = (param_6 <= param_5);
+        if _e73 {
         }
-        phi_255_ = _e72;
+        phi_257_ = _e73;
     }
-    let _e74 = phi_255_;
-    if _e74 {
-        phi_259_ = param_6;
+    let _e75 = phi_257_;
+    if _e75 {
+        phi_261_ = param_6;
     } else {
-        phi_259_ = param_5;
+        phi_261_ = param_5;
     }
-    let _e76 = phi_259_;
-    return _e76;
+    let _e77 = phi_261_;
+    return _e77;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_301_: f32;
-    var phi_306_: f32;
-    var phi_307_: bool;
+    var phi_303_: f32;
     var phi_308_: f32;
     var phi_309_: bool;
-    var phi_313_: f32;
-    var phi_339_: f32;
-    var phi_344_: f32;
-    var phi_345_: bool;
+    var phi_310_: f32;
+    var phi_311_: bool;
+    var phi_315_: f32;
+    var phi_341_: f32;
     var phi_346_: f32;
     var phi_347_: bool;
-    var phi_351_: f32;
-    var phi_359_: f32;
-    var phi_360_: f32;
+    var phi_348_: f32;
+    var phi_349_: bool;
+    var phi_353_: f32;
     var phi_361_: f32;
-    var phi_370_: f32;
-    var phi_371_: f32;
-    var phi_389_: u32;
-    var phi_403_: u32;
-    var phi_410_: u32;
-    var phi_415_: u32;
-    var phi_421_: u32;
-    var phi_426_: u32;
-    var phi_428_: texture_Axis;
-    var phi_456_: f32;
-    var phi_461_: f32;
-    var phi_462_: bool;
+    var phi_362_: f32;
+    var phi_363_: f32;
+    var phi_372_: f32;
+    var phi_373_: f32;
+    var phi_391_: u32;
+    var phi_405_: u32;
+    var phi_412_: u32;
+    var phi_417_: u32;
+    var phi_423_: u32;
+    var phi_428_: u32;
+    var phi_430_: texture_Axis;
+    var phi_458_: f32;
     var phi_463_: f32;
     var phi_464_: bool;
-    var phi_468_: f32;
-    var phi_494_: f32;
-    var phi_499_: f32;
-    var phi_500_: bool;
+    var phi_465_: f32;
+    var phi_466_: bool;
+    var phi_470_: f32;
+    var phi_496_: f32;
     var phi_501_: f32;
     var phi_502_: bool;
-    var phi_506_: f32;
-    var phi_514_: f32;
-    var phi_515_: f32;
+    var phi_503_: f32;
+    var phi_504_: bool;
+    var phi_508_: f32;
     var phi_516_: f32;
-    var phi_525_: f32;
-    var phi_526_: f32;
-    var phi_544_: u32;
-    var phi_558_: u32;
-    var phi_565_: u32;
-    var phi_570_: u32;
-    var phi_576_: u32;
-    var phi_581_: u32;
-    var phi_583_: texture_Axis;
+    var phi_517_: f32;
+    var phi_518_: f32;
+    var phi_527_: f32;
+    var phi_528_: f32;
+    var phi_546_: u32;
+    var phi_560_: u32;
+    var phi_567_: u32;
+    var phi_572_: u32;
+    var phi_578_: u32;
+    var phi_583_: u32;
+    var phi_585_: texture_Axis;
 
-    let _e73 = (*param_7).size;
-    let _e74 = (_e73 & 65535u);
-    let _e76 = (*param_7).size;
-    let _e78 = (_e76 >> bitcast<u32>(16i));
-    let _e80 = (*param_7).flags;
-    let _e82 = ((_e80 & 4u) != 0u);
-    let _e84 = (*param_7).flags;
-    let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
-    if (_e87 == 0u) {
+    let _e74 = (*param_7).size;
+    let _e75 = (_e74 & 65535u);
+    let _e77 = (*param_7).size;
+    let _e79 = (_e77 >> bitcast<u32>(16i));
+    let _e81 = (*param_7).flags;
+    let _e83 = ((_e81 & 4u) != 0u);
+    let _e85 = (*param_7).flags;
+    let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
+    if (_e88 == 0u) {
         if (param_8 > -8388608f) {
-            let _e100 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
-            if (_e100 > param_8) {
-                phi_301_ = 1f;
+            let _e101 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e101 > param_8) {
+                phi_303_ = 1f;
             } else {
-                phi_301_ = 0f;
+                phi_303_ = 0f;
             }
-            let _e103 = phi_301_;
+            let _e104 = phi_303_;
             if (param_8 < 8388608f) {
-                phi_306_ = (_e100 - _e103);
-                phi_307_ = false;
+                phi_308_ = (_e101 - _e104);
+                phi_309_ = false;
             } else {
-                phi_306_ = f32();
-                phi_307_ = true;
+                phi_308_ = f32();
+                phi_309_ = true;
             }
-            let _e106 = phi_306_;
-            let _e108 = phi_307_;
-            phi_308_ = _e106;
-            phi_309_ = _e108;
+            let _e107 = phi_308_;
+            let _e109 = phi_309_;
+            phi_310_ = _e107;
+            phi_311_ = _e109;
         } else {
-            phi_308_ = f32();
-            phi_309_ = true;
+            phi_310_ = f32();
+            phi_311_ = true;
         }
-        let _e110 = phi_308_;
-        let _e112 = phi_309_;
-        if _e112 {
-            phi_313_ = param_8;
+        let _e111 = phi_310_;
+        let _e113 = phi_311_;
+        if _e113 {
+            phi_315_ = param_8;
         } else {
-            phi_313_ = _e110;
+            phi_315_ = _e111;
         }
-        let _e114 = phi_313_;
-        phi_361_ = (param_8 - _e114);
+        let _e115 = phi_315_;
+        phi_363_ = (param_8 - _e115);
     } else {
-        if (_e87 == 1u) {
-            let _e117 = (param_8 * 0.5f);
-            if (_e117 > -8388608f) {
-                let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
-                if (_e129 > _e117) {
-                    phi_339_ = 1f;
+        if (_e88 == 1u) {
+            let _e118 = (param_8 * 0.5f);
+            if (_e118 > -8388608f) {
+                let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
+                if (_e130 > _e118) {
+                    phi_341_ = 1f;
                 } else {
-                    phi_339_ = 0f;
+                    phi_341_ = 0f;
                 }
-                let _e132 = phi_339_;
-                if (_e117 < 8388608f) {
-                    phi_344_ = (_e129 - _e132);
-                    phi_345_ = false;
+                let _e133 = phi_341_;
+                if (_e118 < 8388608f) {
+                    phi_346_ = (_e130 - _e133);
+                    phi_347_ = false;
                 } else {
-                    phi_344_ = f32();
-                    phi_345_ = true;
+                    phi_346_ = f32();
+                    phi_347_ = true;
                 }
-                let _e135 = phi_344_;
-                let _e137 = phi_345_;
-                phi_346_ = _e135;
-                phi_347_ = _e137;
+                let _e136 = phi_346_;
+                let _e138 = phi_347_;
+                phi_348_ = _e136;
+                phi_349_ = _e138;
             } else {
-                phi_346_ = f32();
-                phi_347_ = true;
+                phi_348_ = f32();
+                phi_349_ = true;
             }
-            let _e139 = phi_346_;
-            let _e141 = phi_347_;
-            if _e141 {
-                phi_351_ = _e117;
+            let _e140 = phi_348_;
+            let _e142 = phi_349_;
+            if _e142 {
+                phi_353_ = _e118;
             } else {
-                phi_351_ = _e139;
+                phi_353_ = _e140;
             }
-            let _e143 = phi_351_;
-            let _e145 = (param_8 - (2f * _e143));
-            if (_e145 > 1f) {
-                phi_359_ = (2f - _e145);
+            let _e144 = phi_353_;
+            let _e146 = (param_8 - (2f * _e144));
+            if (_e146 > 1f) {
+                phi_361_ = (2f - _e146);
             } else {
-                phi_359_ = _e145;
+                phi_361_ = _e146;
             }
-            let _e149 = phi_359_;
-            phi_360_ = _e149;
+            let _e150 = phi_361_;
+            phi_362_ = _e150;
         } else {
-            phi_360_ = param_8;
+            phi_362_ = param_8;
         }
-        let _e151 = phi_360_;
-        phi_361_ = _e151;
+        let _e152 = phi_362_;
+        phi_363_ = _e152;
     }
-    let _e153 = phi_361_;
-    if (_e153 > 0f) {
-        if (_e153 < 1f) {
-            phi_370_ = _e153;
+    let _e154 = phi_363_;
+    if (_e154 > 0f) {
+        if (_e154 < 1f) {
+            phi_372_ = _e154;
         } else {
-            phi_370_ = 1f;
+            phi_372_ = 1f;
         }
-        let _e157 = phi_370_;
-        phi_371_ = _e157;
+        let _e158 = phi_372_;
+        phi_373_ = _e158;
     } else {
-        phi_371_ = 0f;
+        phi_373_ = 0f;
     }
-    let _e159 = phi_371_;
-    let _e160 = (_e74 - 1u);
-    let _e162 = (_e159 * f32(_e74));
-    if _e82 {
-        let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
-        if (_e160 < _e169) {
-            phi_389_ = _e160;
+    let _e160 = phi_373_;
+    let _e161 = (_e75 - 1u);
+    let _e163 = (_e160 * f32(_e75));
+    if _e83 {
+        let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
+        if (_e161 < _e170) {
+            phi_391_ = _e161;
         } else {
-            phi_389_ = _e169;
+            phi_391_ = _e170;
         }
-        let _e172 = phi_389_;
-        phi_428_ = texture_Axis(_e172, _e172, 0f);
+        let _e173 = phi_391_;
+        phi_430_ = texture_Axis(_e173, _e173, 0f);
     } else {
-        let _e174 = (_e162 + 0.5f);
-        let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
-        if (_e74 < _e181) {
-            phi_403_ = _e74;
+        let _e175 = (_e163 + 0.5f);
+        let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
+        if (_e75 < _e182) {
+            phi_405_ = _e75;
         } else {
-            phi_403_ = _e181;
+            phi_405_ = _e182;
         }
-        let _e184 = phi_403_;
-        if (_e87 == 0u) {
-            phi_410_ = _e160;
+        let _e185 = phi_405_;
+        if (_e88 == 0u) {
+            phi_412_ = _e161;
         } else {
-            phi_410_ = 0u;
+            phi_412_ = 0u;
         }
-        let _e189 = phi_410_;
-        if (_e87 == 0u) {
-            phi_415_ = 0u;
+        let _e190 = phi_412_;
+        if (_e88 == 0u) {
+            phi_417_ = 0u;
         } else {
-            phi_415_ = _e160;
+            phi_417_ = _e161;
         }
-        let _e192 = phi_415_;
-        if (_e184 == 0u) {
-            phi_421_ = _e189;
+        let _e193 = phi_417_;
+        if (_e185 == 0u) {
+            phi_423_ = _e190;
         } else {
-            phi_421_ = (_e184 - 1u);
+            phi_423_ = (_e185 - 1u);
         }
-        let _e196 = phi_421_;
-        if (_e184 > _e160) {
-            phi_426_ = _e192;
+        let _e197 = phi_423_;
+        if (_e185 > _e161) {
+            phi_428_ = _e193;
         } else {
-            phi_426_ = _e184;
+            phi_428_ = _e185;
         }
-        let _e199 = phi_426_;
-        phi_428_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
+        let _e200 = phi_428_;
+        phi_430_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
     }
-    let _e202 = phi_428_;
-    let _e204 = (*param_7).flags;
-    let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
-    if (_e207 == 0u) {
+    let _e203 = phi_430_;
+    let _e205 = (*param_7).flags;
+    let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
+    if (_e208 == 0u) {
         if (param_9 > -8388608f) {
-            let _e220 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
-            if (_e220 > param_9) {
-                phi_456_ = 1f;
+            let _e221 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e221 > param_9) {
+                phi_458_ = 1f;
             } else {
-                phi_456_ = 0f;
+                phi_458_ = 0f;
             }
-            let _e223 = phi_456_;
+            let _e224 = phi_458_;
             if (param_9 < 8388608f) {
-                phi_461_ = (_e220 - _e223);
-                phi_462_ = false;
+                phi_463_ = (_e221 - _e224);
+                phi_464_ = false;
             } else {
-                phi_461_ = f32();
-                phi_462_ = true;
+                phi_463_ = f32();
+                phi_464_ = true;
             }
-            let _e226 = phi_461_;
-            let _e228 = phi_462_;
-            phi_463_ = _e226;
-            phi_464_ = _e228;
+            let _e227 = phi_463_;
+            let _e229 = phi_464_;
+            phi_465_ = _e227;
+            phi_466_ = _e229;
         } else {
-            phi_463_ = f32();
-            phi_464_ = true;
+            phi_465_ = f32();
+            phi_466_ = true;
         }
-        let _e230 = phi_463_;
-        let _e232 = phi_464_;
-        if _e232 {
-            phi_468_ = param_9;
+        let _e231 = phi_465_;
+        let _e233 = phi_466_;
+        if _e233 {
+            phi_470_ = param_9;
         } else {
-            phi_468_ = _e230;
+            phi_470_ = _e231;
         }
-        let _e234 = phi_468_;
-        phi_516_ = (param_9 - _e234);
+        let _e235 = phi_470_;
+        phi_518_ = (param_9 - _e235);
     } else {
-        if (_e207 == 1u) {
-            let _e237 = (param_9 * 0.5f);
-            if (_e237 > -8388608f) {
-                let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
-                if (_e249 > _e237) {
-                    phi_494_ = 1f;
+        if (_e208 == 1u) {
+            let _e238 = (param_9 * 0.5f);
+            if (_e238 > -8388608f) {
+                let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
+                if (_e250 > _e238) {
+                    phi_496_ = 1f;
                 } else {
-                    phi_494_ = 0f;
+                    phi_496_ = 0f;
                 }
-                let _e252 = phi_494_;
-                if (_e237 < 8388608f) {
-                    phi_499_ = (_e249 - _e252);
-                    phi_500_ = false;
+                let _e253 = phi_496_;
+                if (_e238 < 8388608f) {
+                    phi_501_ = (_e250 - _e253);
+                    phi_502_ = false;
                 } else {
-                    phi_499_ = f32();
-                    phi_500_ = true;
+                    phi_501_ = f32();
+                    phi_502_ = true;
                 }
-                let _e255 = phi_499_;
-                let _e257 = phi_500_;
-                phi_501_ = _e255;
-                phi_502_ = _e257;
+                let _e256 = phi_501_;
+                let _e258 = phi_502_;
+                phi_503_ = _e256;
+                phi_504_ = _e258;
             } else {
-                phi_501_ = f32();
-                phi_502_ = true;
+                phi_503_ = f32();
+                phi_504_ = true;
             }
-            let _e259 = phi_501_;
-            let _e261 = phi_502_;
-            if _e261 {
-                phi_506_ = _e237;
+            let _e260 = phi_503_;
+            let _e262 = phi_504_;
+            if _e262 {
+                phi_508_ = _e238;
             } else {
-                phi_506_ = _e259;
+                phi_508_ = _e260;
             }
-            let _e263 = phi_506_;
-            let _e265 = (param_9 - (2f * _e263));
-            if (_e265 > 1f) {
-                phi_514_ = (2f - _e265);
+            let _e264 = phi_508_;
+            let _e266 = (param_9 - (2f * _e264));
+            if (_e266 > 1f) {
+                phi_516_ = (2f - _e266);
             } else {
-                phi_514_ = _e265;
+                phi_516_ = _e266;
             }
-            let _e269 = phi_514_;
-            phi_515_ = _e269;
+            let _e270 = phi_516_;
+            phi_517_ = _e270;
         } else {
-            phi_515_ = param_9;
+            phi_517_ = param_9;
         }
-        let _e271 = phi_515_;
-        phi_516_ = _e271;
+        let _e272 = phi_517_;
+        phi_518_ = _e272;
     }
-    let _e273 = phi_516_;
-    if (_e273 > 0f) {
-        if (_e273 < 1f) {
-            phi_525_ = _e273;
+    let _e274 = phi_518_;
+    if (_e274 > 0f) {
+        if (_e274 < 1f) {
+            phi_527_ = _e274;
         } else {
-            phi_525_ = 1f;
+            phi_527_ = 1f;
         }
-        let _e277 = phi_525_;
-        phi_526_ = _e277;
+        let _e278 = phi_527_;
+        phi_528_ = _e278;
     } else {
-        phi_526_ = 0f;
+        phi_528_ = 0f;
     }
-    let _e279 = phi_526_;
-    let _e280 = (_e78 - 1u);
-    let _e282 = (_e279 * f32(_e78));
-    if _e82 {
-        let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
-        if (_e280 < _e289) {
-            phi_544_ = _e280;
+    let _e280 = phi_528_;
+    let _e281 = (_e79 - 1u);
+    let _e283 = (_e280 * f32(_e79));
+    if _e83 {
+        let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
+        if (_e281 < _e290) {
+            phi_546_ = _e281;
         } else {
-            phi_544_ = _e289;
+            phi_546_ = _e290;
         }
-        let _e292 = phi_544_;
-        phi_583_ = texture_Axis(_e292, _e292, 0f);
+        let _e293 = phi_546_;
+        phi_585_ = texture_Axis(_e293, _e293, 0f);
     } else {
-        let _e294 = (_e282 + 0.5f);
-        let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
-        if (_e78 < _e301) {
-            phi_558_ = _e78;
+        let _e295 = (_e283 + 0.5f);
+        let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
+        if (_e79 < _e302) {
+            phi_560_ = _e79;
         } else {
-            phi_558_ = _e301;
+            phi_560_ = _e302;
         }
-        let _e304 = phi_558_;
-        if (_e207 == 0u) {
-            phi_565_ = _e280;
+        let _e305 = phi_560_;
+        if (_e208 == 0u) {
+            phi_567_ = _e281;
         } else {
-            phi_565_ = 0u;
+            phi_567_ = 0u;
         }
-        let _e309 = phi_565_;
-        if (_e207 == 0u) {
-            phi_570_ = 0u;
+        let _e310 = phi_567_;
+        if (_e208 == 0u) {
+            phi_572_ = 0u;
         } else {
-            phi_570_ = _e280;
+            phi_572_ = _e281;
         }
-        let _e312 = phi_570_;
-        if (_e304 == 0u) {
-            phi_576_ = _e309;
+        let _e313 = phi_572_;
+        if (_e305 == 0u) {
+            phi_578_ = _e310;
         } else {
-            phi_576_ = (_e304 - 1u);
+            phi_578_ = (_e305 - 1u);
         }
-        let _e316 = phi_576_;
-        if (_e304 > _e280) {
-            phi_581_ = _e312;
+        let _e317 = phi_578_;
+        if (_e305 > _e281) {
+            phi_583_ = _e313;
         } else {
-            phi_581_ = _e304;
+            phi_583_ = _e305;
         }
-        let _e319 = phi_581_;
-        phi_583_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
+        let _e320 = phi_583_;
+        phi_585_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
     }
-    let _e322 = phi_583_;
-    let _e326 = (*param_7).offset;
-    let _e333 = (*param_7).offset;
-    let _e340 = (*param_7).offset;
-    let _e347 = (*param_7).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
+    let _e323 = phi_585_;
+    let _e327 = (*param_7).offset;
+    let _e334 = (*param_7).offset;
+    let _e341 = (*param_7).offset;
+    let _e348 = (*param_7).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
 }
 
 fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
@@ -607,2464 +607,2466 @@ fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
-    var phi_642_: f32;
+    var phi_644_: f32;
 
     if (param_12 > param_13) {
-        phi_642_ = param_12;
+        phi_644_ = param_12;
     } else {
-        phi_642_ = param_13;
+        phi_644_ = param_13;
     }
-    let _e73 = phi_642_;
-    return _e73;
+    let _e74 = phi_644_;
+    return _e74;
 }
 
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_767_: bool;
-    var phi_768_: bool;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_774_: bool;
+    var phi_786_: bool;
     var phi_787_: bool;
     var phi_788_: bool;
     var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_794_: bool;
+    var phi_793_: bool;
+    var phi_806_: bool;
     var phi_807_: bool;
     var phi_808_: bool;
     var phi_809_: bool;
     var phi_813_: bool;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_821_: bool;
-    var phi_897_: f32;
-    var phi_904_: f32;
-    var phi_912_: f32;
-    var phi_919_: f32;
-    var phi_927_: f32;
-    var phi_934_: f32;
-    var phi_957_: f32;
-    var phi_962_: f32;
-    var phi_967_: f32;
-    var phi_972_: f32;
-    var phi_977_: f32;
-    var phi_996_: u32;
-    var phi_1001_: u32;
-    var phi_1006_: u32;
-    var phi_1120_: bool;
-    var phi_1121_: bool;
-    var phi_1152_: u32;
-    var phi_1154_: u32;
-    var phi_1157_: lt_bvh_Hit;
-    var phi_1242_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1269_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1296_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1302_: u32;
-    var phi_1305_: u32;
-    var phi_1319_: u32;
-    var phi_1329_: u32;
-    var phi_1339_: u32;
-    var phi_1357_: u32;
-    var phi_1367_: u32;
-    var phi_1377_: u32;
-    var phi_1413_: u32;
-    var phi_1426_: u32;
-    var phi_1431_: u32;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: bool;
+    var phi_832_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: bool;
+    var phi_836_: bool;
+    var phi_840_: bool;
+    var phi_916_: f32;
+    var phi_923_: f32;
+    var phi_931_: f32;
+    var phi_938_: f32;
+    var phi_946_: f32;
+    var phi_953_: f32;
+    var phi_976_: f32;
+    var phi_981_: f32;
+    var phi_986_: f32;
+    var phi_991_: f32;
+    var phi_996_: f32;
+    var phi_1015_: u32;
+    var phi_1020_: u32;
+    var phi_1025_: u32;
+    var phi_1139_: bool;
+    var phi_1140_: bool;
+    var phi_1171_: u32;
+    var phi_1173_: u32;
+    var phi_1176_: lt_bvh_Hit;
+    var phi_1261_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1288_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1315_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1321_: u32;
+    var phi_1324_: u32;
+    var phi_1338_: u32;
+    var phi_1348_: u32;
+    var phi_1358_: u32;
+    var phi_1376_: u32;
+    var phi_1386_: u32;
+    var phi_1396_: u32;
     var phi_1432_: u32;
-    var phi_1433_: u32;
-    var phi_1303_: u32;
-    var phi_1306_: u32;
+    var phi_1445_: u32;
+    var phi_1450_: u32;
+    var phi_1451_: u32;
+    var phi_1452_: u32;
+    var phi_1322_: u32;
+    var phi_1325_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1491_: u32;
-    var phi_1494_: lt_bvh_Hit;
-    var phi_1549_: f32;
-    var phi_1554_: f32;
-    var phi_1559_: f32;
-    var phi_1567_: f32;
-    var phi_1572_: f32;
-    var phi_1577_: f32;
-    var phi_1709_: bool;
-    var phi_1710_: bool;
-    var phi_1711_: bool;
-    var phi_1712_: bool;
-    var phi_1716_: bool;
+    var phi_1510_: u32;
+    var phi_1513_: lt_bvh_Hit;
+    var phi_1568_: f32;
+    var phi_1573_: f32;
+    var phi_1578_: f32;
+    var phi_1586_: f32;
+    var phi_1591_: f32;
+    var phi_1596_: f32;
+    var phi_1728_: bool;
     var phi_1729_: bool;
     var phi_1730_: bool;
     var phi_1731_: bool;
-    var phi_1732_: bool;
-    var phi_1736_: bool;
+    var phi_1735_: bool;
+    var phi_1748_: bool;
     var phi_1749_: bool;
     var phi_1750_: bool;
     var phi_1751_: bool;
     var phi_1755_: bool;
-    var phi_1756_: bool;
-    var phi_1757_: bool;
-    var phi_1758_: bool;
-    var phi_1759_: bool;
-    var phi_1763_: bool;
-    var phi_1833_: f32;
-    var phi_1840_: f32;
-    var phi_1847_: f32;
-    var phi_1854_: f32;
-    var phi_1861_: f32;
-    var phi_1868_: f32;
-    var phi_1885_: f32;
-    var phi_1890_: f32;
-    var phi_1895_: f32;
-    var phi_1900_: f32;
-    var phi_1905_: f32;
-    var phi_1931_: bool;
-    var phi_1932_: bool;
-    var phi_1940_: u32;
-    var phi_1941_: u32;
-    var phi_1952_: vec3<f32>;
-    var phi_1953_: vec3<f32>;
-    var phi_1966_: u32;
-    var phi_1971_: u32;
-    var phi_1976_: u32;
-    var phi_2090_: bool;
-    var phi_2091_: bool;
-    var phi_2122_: u32;
-    var phi_2124_: lt_bvh_Hit;
-    var phi_2127_: u32;
-    var phi_2208_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2235_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2262_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2268_: u32;
-    var phi_2271_: u32;
-    var phi_2285_: u32;
-    var phi_2295_: u32;
-    var phi_2305_: u32;
-    var phi_2323_: u32;
-    var phi_2333_: u32;
-    var phi_2343_: u32;
-    var phi_2379_: u32;
-    var phi_2392_: u32;
-    var phi_2397_: u32;
+    var phi_1768_: bool;
+    var phi_1769_: bool;
+    var phi_1770_: bool;
+    var phi_1774_: bool;
+    var phi_1775_: bool;
+    var phi_1776_: bool;
+    var phi_1777_: bool;
+    var phi_1778_: bool;
+    var phi_1782_: bool;
+    var phi_1852_: f32;
+    var phi_1859_: f32;
+    var phi_1866_: f32;
+    var phi_1873_: f32;
+    var phi_1880_: f32;
+    var phi_1887_: f32;
+    var phi_1904_: f32;
+    var phi_1909_: f32;
+    var phi_1914_: f32;
+    var phi_1919_: f32;
+    var phi_1924_: f32;
+    var phi_1950_: bool;
+    var phi_1951_: bool;
+    var phi_1959_: u32;
+    var phi_1960_: u32;
+    var phi_1971_: vec3<f32>;
+    var phi_1972_: vec3<f32>;
+    var phi_1985_: u32;
+    var phi_1990_: u32;
+    var phi_1995_: u32;
+    var phi_2109_: bool;
+    var phi_2110_: bool;
+    var phi_2141_: u32;
+    var phi_2143_: lt_bvh_Hit;
+    var phi_2146_: u32;
+    var phi_2227_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2254_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2281_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2287_: u32;
+    var phi_2290_: u32;
+    var phi_2304_: u32;
+    var phi_2314_: u32;
+    var phi_2324_: u32;
+    var phi_2342_: u32;
+    var phi_2352_: u32;
+    var phi_2362_: u32;
     var phi_2398_: u32;
-    var phi_2399_: u32;
-    var phi_2269_: u32;
-    var phi_2272_: u32;
+    var phi_2411_: u32;
+    var phi_2416_: u32;
+    var phi_2417_: u32;
+    var phi_2418_: u32;
+    var phi_2288_: u32;
+    var phi_2291_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2457_: lt_bvh_Hit;
-    var phi_2460_: u32;
-    var phi_2504_: vec3<f32>;
-    var phi_2505_: vec3<f32>;
-    var phi_2534_: vec3<f32>;
-    var phi_2535_: vec3<f32>;
-    var phi_2564_: vec3<f32>;
-    var phi_2565_: vec3<f32>;
-    var phi_2583_: bool;
-    var phi_2584_: bool;
-    var phi_2588_: f32;
-    var phi_2589_: f32;
-    var phi_2590_: f32;
-    var phi_2591_: f32;
-    var phi_2599_: f32;
-    var phi_2609_: bool;
-    var phi_2610_: bool;
-    var phi_2614_: f32;
-    var phi_2615_: f32;
-    var phi_2616_: f32;
-    var phi_2617_: f32;
-    var phi_2625_: f32;
-    var phi_2635_: bool;
-    var phi_2636_: bool;
-    var phi_2640_: f32;
-    var phi_2641_: f32;
-    var phi_2642_: f32;
-    var phi_2643_: f32;
-    var phi_2651_: f32;
-    var phi_2666_: f32;
-    var phi_2667_: bool;
-    var phi_2668_: f32;
-    var phi_2669_: bool;
+    var phi_2476_: lt_bvh_Hit;
+    var phi_2479_: u32;
+    var phi_2523_: vec3<f32>;
+    var phi_2524_: vec3<f32>;
+    var phi_2553_: vec3<f32>;
+    var phi_2554_: vec3<f32>;
+    var phi_2583_: vec3<f32>;
+    var phi_2584_: vec3<f32>;
+    var phi_2602_: bool;
+    var phi_2603_: bool;
+    var phi_2607_: f32;
+    var phi_2608_: f32;
+    var phi_2609_: f32;
+    var phi_2610_: f32;
+    var phi_2618_: f32;
+    var phi_2628_: bool;
+    var phi_2629_: bool;
+    var phi_2633_: f32;
+    var phi_2634_: f32;
+    var phi_2635_: f32;
+    var phi_2636_: f32;
+    var phi_2644_: f32;
+    var phi_2654_: bool;
+    var phi_2655_: bool;
+    var phi_2659_: f32;
+    var phi_2660_: f32;
+    var phi_2661_: f32;
+    var phi_2662_: f32;
     var phi_2670_: f32;
-    var phi_2671_: bool;
+    var phi_2685_: f32;
+    var phi_2686_: bool;
+    var phi_2687_: f32;
+    var phi_2688_: bool;
     var phi_2689_: f32;
     var phi_2690_: bool;
-    var phi_2691_: bool;
-    var phi_2692_: f32;
-    var phi_2693_: bool;
-    var phi_2694_: bool;
-    var phi_2698_: bool;
-    var phi_2699_: f32;
-    var phi_2700_: bool;
-    var phi_2728_: vec3<f32>;
-    var phi_2729_: vec3<f32>;
-    var phi_2754_: vec3<f32>;
-    var phi_2755_: vec3<f32>;
-    var phi_2780_: vec3<f32>;
-    var phi_2781_: vec3<f32>;
-    var phi_2837_: f32;
-    var phi_2846_: f32;
-    var phi_2855_: f32;
-    var phi_2864_: f32;
-    var phi_2871_: f32;
-    var phi_2878_: f32;
-    var phi_2891_: f32;
-    var phi_2900_: f32;
-    var phi_2909_: f32;
-    var phi_2918_: f32;
-    var phi_2925_: f32;
-    var phi_2932_: f32;
-    var phi_2949_: f32;
-    var phi_2954_: f32;
-    var phi_2959_: f32;
-    var phi_2967_: f32;
-    var phi_2972_: f32;
-    var phi_2977_: f32;
-    var phi_2989_: f32;
-    var phi_2994_: f32;
-    var phi_2999_: f32;
-    var phi_3004_: f32;
-    var phi_3009_: lt_bvh_triangle_Intersection;
-    var phi_3010_: bool;
-    var phi_3011_: lt_bvh_triangle_Intersection;
-    var phi_3012_: bool;
-    var phi_3016_: lt_bvh_triangle_Intersection;
-    var phi_3017_: bool;
-    var phi_3018_: lt_bvh_triangle_Intersection;
-    var phi_3019_: bool;
-    var phi_3020_: bool;
-    var phi_3024_: bool;
+    var phi_2708_: f32;
+    var phi_2709_: bool;
+    var phi_2710_: bool;
+    var phi_2711_: f32;
+    var phi_2712_: bool;
+    var phi_2713_: bool;
+    var phi_2717_: bool;
+    var phi_2718_: f32;
+    var phi_2719_: bool;
+    var phi_2747_: vec3<f32>;
+    var phi_2748_: vec3<f32>;
+    var phi_2773_: vec3<f32>;
+    var phi_2774_: vec3<f32>;
+    var phi_2799_: vec3<f32>;
+    var phi_2800_: vec3<f32>;
+    var phi_2856_: f32;
+    var phi_2865_: f32;
+    var phi_2874_: f32;
+    var phi_2883_: f32;
+    var phi_2890_: f32;
+    var phi_2897_: f32;
+    var phi_2910_: f32;
+    var phi_2919_: f32;
+    var phi_2928_: f32;
+    var phi_2937_: f32;
+    var phi_2944_: f32;
+    var phi_2951_: f32;
+    var phi_2968_: f32;
+    var phi_2973_: f32;
+    var phi_2978_: f32;
+    var phi_2986_: f32;
+    var phi_2991_: f32;
+    var phi_2996_: f32;
+    var phi_3008_: f32;
+    var phi_3013_: f32;
+    var phi_3018_: f32;
+    var phi_3023_: f32;
     var phi_3028_: lt_bvh_triangle_Intersection;
-    var phi_3066_: bool;
-    var phi_3067_: bool;
-    var phi_3068_: bool;
-    var phi_3069_: bool;
-    var phi_3070_: bool;
-    var phi_3071_: bool;
-    var phi_3075_: bool;
-    var phi_3076_: bool;
+    var phi_3029_: bool;
+    var phi_3030_: lt_bvh_triangle_Intersection;
+    var phi_3031_: bool;
+    var phi_3035_: lt_bvh_triangle_Intersection;
+    var phi_3036_: bool;
+    var phi_3037_: lt_bvh_triangle_Intersection;
+    var phi_3038_: bool;
+    var phi_3039_: bool;
+    var phi_3043_: bool;
+    var phi_3047_: lt_bvh_triangle_Intersection;
+    var phi_3085_: bool;
+    var phi_3086_: bool;
+    var phi_3087_: bool;
+    var phi_3088_: bool;
+    var phi_3089_: bool;
     var phi_3090_: bool;
-    var phi_3098_: lt_bvh_Hit;
-    var phi_3099_: lt_bvh_Hit;
-    var phi_3100_: lt_bvh_Hit;
-    var phi_3101_: lt_bvh_Hit;
-    var phi_2458_: lt_bvh_Hit;
-    var phi_2461_: u32;
-    var phi_3102_: bool;
-    var phi_3141_: bool;
-    var phi_3142_: bool;
-    var phi_3173_: u32;
-    var phi_2125_: lt_bvh_Hit;
-    var phi_2128_: u32;
-    var phi_3174_: lt_bvh_Hit;
-    var phi_3175_: lt_bvh_Hit;
-    var phi_3176_: bool;
-    var phi_3180_: lt_bvh_Hit;
-    var phi_3181_: lt_bvh_Hit;
-    var phi_3182_: lt_bvh_Hit;
-    var phi_3183_: lt_bvh_Hit;
-    var phi_1492_: u32;
-    var phi_1495_: lt_bvh_Hit;
-    var phi_3184_: bool;
-    var phi_3223_: bool;
-    var phi_3224_: bool;
-    var phi_3255_: u32;
-    var phi_1155_: u32;
-    var phi_1158_: lt_bvh_Hit;
-    var phi_3256_: lt_bvh_Hit;
-    var phi_3257_: lt_bvh_Hit;
-    var phi_3258_: bool;
-    var phi_3262_: lt_bvh_Hit;
-    var phi_3449_: f32;
-    var phi_3454_: f32;
-    var phi_3459_: f32;
-    var phi_3467_: f32;
-    var phi_3472_: f32;
-    var phi_3477_: f32;
-    var phi_3541_: vec3<f32>;
-    var phi_3784_: vec3<f32>;
-    var phi_3799_: u32;
-    var phi_3826_: f32;
-    var phi_3833_: f32;
-    var phi_3840_: f32;
-    var phi_3875_: f32;
-    var phi_3882_: f32;
-    var phi_3889_: f32;
-    var phi_3927_: f32;
-    var phi_3934_: f32;
-    var phi_3941_: f32;
-    var phi_4027_: vec3<f32>;
-    var phi_4028_: vec3<f32>;
-    var phi_4029_: vec3<f32>;
-    var phi_4038_: f32;
-    var phi_4039_: f32;
-    var phi_4049_: f32;
-    var phi_4050_: f32;
-    var phi_4060_: f32;
-    var phi_4061_: f32;
-    var phi_4096_: abi_Sample;
+    var phi_3094_: bool;
+    var phi_3095_: bool;
+    var phi_3109_: bool;
+    var phi_3117_: lt_bvh_Hit;
+    var phi_3118_: lt_bvh_Hit;
+    var phi_3119_: lt_bvh_Hit;
+    var phi_3120_: lt_bvh_Hit;
+    var phi_2477_: lt_bvh_Hit;
+    var phi_2480_: u32;
+    var phi_3121_: bool;
+    var phi_3160_: bool;
+    var phi_3161_: bool;
+    var phi_3192_: u32;
+    var phi_2144_: lt_bvh_Hit;
+    var phi_2147_: u32;
+    var phi_3193_: lt_bvh_Hit;
+    var phi_3194_: lt_bvh_Hit;
+    var phi_3195_: bool;
+    var phi_3199_: lt_bvh_Hit;
+    var phi_3200_: lt_bvh_Hit;
+    var phi_3201_: lt_bvh_Hit;
+    var phi_3202_: lt_bvh_Hit;
+    var phi_1511_: u32;
+    var phi_1514_: lt_bvh_Hit;
+    var phi_3203_: bool;
+    var phi_3242_: bool;
+    var phi_3243_: bool;
+    var phi_3274_: u32;
+    var phi_1174_: u32;
+    var phi_1177_: lt_bvh_Hit;
+    var phi_3275_: lt_bvh_Hit;
+    var phi_3276_: lt_bvh_Hit;
+    var phi_3277_: bool;
+    var phi_3281_: lt_bvh_Hit;
+    var phi_3468_: f32;
+    var phi_3473_: f32;
+    var phi_3478_: f32;
+    var phi_3486_: f32;
+    var phi_3491_: f32;
+    var phi_3496_: f32;
+    var phi_3560_: vec3<f32>;
+    var phi_3803_: vec3<f32>;
+    var phi_3818_: u32;
+    var phi_3845_: f32;
+    var phi_3852_: f32;
+    var phi_3859_: f32;
+    var phi_3894_: f32;
+    var phi_3901_: f32;
+    var phi_3908_: f32;
+    var phi_3946_: f32;
+    var phi_3953_: f32;
+    var phi_3960_: f32;
+    var phi_4046_: vec3<f32>;
+    var phi_4047_: vec3<f32>;
+    var phi_4048_: vec3<f32>;
+    var phi_4057_: f32;
+    var phi_4058_: f32;
+    var phi_4068_: f32;
+    var phi_4069_: f32;
+    var phi_4079_: f32;
+    var phi_4080_: f32;
+    var phi_4115_: abi_Sample;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
 
-    let _e72 = id_1;
-    let _e76 = arrayLength((&nodes.member));
-    let _e79 = arrayLength((&triangles.member));
-    let _e82 = arrayLength((&vertices.member));
-    let _e91 = arrayLength((&instances.member));
-    let _e94 = arrayLength((&color_texels.member));
-    let _e97 = p.member.size[0u];
-    let _e99 = p.member.size[1u];
-    let _e100 = lt_shaders_entry_pixel_index(_e72, _e97, _e99);
-    if (bitcast<i32>(_e100.word) != 0i) {
-        let _e106 = p.member.root;
-        let _e110 = p.member.eye;
-        let _e115 = p.member.size[0u];
-        let _e119 = ((((f32(_e72.x) + 0.5f) / f32(_e115)) * 2f) - 1f);
-        let _e124 = p.member.size[1u];
-        let _e128 = (1f - (((f32(_e72.y) + 0.5f) / f32(_e124)) * 2f));
-        let _e130 = p.member.forward;
-        let _e132 = p.member.right;
-        let _e146 = p.member.up;
-        let _e157 = _lt_bvh_ray_Ray_new(_e110, vec3<f32>(((_e130.x + (_e132.x * _e119)) + (_e146.x * _e128)), ((_e130.y + (_e132.y * _e119)) + (_e146.y * _e128)), ((_e130.z + (_e132.z * _e119)) + (_e146.z * _e128))));
-        let _e159 = lt_bvh_Hit(_e157.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e162 = abs(_e157.direction.x);
-        let _e164 = abs(_e157.direction.y);
-        let _e166 = abs(_e157.direction.z);
-        if (abs(_e157.origin.x) < 1000000000000000f) {
-            if (abs(_e157.origin.y) < 1000000000000000f) {
-                phi_767_ = (abs(_e157.origin.z) < 1000000000000000f);
-                phi_768_ = false;
+    let _e73 = id_1;
+    let _e77 = arrayLength((&nodes.member));
+    let _e80 = arrayLength((&triangles.member));
+    let _e83 = arrayLength((&vertices.member));
+    let _e92 = arrayLength((&instances.member));
+    let _e95 = arrayLength((&color_texels.member));
+    let _e98 = p.member.size[0u];
+    let _e100 = p.member.size[1u];
+    let _e101 = lt_shaders_entry_pixel_index(_e73, _e98, _e100);
+    if (bitcast<i32>(_e101.word) != 0i) {
+        let _e107 = p.member.root;
+        let _e111 = p.member.eye;
+        let _e114 = p.member.grid[0u];
+        let _e116 = p.member.grid[1u];
+        let _e135 = p.member.size[0u];
+        let _e139 = ((((f32(_e73.x) + ((f32((_e73.y & (_e116 - 1u))) + 0.5f) / f32(_e116))) / f32(_e135)) * 2f) - 1f);
+        let _e142 = p.member.size[1u];
+        let _e146 = (1f - (((f32(_e73.y) + ((f32((_e73.x & (_e114 - 1u))) + 0.5f) / f32(_e114))) / f32(_e142)) * 2f));
+        let _e148 = p.member.forward;
+        let _e150 = p.member.right;
+        let _e164 = p.member.up;
+        let _e175 = _lt_bvh_ray_Ray_new(_e111, vec3<f32>(((_e148.x + (_e150.x * _e139)) + (_e164.x * _e146)), ((_e148.y + (_e150.y * _e139)) + (_e164.y * _e146)), ((_e148.z + (_e150.z * _e139)) + (_e164.z * _e146))));
+        let _e177 = lt_bvh_Hit(_e175.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e180 = abs(_e175.direction.x);
+        let _e182 = abs(_e175.direction.y);
+        let _e184 = abs(_e175.direction.z);
+        if (abs(_e175.origin.x) < 1000000000000000f) {
+            if (abs(_e175.origin.y) < 1000000000000000f) {
+                phi_786_ = (abs(_e175.origin.z) < 1000000000000000f);
+                phi_787_ = false;
             } else {
-                phi_767_ = bool();
-                phi_768_ = true;
+                phi_786_ = bool();
+                phi_787_ = true;
             }
-            let _e178 = phi_767_;
-            let _e180 = phi_768_;
-            phi_769_ = _e178;
-            phi_770_ = _e180;
+            let _e196 = phi_786_;
+            let _e198 = phi_787_;
+            phi_788_ = _e196;
+            phi_789_ = _e198;
         } else {
-            phi_769_ = bool();
-            phi_770_ = true;
+            phi_788_ = bool();
+            phi_789_ = true;
         }
-        let _e182 = phi_769_;
-        let _e184 = phi_770_;
-        if _e184 {
-            phi_774_ = false;
+        let _e200 = phi_788_;
+        let _e202 = phi_789_;
+        if _e202 {
+            phi_793_ = false;
         } else {
-            phi_774_ = _e182;
+            phi_793_ = _e200;
         }
-        let _e186 = phi_774_;
-        if _e186 {
-            if (_e162 < 1000000000000000f) {
-                if (_e164 < 1000000000000000f) {
-                    phi_787_ = (_e166 < 1000000000000000f);
-                    phi_788_ = false;
+        let _e204 = phi_793_;
+        if _e204 {
+            if (_e180 < 1000000000000000f) {
+                if (_e182 < 1000000000000000f) {
+                    phi_806_ = (_e184 < 1000000000000000f);
+                    phi_807_ = false;
                 } else {
-                    phi_787_ = bool();
-                    phi_788_ = true;
+                    phi_806_ = bool();
+                    phi_807_ = true;
                 }
-                let _e191 = phi_787_;
-                let _e193 = phi_788_;
-                phi_789_ = _e191;
-                phi_790_ = _e193;
+                let _e209 = phi_806_;
+                let _e211 = phi_807_;
+                phi_808_ = _e209;
+                phi_809_ = _e211;
             } else {
-                phi_789_ = bool();
-                phi_790_ = true;
+                phi_808_ = bool();
+                phi_809_ = true;
             }
-            let _e195 = phi_789_;
-            let _e197 = phi_790_;
-            if _e197 {
-                phi_794_ = false;
+            let _e213 = phi_808_;
+            let _e215 = phi_809_;
+            if _e215 {
+                phi_813_ = false;
             } else {
-                phi_794_ = _e195;
+                phi_813_ = _e213;
             }
-            let _e199 = phi_794_;
-            if _e199 {
-                if (_e162 > 0f) {
-                    phi_808_ = bool();
-                    phi_809_ = true;
+            let _e217 = phi_813_;
+            if _e217 {
+                if (_e180 > 0f) {
+                    phi_827_ = bool();
+                    phi_828_ = true;
                 } else {
-                    let _e201 = (_e164 > 0f);
-                    if _e201 {
-                        phi_807_ = bool();
+                    let _e219 = (_e182 > 0f);
+                    if _e219 {
+                        phi_826_ = bool();
                     } else {
-                        phi_807_ = (_e166 > 0f);
+                        phi_826_ = (_e184 > 0f);
                     }
-                    let _e204 = phi_807_;
-                    phi_808_ = _e204;
-                    phi_809_ = _e201;
+                    let _e222 = phi_826_;
+                    phi_827_ = _e222;
+                    phi_828_ = _e219;
                 }
-                let _e206 = phi_808_;
-                let _e208 = phi_809_;
-                if _e208 {
-                    phi_813_ = true;
+                let _e224 = phi_827_;
+                let _e226 = phi_828_;
+                if _e226 {
+                    phi_832_ = true;
                 } else {
-                    phi_813_ = _e206;
+                    phi_832_ = _e224;
                 }
-                let _e210 = phi_813_;
-                phi_814_ = _e210;
-                phi_815_ = false;
+                let _e228 = phi_832_;
+                phi_833_ = _e228;
+                phi_834_ = false;
             } else {
-                phi_814_ = bool();
-                phi_815_ = true;
+                phi_833_ = bool();
+                phi_834_ = true;
             }
-            let _e212 = phi_814_;
-            let _e214 = phi_815_;
-            phi_816_ = _e212;
-            phi_817_ = _e214;
+            let _e230 = phi_833_;
+            let _e232 = phi_834_;
+            phi_835_ = _e230;
+            phi_836_ = _e232;
         } else {
-            phi_816_ = bool();
-            phi_817_ = true;
+            phi_835_ = bool();
+            phi_836_ = true;
         }
-        let _e216 = phi_816_;
-        let _e218 = phi_817_;
-        if _e218 {
-            phi_821_ = false;
+        let _e234 = phi_835_;
+        let _e236 = phi_836_;
+        if _e236 {
+            phi_840_ = false;
         } else {
-            phi_821_ = _e216;
+            phi_840_ = _e234;
         }
-        let _e220 = phi_821_;
-        if _e220 {
-            let _e221 = (_e106 >= _e76);
-            if _e221 {
-                phi_3256_ = lt_bvh_Hit();
+        let _e238 = phi_840_;
+        if _e238 {
+            let _e239 = (_e107 >= _e77);
+            if _e239 {
+                phi_3275_ = lt_bvh_Hit();
             } else {
-                if (_e106 < _e76) {
+                if (_e107 < _e77) {
                 } else {
                     return;
                 }
-                let _e227 = nodes.member[(0u + _e106)].frame[0u];
-                let _e231 = nodes.member[(0u + _e106)].frame[1u];
-                let _e235 = nodes.member[(0u + _e106)].frame[2u];
-                let _e239 = nodes.member[(0u + _e106)].frame[0u];
-                let _e243 = nodes.member[(0u + _e106)].frame[1u];
-                let _e247 = nodes.member[(0u + _e106)].frame[2u];
-                let _e251 = nodes.member[(0u + _e106)].frame[3u];
-                let _e290 = core_intrinsics_maximum_number_nsz_f32_(abs(_e157.direction.x), abs(_e157.direction.y));
-                let _e291 = core_intrinsics_maximum_number_nsz_f32_(_e290, abs(_e157.direction.z));
-                let _e292 = (_e291 * 0.0000000000009094947f);
-                if (abs(_e157.direction.x) < _e292) {
-                    phi_897_ = _e292;
+                let _e245 = nodes.member[(0u + _e107)].frame[0u];
+                let _e249 = nodes.member[(0u + _e107)].frame[1u];
+                let _e253 = nodes.member[(0u + _e107)].frame[2u];
+                let _e257 = nodes.member[(0u + _e107)].frame[0u];
+                let _e261 = nodes.member[(0u + _e107)].frame[1u];
+                let _e265 = nodes.member[(0u + _e107)].frame[2u];
+                let _e269 = nodes.member[(0u + _e107)].frame[3u];
+                let _e308 = core_intrinsics_maximum_number_nsz_f32_(abs(_e175.direction.x), abs(_e175.direction.y));
+                let _e309 = core_intrinsics_maximum_number_nsz_f32_(_e308, abs(_e175.direction.z));
+                let _e310 = (_e309 * 0.0000000000009094947f);
+                if (abs(_e175.direction.x) < _e310) {
+                    phi_916_ = _e310;
                 } else {
-                    phi_897_ = abs(_e157.direction.x);
+                    phi_916_ = abs(_e175.direction.x);
                 }
-                let _e298 = phi_897_;
-                if (_e157.direction.x < 0f) {
-                    phi_904_ = (-1f / _e298);
+                let _e316 = phi_916_;
+                if (_e175.direction.x < 0f) {
+                    phi_923_ = (-1f / _e316);
                 } else {
-                    phi_904_ = (1f / _e298);
+                    phi_923_ = (1f / _e316);
                 }
-                let _e303 = phi_904_;
-                if (abs(_e157.direction.y) < _e292) {
-                    phi_912_ = _e292;
+                let _e321 = phi_923_;
+                if (abs(_e175.direction.y) < _e310) {
+                    phi_931_ = _e310;
                 } else {
-                    phi_912_ = abs(_e157.direction.y);
+                    phi_931_ = abs(_e175.direction.y);
                 }
-                let _e309 = phi_912_;
-                if (_e157.direction.y < 0f) {
-                    phi_919_ = (-1f / _e309);
+                let _e327 = phi_931_;
+                if (_e175.direction.y < 0f) {
+                    phi_938_ = (-1f / _e327);
                 } else {
-                    phi_919_ = (1f / _e309);
+                    phi_938_ = (1f / _e327);
                 }
-                let _e314 = phi_919_;
-                if (abs(_e157.direction.z) < _e292) {
-                    phi_927_ = _e292;
+                let _e332 = phi_938_;
+                if (abs(_e175.direction.z) < _e310) {
+                    phi_946_ = _e310;
                 } else {
-                    phi_927_ = abs(_e157.direction.z);
+                    phi_946_ = abs(_e175.direction.z);
                 }
-                let _e320 = phi_927_;
-                if (_e157.direction.z < 0f) {
-                    phi_934_ = (-1f / _e320);
+                let _e338 = phi_946_;
+                if (_e175.direction.z < 0f) {
+                    phi_953_ = (-1f / _e338);
                 } else {
-                    phi_934_ = (1f / _e320);
+                    phi_953_ = (1f / _e338);
                 }
-                let _e325 = phi_934_;
-                let _e332 = abs((bitcast<f32>(_e227) - _e157.origin.x));
-                let _e333 = abs((bitcast<f32>(_e231) - _e157.origin.y));
-                let _e334 = abs((bitcast<f32>(_e235) - _e157.origin.z));
-                let _e341 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e251 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.x));
-                let _e342 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e251 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.y));
-                let _e343 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e251 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.z));
-                if (_e332 > _e341) {
-                    phi_957_ = _e332;
+                let _e343 = phi_953_;
+                let _e350 = abs((bitcast<f32>(_e245) - _e175.origin.x));
+                let _e351 = abs((bitcast<f32>(_e249) - _e175.origin.y));
+                let _e352 = abs((bitcast<f32>(_e253) - _e175.origin.z));
+                let _e359 = abs(((bitcast<f32>(_e257) + (bitcast<f32>((((_e269 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e175.origin.x));
+                let _e360 = abs(((bitcast<f32>(_e261) + (bitcast<f32>((((_e269 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e175.origin.y));
+                let _e361 = abs(((bitcast<f32>(_e265) + (bitcast<f32>((((_e269 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e175.origin.z));
+                if (_e350 > _e359) {
+                    phi_976_ = _e350;
                 } else {
-                    phi_957_ = _e341;
+                    phi_976_ = _e359;
                 }
-                let _e346 = phi_957_;
-                if (_e333 > _e342) {
-                    phi_962_ = _e333;
+                let _e364 = phi_976_;
+                if (_e351 > _e360) {
+                    phi_981_ = _e351;
                 } else {
-                    phi_962_ = _e342;
+                    phi_981_ = _e360;
                 }
-                let _e349 = phi_962_;
-                if (_e334 > _e343) {
-                    phi_967_ = _e334;
+                let _e367 = phi_981_;
+                if (_e352 > _e361) {
+                    phi_986_ = _e352;
                 } else {
-                    phi_967_ = _e343;
+                    phi_986_ = _e361;
                 }
-                let _e352 = phi_967_;
-                if (_e346 > _e349) {
-                    phi_972_ = _e346;
+                let _e370 = phi_986_;
+                if (_e364 > _e367) {
+                    phi_991_ = _e364;
                 } else {
-                    phi_972_ = _e349;
+                    phi_991_ = _e367;
                 }
-                let _e355 = phi_972_;
-                if (_e355 > _e352) {
-                    phi_977_ = _e355;
+                let _e373 = phi_991_;
+                if (_e373 > _e370) {
+                    phi_996_ = _e373;
                 } else {
-                    phi_977_ = _e352;
+                    phi_996_ = _e370;
                 }
-                let _e358 = phi_977_;
-                let _e362 = (_e358 * 0.0000019073486f);
-                let _e363 = (abs(_e303) * _e362);
-                let _e364 = (abs(_e314) * _e362);
-                let _e365 = (abs(_e325) * _e362);
-                let _e369 = (_e358 * 0.0000009536743f);
-                let _e370 = (abs(_e303) * _e369);
-                let _e371 = (abs(_e314) * _e369);
-                let _e372 = (abs(_e325) * _e369);
-                if (_e303 < 0f) {
-                    phi_996_ = 0u;
+                let _e376 = phi_996_;
+                let _e380 = (_e376 * 0.0000019073486f);
+                let _e381 = (abs(_e321) * _e380);
+                let _e382 = (abs(_e332) * _e380);
+                let _e383 = (abs(_e343) * _e380);
+                let _e387 = (_e376 * 0.0000009536743f);
+                let _e388 = (abs(_e321) * _e387);
+                let _e389 = (abs(_e332) * _e387);
+                let _e390 = (abs(_e343) * _e387);
+                if (_e321 < 0f) {
+                    phi_1015_ = 0u;
                 } else {
-                    phi_996_ = 1u;
+                    phi_1015_ = 1u;
                 }
-                let _e375 = phi_996_;
-                if (_e314 < 0f) {
-                    phi_1001_ = 0u;
+                let _e393 = phi_1015_;
+                if (_e332 < 0f) {
+                    phi_1020_ = 0u;
                 } else {
-                    phi_1001_ = 2u;
+                    phi_1020_ = 2u;
                 }
-                let _e378 = phi_1001_;
-                if (_e325 < 0f) {
-                    phi_1006_ = 0u;
+                let _e396 = phi_1020_;
+                if (_e343 < 0f) {
+                    phi_1025_ = 0u;
                 } else {
-                    phi_1006_ = 4u;
+                    phi_1025_ = 4u;
                 }
-                let _e381 = phi_1006_;
-                let _e383 = ((_e375 | _e378) | _e381);
-                let _e384 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e106, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e384.first[0], _e384.first[1], _e384.first[2], _e384.first[3], _e384.first[4], _e384.first[5], _e384.first[6], _e384.first[7], _e384.first[8], _e384.first[9], _e384.first[10], _e384.first[11], _e384.first[12], _e384.first[13], _e384.first[14], _e384.first[15], _e384.first[16], _e384.first[17], _e384.first[18], _e384.first[19], _e384.first[20], _e384.first[21], _e384.first[22], _e384.first[23], _e384.first[24], _e384.first[25], _e384.first[26], _e384.first[27], _e384.first[28], _e384.first[29], _e384.first[30], _e384.first[31]), array<u32, 32>(_e384.mask[0], _e384.mask[1], _e384.mask[2], _e384.mask[3], _e384.mask[4], _e384.mask[5], _e384.mask[6], _e384.mask[7], _e384.mask[8], _e384.mask[9], _e384.mask[10], _e384.mask[11], _e384.mask[12], _e384.mask[13], _e384.mask[14], _e384.mask[15], _e384.mask[16], _e384.mask[17], _e384.mask[18], _e384.mask[19], _e384.mask[20], _e384.mask[21], _e384.mask[22], _e384.mask[23], _e384.mask[24], _e384.mask[25], _e384.mask[26], _e384.mask[27], _e384.mask[28], _e384.mask[29], _e384.mask[30], _e384.mask[31]), _e384.len, _e384.group, _e384.group_mask);
-                let _e458 = local_2.group_mask;
-                if ((_e458 & 4278190080u) == 0u) {
-                    let _e462 = local_2.len;
-                    if (_e462 == 0u) {
-                        phi_1120_ = false;
+                let _e399 = phi_1025_;
+                let _e401 = ((_e393 | _e396) | _e399);
+                let _e402 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e107, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e402.first[0], _e402.first[1], _e402.first[2], _e402.first[3], _e402.first[4], _e402.first[5], _e402.first[6], _e402.first[7], _e402.first[8], _e402.first[9], _e402.first[10], _e402.first[11], _e402.first[12], _e402.first[13], _e402.first[14], _e402.first[15], _e402.first[16], _e402.first[17], _e402.first[18], _e402.first[19], _e402.first[20], _e402.first[21], _e402.first[22], _e402.first[23], _e402.first[24], _e402.first[25], _e402.first[26], _e402.first[27], _e402.first[28], _e402.first[29], _e402.first[30], _e402.first[31]), array<u32, 32>(_e402.mask[0], _e402.mask[1], _e402.mask[2], _e402.mask[3], _e402.mask[4], _e402.mask[5], _e402.mask[6], _e402.mask[7], _e402.mask[8], _e402.mask[9], _e402.mask[10], _e402.mask[11], _e402.mask[12], _e402.mask[13], _e402.mask[14], _e402.mask[15], _e402.mask[16], _e402.mask[17], _e402.mask[18], _e402.mask[19], _e402.mask[20], _e402.mask[21], _e402.mask[22], _e402.mask[23], _e402.mask[24], _e402.mask[25], _e402.mask[26], _e402.mask[27], _e402.mask[28], _e402.mask[29], _e402.mask[30], _e402.mask[31]), _e402.len, _e402.group, _e402.group_mask);
+                let _e476 = local_2.group_mask;
+                if ((_e476 & 4278190080u) == 0u) {
+                    let _e480 = local_2.len;
+                    if (_e480 == 0u) {
+                        phi_1139_ = false;
                     } else {
-                        let _e466 = local_2.len;
-                        local_2.len = (_e466 - 1u);
-                        let _e469 = local_2.len;
-                        if (_e469 < 32u) {
+                        let _e484 = local_2.len;
+                        local_2.len = (_e484 - 1u);
+                        let _e487 = local_2.len;
+                        if (_e487 < 32u) {
                         } else {
                             return;
                         }
-                        let _e474 = local_2.first[(0u + _e469)];
-                        local_2.group = _e474;
-                        let _e477 = local_2.len;
-                        if (_e477 < 32u) {
+                        let _e492 = local_2.first[(0u + _e487)];
+                        local_2.group = _e492;
+                        let _e495 = local_2.len;
+                        if (_e495 < 32u) {
                         } else {
                             return;
                         }
-                        let _e482 = local_2.mask[(0u + _e477)];
-                        local_2.group_mask = _e482;
-                        phi_1120_ = true;
+                        let _e500 = local_2.mask[(0u + _e495)];
+                        local_2.group_mask = _e500;
+                        phi_1139_ = true;
                     }
-                    let _e485 = phi_1120_;
-                    phi_1121_ = _e485;
+                    let _e503 = phi_1139_;
+                    phi_1140_ = _e503;
                 } else {
-                    phi_1121_ = true;
+                    phi_1140_ = true;
                 }
-                let _e487 = phi_1121_;
-                if _e487 {
-                    let _e489 = local_2.group_mask;
-                    let _e495 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e489)), 32u, (_e489 == 0u)));
-                    let _e499 = local_2.group_mask;
-                    let _e513 = local_2.group_mask;
-                    local_2.group_mask = (_e513 & ~((1u << bitcast<u32>((_e495 & 31u)))));
-                    let _e516 = local_2.group;
-                    phi_1152_ = (_e516 + countOneBits(((_e499 & ~((4294967295u << bitcast<u32>((((_e495 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e505 = phi_1140_;
+                if _e505 {
+                    let _e507 = local_2.group_mask;
+                    let _e513 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e507)), 32u, (_e507 == 0u)));
+                    let _e517 = local_2.group_mask;
+                    let _e531 = local_2.group_mask;
+                    local_2.group_mask = (_e531 & ~((1u << bitcast<u32>((_e513 & 31u)))));
+                    let _e534 = local_2.group;
+                    phi_1171_ = (_e534 + countOneBits(((_e517 & ~((4294967295u << bitcast<u32>((((_e513 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1152_ = 4294967295u;
+                    phi_1171_ = 4294967295u;
                 }
-                let _e519 = phi_1152_;
-                phi_1154_ = _e519;
-                phi_1157_ = _e159;
+                let _e537 = phi_1171_;
+                phi_1173_ = _e537;
+                phi_1176_ = _e177;
                 loop {
-                    let _e521 = phi_1154_;
-                    let _e523 = phi_1157_;
-                    local_12 = _e523;
-                    let _e524 = (_e521 != 4294967295u);
-                    if _e524 {
-                        if (_e521 < _e76) {
+                    let _e539 = phi_1173_;
+                    let _e541 = phi_1176_;
+                    local_12 = _e541;
+                    let _e542 = (_e539 != 4294967295u);
+                    if _e542 {
+                        if (_e539 < _e77) {
                         } else {
                             return;
                         }
-                        let _e532 = nodes.member[(0u + _e521)].frame[3u];
-                        let _e557 = (bitcast<f32>((((_e532 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e303);
-                        let _e558 = (bitcast<f32>((((_e532 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
-                        let _e559 = (bitcast<f32>((((_e532 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e325);
-                        let _e562 = nodes.member[(0u + _e521)].frame[0u];
-                        let _e566 = nodes.member[(0u + _e521)].frame[1u];
-                        let _e570 = nodes.member[(0u + _e521)].frame[2u];
-                        let _e578 = ((bitcast<f32>(_e562) - _e157.origin.x) * _e303);
-                        let _e579 = ((bitcast<f32>(_e566) - _e157.origin.y) * _e314);
-                        let _e580 = ((bitcast<f32>(_e570) - _e157.origin.z) * _e325);
-                        let _e588 = nodes.member[(0u + _e521)].x;
-                        if (_e303 < 0f) {
-                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e588.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e599.unnamed.word, _e588.w), _e599.unnamed_1);
-                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_mask_LightPlace(_e588.x, _e605.unnamed_1.shift));
-                            phi_1242_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_mask_LightPlace(_e611.unnamed_1.word, _e588.y));
+                        let _e550 = nodes.member[(0u + _e539)].frame[3u];
+                        let _e575 = (bitcast<f32>((((_e550 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e321);
+                        let _e576 = (bitcast<f32>((((_e550 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e332);
+                        let _e577 = (bitcast<f32>((((_e550 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e343);
+                        let _e580 = nodes.member[(0u + _e539)].frame[0u];
+                        let _e584 = nodes.member[(0u + _e539)].frame[1u];
+                        let _e588 = nodes.member[(0u + _e539)].frame[2u];
+                        let _e596 = ((bitcast<f32>(_e580) - _e175.origin.x) * _e321);
+                        let _e597 = ((bitcast<f32>(_e584) - _e175.origin.y) * _e332);
+                        let _e598 = ((bitcast<f32>(_e588) - _e175.origin.z) * _e343);
+                        let _e606 = nodes.member[(0u + _e539)].x;
+                        if (_e321 < 0f) {
+                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e606.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e617.unnamed.word, _e606.w), _e617.unnamed_1);
+                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e623.unnamed, lt_mask_LightPlace(_e606.x, _e623.unnamed_1.shift));
+                            phi_1261_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e629.unnamed, lt_mask_LightPlace(_e629.unnamed_1.word, _e606.y));
                         } else {
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e588.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e627.unnamed.word, _e588.y), _e627.unnamed_1);
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_mask_LightPlace(_e588.z, _e633.unnamed_1.shift));
-                            phi_1242_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_mask_LightPlace(_e639.unnamed_1.word, _e588.w));
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e606.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e645.unnamed.word, _e606.y), _e645.unnamed_1);
+                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_mask_LightPlace(_e606.z, _e651.unnamed_1.shift));
+                            phi_1261_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_mask_LightPlace(_e657.unnamed_1.word, _e606.w));
                         }
-                        let _e647 = phi_1242_;
-                        let _e657 = nodes.member[(0u + _e521)].y;
-                        if (_e314 < 0f) {
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e668.unnamed.word, _e657.w), _e668.unnamed_1);
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e657.x, _e674.unnamed_1.shift));
-                            phi_1269_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e680.unnamed_1.word, _e657.y));
+                        let _e665 = phi_1261_;
+                        let _e675 = nodes.member[(0u + _e539)].y;
+                        if (_e332 < 0f) {
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e675.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e686.unnamed.word, _e675.w), _e686.unnamed_1);
+                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_mask_LightPlace(_e675.x, _e692.unnamed_1.shift));
+                            phi_1288_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e698.unnamed, lt_mask_LightPlace(_e698.unnamed_1.word, _e675.y));
                         } else {
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e696.unnamed.word, _e657.y), _e696.unnamed_1);
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_mask_LightPlace(_e657.z, _e702.unnamed_1.shift));
-                            phi_1269_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e708.unnamed_1.word, _e657.w));
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e675.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e714.unnamed.word, _e675.y), _e714.unnamed_1);
+                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_mask_LightPlace(_e675.z, _e720.unnamed_1.shift));
+                            phi_1288_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_mask_LightPlace(_e726.unnamed_1.word, _e675.w));
                         }
-                        let _e716 = phi_1269_;
-                        let _e726 = nodes.member[(0u + _e521)].z;
-                        if (_e325 < 0f) {
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e737.unnamed.word, _e726.w), _e737.unnamed_1);
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e726.x, _e743.unnamed_1.shift));
-                            phi_1296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e749.unnamed_1.word, _e726.y));
+                        let _e734 = phi_1288_;
+                        let _e744 = nodes.member[(0u + _e539)].z;
+                        if (_e343 < 0f) {
+                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e744.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e755.unnamed.word, _e744.w), _e755.unnamed_1);
+                            let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_mask_LightPlace(_e744.x, _e761.unnamed_1.shift));
+                            phi_1315_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_mask_LightPlace(_e767.unnamed_1.word, _e744.y));
                         } else {
-                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e765.unnamed.word, _e726.y), _e765.unnamed_1);
-                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_mask_LightPlace(_e726.z, _e771.unnamed_1.shift));
-                            phi_1296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e777.unnamed_1.word, _e726.w));
+                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e744.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e783.unnamed.word, _e744.y), _e783.unnamed_1);
+                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e789.unnamed, lt_mask_LightPlace(_e744.z, _e789.unnamed_1.shift));
+                            phi_1315_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_mask_LightPlace(_e795.unnamed_1.word, _e744.w));
                         }
-                        let _e785 = phi_1296_;
-                        phi_1302_ = 0u;
-                        phi_1305_ = 0u;
+                        let _e803 = phi_1315_;
+                        phi_1321_ = 0u;
+                        phi_1324_ = 0u;
                         loop {
-                            let _e795 = phi_1302_;
-                            let _e797 = phi_1305_;
-                            local_3 = _e797;
-                            local_4 = _e797;
-                            local_5 = _e797;
-                            let _e798 = (_e795 < 8u);
-                            if _e798 {
-                                let _e800 = (_e795 >> bitcast<u32>(2i));
-                                let _e801 = (_e795 & 3u);
-                                if (_e800 == 0u) {
-                                    phi_1319_ = _e647.unnamed.word;
+                            let _e813 = phi_1321_;
+                            let _e815 = phi_1324_;
+                            local_3 = _e815;
+                            local_4 = _e815;
+                            local_5 = _e815;
+                            let _e816 = (_e813 < 8u);
+                            if _e816 {
+                                let _e818 = (_e813 >> bitcast<u32>(2i));
+                                let _e819 = (_e813 & 3u);
+                                if (_e818 == 0u) {
+                                    phi_1338_ = _e665.unnamed.word;
                                 } else {
-                                    phi_1319_ = _e647.unnamed.shift;
+                                    phi_1338_ = _e665.unnamed.shift;
                                 }
-                                let _e804 = phi_1319_;
-                                if (_e800 == 0u) {
-                                    phi_1329_ = _e716.unnamed.word;
+                                let _e822 = phi_1338_;
+                                if (_e818 == 0u) {
+                                    phi_1348_ = _e734.unnamed.word;
                                 } else {
-                                    phi_1329_ = _e716.unnamed.shift;
+                                    phi_1348_ = _e734.unnamed.shift;
                                 }
-                                let _e813 = phi_1329_;
-                                if (_e800 == 0u) {
-                                    phi_1339_ = _e785.unnamed.word;
+                                let _e831 = phi_1348_;
+                                if (_e818 == 0u) {
+                                    phi_1358_ = _e803.unnamed.word;
                                 } else {
-                                    phi_1339_ = _e785.unnamed.shift;
+                                    phi_1358_ = _e803.unnamed.shift;
                                 }
-                                let _e822 = phi_1339_;
-                                let _e835 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e804 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e557) + (_e578 - _e363)), ((f32(((_e813 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e558) + (_e579 - _e364)));
-                                let _e836 = core_intrinsics_maximum_number_nsz_f32_(_e835, ((f32(((_e822 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e559) + (_e580 - _e365)));
-                                if (_e800 == 0u) {
-                                    phi_1357_ = _e647.unnamed_1.word;
+                                let _e840 = phi_1358_;
+                                let _e853 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e822 >> bitcast<u32>(((_e819 * 8u) & 31u))) & 255u)) * _e575) + (_e596 - _e381)), ((f32(((_e831 >> bitcast<u32>(((_e819 * 8u) & 31u))) & 255u)) * _e576) + (_e597 - _e382)));
+                                let _e854 = core_intrinsics_maximum_number_nsz_f32_(_e853, ((f32(((_e840 >> bitcast<u32>(((_e819 * 8u) & 31u))) & 255u)) * _e577) + (_e598 - _e383)));
+                                if (_e818 == 0u) {
+                                    phi_1376_ = _e665.unnamed_1.word;
                                 } else {
-                                    phi_1357_ = _e647.unnamed_1.shift;
+                                    phi_1376_ = _e665.unnamed_1.shift;
                                 }
-                                let _e839 = phi_1357_;
-                                if (_e800 == 0u) {
-                                    phi_1367_ = _e716.unnamed_1.word;
+                                let _e857 = phi_1376_;
+                                if (_e818 == 0u) {
+                                    phi_1386_ = _e734.unnamed_1.word;
                                 } else {
-                                    phi_1367_ = _e716.unnamed_1.shift;
+                                    phi_1386_ = _e734.unnamed_1.shift;
                                 }
-                                let _e848 = phi_1367_;
-                                if (_e800 == 0u) {
-                                    phi_1377_ = _e785.unnamed_1.word;
+                                let _e866 = phi_1386_;
+                                if (_e818 == 0u) {
+                                    phi_1396_ = _e803.unnamed_1.word;
                                 } else {
-                                    phi_1377_ = _e785.unnamed_1.shift;
+                                    phi_1396_ = _e803.unnamed_1.shift;
                                 }
-                                let _e857 = phi_1377_;
-                                let _e870 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e839 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e557) + (_e578 + _e363)), ((f32(((_e848 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e558) + (_e579 + _e364)));
-                                let _e871 = core_intrinsics_minimum_number_nsz_f32_(_e870, ((f32(((_e857 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e559) + (_e580 + _e365)));
-                                if (_e836 <= _e871) {
-                                    if (_e836 <= _e523.t) {
-                                        if (_e871 >= _e157.tmin) {
-                                            if (_e800 == 0u) {
-                                                let _e878 = nodes.member[(0u + _e521)].links[2u];
-                                                phi_1413_ = _e878;
+                                let _e875 = phi_1396_;
+                                let _e888 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e857 >> bitcast<u32>(((_e819 * 8u) & 31u))) & 255u)) * _e575) + (_e596 + _e381)), ((f32(((_e866 >> bitcast<u32>(((_e819 * 8u) & 31u))) & 255u)) * _e576) + (_e597 + _e382)));
+                                let _e889 = core_intrinsics_minimum_number_nsz_f32_(_e888, ((f32(((_e875 >> bitcast<u32>(((_e819 * 8u) & 31u))) & 255u)) * _e577) + (_e598 + _e383)));
+                                if (_e854 <= _e889) {
+                                    if (_e854 <= _e541.t) {
+                                        if (_e889 >= _e175.tmin) {
+                                            if (_e818 == 0u) {
+                                                let _e896 = nodes.member[(0u + _e539)].links[2u];
+                                                phi_1432_ = _e896;
                                             } else {
-                                                let _e881 = nodes.member[(0u + _e521)].links[3u];
-                                                phi_1413_ = _e881;
+                                                let _e899 = nodes.member[(0u + _e539)].links[3u];
+                                                phi_1432_ = _e899;
                                             }
-                                            let _e883 = phi_1413_;
-                                            let _e888 = ((_e883 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u);
-                                            let _e889 = (_e888 & 31u);
-                                            if (_e889 >= 24u) {
-                                                phi_1426_ = (24u + ((_e889 - 24u) ^ _e383));
+                                            let _e901 = phi_1432_;
+                                            let _e906 = ((_e901 >> bitcast<u32>(((_e819 * 8u) & 31u))) & 255u);
+                                            let _e907 = (_e906 & 31u);
+                                            if (_e907 >= 24u) {
+                                                phi_1445_ = (24u + ((_e907 - 24u) ^ _e401));
                                             } else {
-                                                phi_1426_ = _e889;
+                                                phi_1445_ = _e907;
                                             }
-                                            let _e895 = phi_1426_;
-                                            phi_1431_ = (_e797 | ((_e888 >> bitcast<u32>(5i)) << bitcast<u32>((_e895 & 31u))));
+                                            let _e913 = phi_1445_;
+                                            phi_1450_ = (_e815 | ((_e906 >> bitcast<u32>(5i)) << bitcast<u32>((_e913 & 31u))));
                                         } else {
-                                            phi_1431_ = _e797;
+                                            phi_1450_ = _e815;
                                         }
-                                        let _e903 = phi_1431_;
-                                        phi_1432_ = _e903;
+                                        let _e921 = phi_1450_;
+                                        phi_1451_ = _e921;
                                     } else {
-                                        phi_1432_ = _e797;
+                                        phi_1451_ = _e815;
                                     }
-                                    let _e905 = phi_1432_;
-                                    phi_1433_ = _e905;
+                                    let _e923 = phi_1451_;
+                                    phi_1452_ = _e923;
                                 } else {
-                                    phi_1433_ = _e797;
+                                    phi_1452_ = _e815;
                                 }
-                                let _e907 = phi_1433_;
-                                phi_1303_ = (_e795 + 1u);
-                                phi_1306_ = _e907;
+                                let _e925 = phi_1452_;
+                                phi_1322_ = (_e813 + 1u);
+                                phi_1325_ = _e925;
                             } else {
-                                phi_1303_ = u32();
-                                phi_1306_ = u32();
+                                phi_1322_ = u32();
+                                phi_1325_ = u32();
                             }
-                            let _e910 = phi_1303_;
-                            let _e912 = phi_1306_;
+                            let _e928 = phi_1322_;
+                            let _e930 = phi_1325_;
                             continue;
                             continuing {
-                                phi_1302_ = _e910;
-                                phi_1305_ = _e912;
-                                break if !(_e798);
+                                phi_1321_ = _e928;
+                                phi_1324_ = _e930;
+                                break if !(_e816);
                             }
                         }
-                        let _e916 = nodes.member[(0u + _e521)].links[0u];
-                        let _e920 = nodes.member[(0u + _e521)].frame[3u];
-                        let _e924 = local_3;
-                        if ((_e924 & 4278190080u) == 0u) {
+                        let _e934 = nodes.member[(0u + _e539)].links[0u];
+                        let _e938 = nodes.member[(0u + _e539)].frame[3u];
+                        let _e942 = local_3;
+                        if ((_e942 & 4278190080u) == 0u) {
                         } else {
-                            let _e928 = local_2.group_mask;
-                            if ((_e928 & 4278190080u) == 0u) {
+                            let _e946 = local_2.group_mask;
+                            if ((_e946 & 4278190080u) == 0u) {
                             } else {
-                                let _e932 = local_2.len;
-                                if (_e932 < 32u) {
-                                    let _e935 = local_2.group;
-                                    let _e937 = local_2.len;
-                                    if (_e937 < 32u) {
+                                let _e950 = local_2.len;
+                                if (_e950 < 32u) {
+                                    let _e953 = local_2.group;
+                                    let _e955 = local_2.len;
+                                    if (_e955 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e937)] = _e935;
-                                    let _e943 = local_2.group_mask;
-                                    let _e945 = local_2.len;
-                                    if (_e945 < 32u) {
+                                    local_2.first[(0u + _e955)] = _e953;
+                                    let _e961 = local_2.group_mask;
+                                    let _e963 = local_2.len;
+                                    if (_e963 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e945)] = _e943;
-                                    let _e952 = local_2.len;
-                                    local_2.len = (_e952 + 1u);
+                                    local_2.mask[(0u + _e963)] = _e961;
+                                    let _e970 = local_2.len;
+                                    local_2.len = (_e970 + 1u);
                                 }
                             }
-                            local_2.group = (_e106 + _e916);
-                            let _e956 = local_4;
-                            local_2.group_mask = ((_e956 & 4278190080u) | (_e920 >> bitcast<u32>(24i)));
+                            local_2.group = (_e107 + _e934);
+                            let _e974 = local_4;
+                            local_2.group_mask = ((_e974 & 4278190080u) | (_e938 >> bitcast<u32>(24i)));
                         }
-                        let _e961 = local_5;
-                        phi_1491_ = (_e961 & 16777215u);
-                        phi_1494_ = _e523;
+                        let _e979 = local_5;
+                        phi_1510_ = (_e979 & 16777215u);
+                        phi_1513_ = _e541;
                         loop {
-                            let _e964 = phi_1491_;
-                            let _e966 = phi_1494_;
-                            local_11 = _e966;
-                            if (_e964 == 0u) {
-                                phi_1492_ = u32();
-                                phi_1495_ = lt_bvh_Hit();
-                                phi_3184_ = false;
+                            let _e982 = phi_1510_;
+                            let _e984 = phi_1513_;
+                            local_11 = _e984;
+                            if (_e982 == 0u) {
+                                phi_1511_ = u32();
+                                phi_1514_ = lt_bvh_Hit();
+                                phi_3203_ = false;
                             } else {
-                                let _e970 = nodes.member[(0u + _e521)].links[1u];
-                                let _e974 = (_e970 + select(firstTrailingBit(_e964), 32u, (_e964 == 0u)));
-                                if (_e974 < _e91) {
+                                let _e988 = nodes.member[(0u + _e539)].links[1u];
+                                let _e992 = (_e988 + select(firstTrailingBit(_e982), 32u, (_e982 == 0u)));
+                                if (_e992 < _e92) {
                                 } else {
                                     return;
                                 }
-                                let _e981 = instances.member[(0u + _e974)].low_world;
-                                let _e983 = instances.member[(0u + _e974)].high_world;
-                                let _e993 = ((_e981.x - _e157.origin.x) * _e303);
-                                let _e994 = ((_e981.y - _e157.origin.y) * _e314);
-                                let _e995 = ((_e981.z - _e157.origin.z) * _e325);
-                                let _e1005 = ((_e983.x - _e157.origin.x) * _e303);
-                                let _e1006 = ((_e983.y - _e157.origin.y) * _e314);
-                                let _e1007 = ((_e983.z - _e157.origin.z) * _e325);
-                                if (_e993 < _e1005) {
-                                    phi_1549_ = _e993;
+                                let _e999 = instances.member[(0u + _e992)].low_world;
+                                let _e1001 = instances.member[(0u + _e992)].high_world;
+                                let _e1011 = ((_e999.x - _e175.origin.x) * _e321);
+                                let _e1012 = ((_e999.y - _e175.origin.y) * _e332);
+                                let _e1013 = ((_e999.z - _e175.origin.z) * _e343);
+                                let _e1023 = ((_e1001.x - _e175.origin.x) * _e321);
+                                let _e1024 = ((_e1001.y - _e175.origin.y) * _e332);
+                                let _e1025 = ((_e1001.z - _e175.origin.z) * _e343);
+                                if (_e1011 < _e1023) {
+                                    phi_1568_ = _e1011;
                                 } else {
-                                    phi_1549_ = _e1005;
+                                    phi_1568_ = _e1023;
                                 }
-                                let _e1010 = phi_1549_;
-                                if (_e994 < _e1006) {
-                                    phi_1554_ = _e994;
+                                let _e1028 = phi_1568_;
+                                if (_e1012 < _e1024) {
+                                    phi_1573_ = _e1012;
                                 } else {
-                                    phi_1554_ = _e1006;
+                                    phi_1573_ = _e1024;
                                 }
-                                let _e1013 = phi_1554_;
-                                if (_e995 < _e1007) {
-                                    phi_1559_ = _e995;
+                                let _e1031 = phi_1573_;
+                                if (_e1013 < _e1025) {
+                                    phi_1578_ = _e1013;
                                 } else {
-                                    phi_1559_ = _e1007;
+                                    phi_1578_ = _e1025;
                                 }
-                                let _e1016 = phi_1559_;
-                                if (_e993 > _e1005) {
-                                    phi_1567_ = _e993;
+                                let _e1034 = phi_1578_;
+                                if (_e1011 > _e1023) {
+                                    phi_1586_ = _e1011;
                                 } else {
-                                    phi_1567_ = _e1005;
+                                    phi_1586_ = _e1023;
                                 }
-                                let _e1022 = phi_1567_;
-                                if (_e994 > _e1006) {
-                                    phi_1572_ = _e994;
+                                let _e1040 = phi_1586_;
+                                if (_e1012 > _e1024) {
+                                    phi_1591_ = _e1012;
                                 } else {
-                                    phi_1572_ = _e1006;
+                                    phi_1591_ = _e1024;
                                 }
-                                let _e1025 = phi_1572_;
-                                if (_e995 > _e1007) {
-                                    phi_1577_ = _e995;
+                                let _e1043 = phi_1591_;
+                                if (_e1013 > _e1025) {
+                                    phi_1596_ = _e1013;
                                 } else {
-                                    phi_1577_ = _e1007;
+                                    phi_1596_ = _e1025;
                                 }
-                                let _e1028 = phi_1577_;
-                                let _e1032 = core_intrinsics_maximum_number_nsz_f32_((_e1010 - _e370), (_e1013 - _e371));
-                                let _e1033 = core_intrinsics_maximum_number_nsz_f32_(_e1032, (_e1016 - _e372));
-                                let _e1034 = core_intrinsics_minimum_number_nsz_f32_((_e1022 + _e370), (_e1025 + _e371));
-                                let _e1035 = core_intrinsics_minimum_number_nsz_f32_(_e1034, (_e1028 + _e372));
-                                if (_e1033 <= _e1035) {
-                                    if (_e1033 <= _e966.t) {
-                                        if (_e1035 >= _e157.tmin) {
-                                            let _e1047 = instances.member[(0u + _e974)].world_to_object[0u];
-                                            let _e1058 = ((((_e1047.x * _e157.origin.x) + (_e1047.y * _e157.origin.y)) + (_e1047.z * _e157.origin.z)) + (_e1047.w * 1f));
-                                            let _e1060 = instances.member[(0u + _e974)].world_to_object[1u];
-                                            let _e1071 = ((((_e1060.x * _e157.origin.x) + (_e1060.y * _e157.origin.y)) + (_e1060.z * _e157.origin.z)) + (_e1060.w * 1f));
-                                            let _e1073 = instances.member[(0u + _e974)].world_to_object[2u];
-                                            let _e1084 = ((((_e1073.x * _e157.origin.x) + (_e1073.y * _e157.origin.y)) + (_e1073.z * _e157.origin.z)) + (_e1073.w * 1f));
-                                            let _e1091 = instances.member[(0u + _e974)].world_to_object[0u];
-                                            let _e1102 = ((((_e1091.x * _e157.direction.x) + (_e1091.y * _e157.direction.y)) + (_e1091.z * _e157.direction.z)) + (_e1091.w * 0f));
-                                            let _e1104 = instances.member[(0u + _e974)].world_to_object[1u];
-                                            let _e1115 = ((((_e1104.x * _e157.direction.x) + (_e1104.y * _e157.direction.y)) + (_e1104.z * _e157.direction.z)) + (_e1104.w * 0f));
-                                            let _e1117 = instances.member[(0u + _e974)].world_to_object[2u];
-                                            let _e1128 = ((((_e1117.x * _e157.direction.x) + (_e1117.y * _e157.direction.y)) + (_e1117.z * _e157.direction.z)) + (_e1117.w * 0f));
-                                            let _e1133 = instances.member[(0u + _e974)].root;
-                                            let _e1135 = instances.member[(0u + _e974)].first_triangle;
-                                            let _e1136 = abs(_e1102);
-                                            let _e1137 = abs(_e1115);
-                                            let _e1138 = abs(_e1128);
-                                            if (abs(_e1058) < 1000000000000000f) {
-                                                if (abs(_e1071) < 1000000000000000f) {
-                                                    phi_1709_ = (abs(_e1084) < 1000000000000000f);
-                                                    phi_1710_ = false;
+                                let _e1046 = phi_1596_;
+                                let _e1050 = core_intrinsics_maximum_number_nsz_f32_((_e1028 - _e388), (_e1031 - _e389));
+                                let _e1051 = core_intrinsics_maximum_number_nsz_f32_(_e1050, (_e1034 - _e390));
+                                let _e1052 = core_intrinsics_minimum_number_nsz_f32_((_e1040 + _e388), (_e1043 + _e389));
+                                let _e1053 = core_intrinsics_minimum_number_nsz_f32_(_e1052, (_e1046 + _e390));
+                                if (_e1051 <= _e1053) {
+                                    if (_e1051 <= _e984.t) {
+                                        if (_e1053 >= _e175.tmin) {
+                                            let _e1065 = instances.member[(0u + _e992)].world_to_object[0u];
+                                            let _e1076 = ((((_e1065.x * _e175.origin.x) + (_e1065.y * _e175.origin.y)) + (_e1065.z * _e175.origin.z)) + (_e1065.w * 1f));
+                                            let _e1078 = instances.member[(0u + _e992)].world_to_object[1u];
+                                            let _e1089 = ((((_e1078.x * _e175.origin.x) + (_e1078.y * _e175.origin.y)) + (_e1078.z * _e175.origin.z)) + (_e1078.w * 1f));
+                                            let _e1091 = instances.member[(0u + _e992)].world_to_object[2u];
+                                            let _e1102 = ((((_e1091.x * _e175.origin.x) + (_e1091.y * _e175.origin.y)) + (_e1091.z * _e175.origin.z)) + (_e1091.w * 1f));
+                                            let _e1109 = instances.member[(0u + _e992)].world_to_object[0u];
+                                            let _e1120 = ((((_e1109.x * _e175.direction.x) + (_e1109.y * _e175.direction.y)) + (_e1109.z * _e175.direction.z)) + (_e1109.w * 0f));
+                                            let _e1122 = instances.member[(0u + _e992)].world_to_object[1u];
+                                            let _e1133 = ((((_e1122.x * _e175.direction.x) + (_e1122.y * _e175.direction.y)) + (_e1122.z * _e175.direction.z)) + (_e1122.w * 0f));
+                                            let _e1135 = instances.member[(0u + _e992)].world_to_object[2u];
+                                            let _e1146 = ((((_e1135.x * _e175.direction.x) + (_e1135.y * _e175.direction.y)) + (_e1135.z * _e175.direction.z)) + (_e1135.w * 0f));
+                                            let _e1151 = instances.member[(0u + _e992)].root;
+                                            let _e1153 = instances.member[(0u + _e992)].first_triangle;
+                                            let _e1154 = abs(_e1120);
+                                            let _e1155 = abs(_e1133);
+                                            let _e1156 = abs(_e1146);
+                                            if (abs(_e1076) < 1000000000000000f) {
+                                                if (abs(_e1089) < 1000000000000000f) {
+                                                    phi_1728_ = (abs(_e1102) < 1000000000000000f);
+                                                    phi_1729_ = false;
                                                 } else {
-                                                    phi_1709_ = bool();
-                                                    phi_1710_ = true;
+                                                    phi_1728_ = bool();
+                                                    phi_1729_ = true;
                                                 }
-                                                let _e1146 = phi_1709_;
-                                                let _e1148 = phi_1710_;
-                                                phi_1711_ = _e1146;
-                                                phi_1712_ = _e1148;
+                                                let _e1164 = phi_1728_;
+                                                let _e1166 = phi_1729_;
+                                                phi_1730_ = _e1164;
+                                                phi_1731_ = _e1166;
                                             } else {
-                                                phi_1711_ = bool();
-                                                phi_1712_ = true;
+                                                phi_1730_ = bool();
+                                                phi_1731_ = true;
                                             }
-                                            let _e1150 = phi_1711_;
-                                            let _e1152 = phi_1712_;
-                                            if _e1152 {
-                                                phi_1716_ = false;
+                                            let _e1168 = phi_1730_;
+                                            let _e1170 = phi_1731_;
+                                            if _e1170 {
+                                                phi_1735_ = false;
                                             } else {
-                                                phi_1716_ = _e1150;
+                                                phi_1735_ = _e1168;
                                             }
-                                            let _e1154 = phi_1716_;
-                                            if _e1154 {
-                                                if (_e1136 < 1000000000000000f) {
-                                                    if (_e1137 < 1000000000000000f) {
-                                                        phi_1729_ = (_e1138 < 1000000000000000f);
-                                                        phi_1730_ = false;
+                                            let _e1172 = phi_1735_;
+                                            if _e1172 {
+                                                if (_e1154 < 1000000000000000f) {
+                                                    if (_e1155 < 1000000000000000f) {
+                                                        phi_1748_ = (_e1156 < 1000000000000000f);
+                                                        phi_1749_ = false;
                                                     } else {
-                                                        phi_1729_ = bool();
-                                                        phi_1730_ = true;
+                                                        phi_1748_ = bool();
+                                                        phi_1749_ = true;
                                                     }
-                                                    let _e1159 = phi_1729_;
-                                                    let _e1161 = phi_1730_;
-                                                    phi_1731_ = _e1159;
-                                                    phi_1732_ = _e1161;
+                                                    let _e1177 = phi_1748_;
+                                                    let _e1179 = phi_1749_;
+                                                    phi_1750_ = _e1177;
+                                                    phi_1751_ = _e1179;
                                                 } else {
-                                                    phi_1731_ = bool();
-                                                    phi_1732_ = true;
+                                                    phi_1750_ = bool();
+                                                    phi_1751_ = true;
                                                 }
-                                                let _e1163 = phi_1731_;
-                                                let _e1165 = phi_1732_;
-                                                if _e1165 {
-                                                    phi_1736_ = false;
+                                                let _e1181 = phi_1750_;
+                                                let _e1183 = phi_1751_;
+                                                if _e1183 {
+                                                    phi_1755_ = false;
                                                 } else {
-                                                    phi_1736_ = _e1163;
+                                                    phi_1755_ = _e1181;
                                                 }
-                                                let _e1167 = phi_1736_;
-                                                if _e1167 {
-                                                    if (_e1136 > 0f) {
-                                                        phi_1750_ = bool();
-                                                        phi_1751_ = true;
+                                                let _e1185 = phi_1755_;
+                                                if _e1185 {
+                                                    if (_e1154 > 0f) {
+                                                        phi_1769_ = bool();
+                                                        phi_1770_ = true;
                                                     } else {
-                                                        let _e1169 = (_e1137 > 0f);
-                                                        if _e1169 {
-                                                            phi_1749_ = bool();
+                                                        let _e1187 = (_e1155 > 0f);
+                                                        if _e1187 {
+                                                            phi_1768_ = bool();
                                                         } else {
-                                                            phi_1749_ = (_e1138 > 0f);
+                                                            phi_1768_ = (_e1156 > 0f);
                                                         }
-                                                        let _e1172 = phi_1749_;
-                                                        phi_1750_ = _e1172;
-                                                        phi_1751_ = _e1169;
+                                                        let _e1190 = phi_1768_;
+                                                        phi_1769_ = _e1190;
+                                                        phi_1770_ = _e1187;
                                                     }
-                                                    let _e1174 = phi_1750_;
-                                                    let _e1176 = phi_1751_;
-                                                    if _e1176 {
-                                                        phi_1755_ = true;
+                                                    let _e1192 = phi_1769_;
+                                                    let _e1194 = phi_1770_;
+                                                    if _e1194 {
+                                                        phi_1774_ = true;
                                                     } else {
-                                                        phi_1755_ = _e1174;
+                                                        phi_1774_ = _e1192;
                                                     }
-                                                    let _e1178 = phi_1755_;
-                                                    phi_1756_ = _e1178;
-                                                    phi_1757_ = false;
+                                                    let _e1196 = phi_1774_;
+                                                    phi_1775_ = _e1196;
+                                                    phi_1776_ = false;
                                                 } else {
-                                                    phi_1756_ = bool();
-                                                    phi_1757_ = true;
+                                                    phi_1775_ = bool();
+                                                    phi_1776_ = true;
                                                 }
-                                                let _e1180 = phi_1756_;
-                                                let _e1182 = phi_1757_;
-                                                phi_1758_ = _e1180;
-                                                phi_1759_ = _e1182;
+                                                let _e1198 = phi_1775_;
+                                                let _e1200 = phi_1776_;
+                                                phi_1777_ = _e1198;
+                                                phi_1778_ = _e1200;
                                             } else {
-                                                phi_1758_ = bool();
-                                                phi_1759_ = true;
+                                                phi_1777_ = bool();
+                                                phi_1778_ = true;
                                             }
-                                            let _e1184 = phi_1758_;
-                                            let _e1186 = phi_1759_;
-                                            if _e1186 {
-                                                phi_1763_ = false;
+                                            let _e1202 = phi_1777_;
+                                            let _e1204 = phi_1778_;
+                                            if _e1204 {
+                                                phi_1782_ = false;
                                             } else {
-                                                phi_1763_ = _e1184;
+                                                phi_1782_ = _e1202;
                                             }
-                                            let _e1188 = phi_1763_;
-                                            if _e1188 {
-                                                let _e1189 = (_e1133 >= _e76);
-                                                if _e1189 {
-                                                    phi_3174_ = lt_bvh_Hit();
+                                            let _e1206 = phi_1782_;
+                                            if _e1206 {
+                                                let _e1207 = (_e1151 >= _e77);
+                                                if _e1207 {
+                                                    phi_3193_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1133 < _e76) {
+                                                    if (_e1151 < _e77) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1195 = nodes.member[(0u + _e1133)].frame[0u];
-                                                    let _e1199 = nodes.member[(0u + _e1133)].frame[1u];
-                                                    let _e1203 = nodes.member[(0u + _e1133)].frame[2u];
-                                                    let _e1207 = nodes.member[(0u + _e1133)].frame[0u];
-                                                    let _e1211 = nodes.member[(0u + _e1133)].frame[1u];
-                                                    let _e1215 = nodes.member[(0u + _e1133)].frame[2u];
-                                                    let _e1219 = nodes.member[(0u + _e1133)].frame[3u];
-                                                    let _e1253 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1102), abs(_e1115));
-                                                    let _e1254 = core_intrinsics_maximum_number_nsz_f32_(_e1253, abs(_e1128));
-                                                    let _e1255 = (_e1254 * 0.0000000000009094947f);
-                                                    if (abs(_e1102) < _e1255) {
-                                                        phi_1833_ = _e1255;
+                                                    let _e1213 = nodes.member[(0u + _e1151)].frame[0u];
+                                                    let _e1217 = nodes.member[(0u + _e1151)].frame[1u];
+                                                    let _e1221 = nodes.member[(0u + _e1151)].frame[2u];
+                                                    let _e1225 = nodes.member[(0u + _e1151)].frame[0u];
+                                                    let _e1229 = nodes.member[(0u + _e1151)].frame[1u];
+                                                    let _e1233 = nodes.member[(0u + _e1151)].frame[2u];
+                                                    let _e1237 = nodes.member[(0u + _e1151)].frame[3u];
+                                                    let _e1271 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1120), abs(_e1133));
+                                                    let _e1272 = core_intrinsics_maximum_number_nsz_f32_(_e1271, abs(_e1146));
+                                                    let _e1273 = (_e1272 * 0.0000000000009094947f);
+                                                    if (abs(_e1120) < _e1273) {
+                                                        phi_1852_ = _e1273;
                                                     } else {
-                                                        phi_1833_ = abs(_e1102);
+                                                        phi_1852_ = abs(_e1120);
                                                     }
-                                                    let _e1260 = phi_1833_;
-                                                    if (_e1102 < 0f) {
-                                                        phi_1840_ = (-1f / _e1260);
+                                                    let _e1278 = phi_1852_;
+                                                    if (_e1120 < 0f) {
+                                                        phi_1859_ = (-1f / _e1278);
                                                     } else {
-                                                        phi_1840_ = (1f / _e1260);
+                                                        phi_1859_ = (1f / _e1278);
                                                     }
-                                                    let _e1265 = phi_1840_;
-                                                    if (abs(_e1115) < _e1255) {
-                                                        phi_1847_ = _e1255;
+                                                    let _e1283 = phi_1859_;
+                                                    if (abs(_e1133) < _e1273) {
+                                                        phi_1866_ = _e1273;
                                                     } else {
-                                                        phi_1847_ = abs(_e1115);
+                                                        phi_1866_ = abs(_e1133);
                                                     }
-                                                    let _e1270 = phi_1847_;
-                                                    if (_e1115 < 0f) {
-                                                        phi_1854_ = (-1f / _e1270);
+                                                    let _e1288 = phi_1866_;
+                                                    if (_e1133 < 0f) {
+                                                        phi_1873_ = (-1f / _e1288);
                                                     } else {
-                                                        phi_1854_ = (1f / _e1270);
+                                                        phi_1873_ = (1f / _e1288);
                                                     }
-                                                    let _e1275 = phi_1854_;
-                                                    if (abs(_e1128) < _e1255) {
-                                                        phi_1861_ = _e1255;
+                                                    let _e1293 = phi_1873_;
+                                                    if (abs(_e1146) < _e1273) {
+                                                        phi_1880_ = _e1273;
                                                     } else {
-                                                        phi_1861_ = abs(_e1128);
+                                                        phi_1880_ = abs(_e1146);
                                                     }
-                                                    let _e1280 = phi_1861_;
-                                                    if (_e1128 < 0f) {
-                                                        phi_1868_ = (-1f / _e1280);
+                                                    let _e1298 = phi_1880_;
+                                                    if (_e1146 < 0f) {
+                                                        phi_1887_ = (-1f / _e1298);
                                                     } else {
-                                                        phi_1868_ = (1f / _e1280);
+                                                        phi_1887_ = (1f / _e1298);
                                                     }
-                                                    let _e1285 = phi_1868_;
-                                                    let _e1289 = abs((bitcast<f32>(_e1195) - _e1058));
-                                                    let _e1290 = abs((bitcast<f32>(_e1199) - _e1071));
-                                                    let _e1291 = abs((bitcast<f32>(_e1203) - _e1084));
-                                                    let _e1295 = abs(((bitcast<f32>(_e1207) + (bitcast<f32>((((_e1219 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1058));
-                                                    let _e1296 = abs(((bitcast<f32>(_e1211) + (bitcast<f32>((((_e1219 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1071));
-                                                    let _e1297 = abs(((bitcast<f32>(_e1215) + (bitcast<f32>((((_e1219 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1084));
-                                                    if (_e1289 > _e1295) {
-                                                        phi_1885_ = _e1289;
+                                                    let _e1303 = phi_1887_;
+                                                    let _e1307 = abs((bitcast<f32>(_e1213) - _e1076));
+                                                    let _e1308 = abs((bitcast<f32>(_e1217) - _e1089));
+                                                    let _e1309 = abs((bitcast<f32>(_e1221) - _e1102));
+                                                    let _e1313 = abs(((bitcast<f32>(_e1225) + (bitcast<f32>((((_e1237 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1076));
+                                                    let _e1314 = abs(((bitcast<f32>(_e1229) + (bitcast<f32>((((_e1237 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1089));
+                                                    let _e1315 = abs(((bitcast<f32>(_e1233) + (bitcast<f32>((((_e1237 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1102));
+                                                    if (_e1307 > _e1313) {
+                                                        phi_1904_ = _e1307;
                                                     } else {
-                                                        phi_1885_ = _e1295;
+                                                        phi_1904_ = _e1313;
                                                     }
-                                                    let _e1300 = phi_1885_;
-                                                    if (_e1290 > _e1296) {
-                                                        phi_1890_ = _e1290;
+                                                    let _e1318 = phi_1904_;
+                                                    if (_e1308 > _e1314) {
+                                                        phi_1909_ = _e1308;
                                                     } else {
-                                                        phi_1890_ = _e1296;
+                                                        phi_1909_ = _e1314;
                                                     }
-                                                    let _e1303 = phi_1890_;
-                                                    if (_e1291 > _e1297) {
-                                                        phi_1895_ = _e1291;
+                                                    let _e1321 = phi_1909_;
+                                                    if (_e1309 > _e1315) {
+                                                        phi_1914_ = _e1309;
                                                     } else {
-                                                        phi_1895_ = _e1297;
+                                                        phi_1914_ = _e1315;
                                                     }
-                                                    let _e1306 = phi_1895_;
-                                                    if (_e1300 > _e1303) {
-                                                        phi_1900_ = _e1300;
+                                                    let _e1324 = phi_1914_;
+                                                    if (_e1318 > _e1321) {
+                                                        phi_1919_ = _e1318;
                                                     } else {
-                                                        phi_1900_ = _e1303;
+                                                        phi_1919_ = _e1321;
                                                     }
-                                                    let _e1309 = phi_1900_;
-                                                    if (_e1309 > _e1306) {
-                                                        phi_1905_ = _e1309;
+                                                    let _e1327 = phi_1919_;
+                                                    if (_e1327 > _e1324) {
+                                                        phi_1924_ = _e1327;
                                                     } else {
-                                                        phi_1905_ = _e1306;
+                                                        phi_1924_ = _e1324;
                                                     }
-                                                    let _e1312 = phi_1905_;
-                                                    let _e1316 = (_e1312 * 0.0000019073486f);
-                                                    let _e1317 = (abs(_e1265) * _e1316);
-                                                    let _e1318 = (abs(_e1275) * _e1316);
-                                                    let _e1319 = (abs(_e1285) * _e1316);
-                                                    let _e1323 = (_e1312 * 0.0000009536743f);
-                                                    let _e1324 = (abs(_e1265) * _e1323);
-                                                    let _e1325 = (abs(_e1275) * _e1323);
-                                                    let _e1326 = (abs(_e1285) * _e1323);
-                                                    let _e1327 = abs(_e1102);
-                                                    let _e1328 = abs(_e1115);
-                                                    let _e1329 = abs(_e1128);
-                                                    if (_e1327 >= _e1328) {
-                                                        if (_e1327 >= _e1329) {
-                                                            phi_1931_ = false;
+                                                    let _e1330 = phi_1924_;
+                                                    let _e1334 = (_e1330 * 0.0000019073486f);
+                                                    let _e1335 = (abs(_e1283) * _e1334);
+                                                    let _e1336 = (abs(_e1293) * _e1334);
+                                                    let _e1337 = (abs(_e1303) * _e1334);
+                                                    let _e1341 = (_e1330 * 0.0000009536743f);
+                                                    let _e1342 = (abs(_e1283) * _e1341);
+                                                    let _e1343 = (abs(_e1293) * _e1341);
+                                                    let _e1344 = (abs(_e1303) * _e1341);
+                                                    let _e1345 = abs(_e1120);
+                                                    let _e1346 = abs(_e1133);
+                                                    let _e1347 = abs(_e1146);
+                                                    if (_e1345 >= _e1346) {
+                                                        if (_e1345 >= _e1347) {
+                                                            phi_1950_ = false;
                                                         } else {
-                                                            phi_1931_ = true;
+                                                            phi_1950_ = true;
                                                         }
-                                                        let _e1333 = phi_1931_;
-                                                        phi_1932_ = _e1333;
+                                                        let _e1351 = phi_1950_;
+                                                        phi_1951_ = _e1351;
                                                     } else {
-                                                        phi_1932_ = true;
+                                                        phi_1951_ = true;
                                                     }
-                                                    let _e1335 = phi_1932_;
-                                                    if _e1335 {
-                                                        if (_e1328 >= _e1329) {
-                                                            phi_1940_ = 1u;
+                                                    let _e1353 = phi_1951_;
+                                                    if _e1353 {
+                                                        if (_e1346 >= _e1347) {
+                                                            phi_1959_ = 1u;
                                                         } else {
-                                                            phi_1940_ = 2u;
+                                                            phi_1959_ = 2u;
                                                         }
-                                                        let _e1338 = phi_1940_;
-                                                        phi_1941_ = _e1338;
+                                                        let _e1356 = phi_1959_;
+                                                        phi_1960_ = _e1356;
                                                     } else {
-                                                        phi_1941_ = 0u;
+                                                        phi_1960_ = 0u;
                                                     }
-                                                    let _e1340 = phi_1941_;
-                                                    if (_e1340 == 0u) {
-                                                        phi_1953_ = vec3<f32>(_e1115, _e1128, _e1102);
+                                                    let _e1358 = phi_1960_;
+                                                    if (_e1358 == 0u) {
+                                                        phi_1972_ = vec3<f32>(_e1133, _e1146, _e1120);
                                                     } else {
-                                                        if (_e1340 == 1u) {
-                                                            phi_1952_ = vec3<f32>(_e1128, _e1102, _e1115);
+                                                        if (_e1358 == 1u) {
+                                                            phi_1971_ = vec3<f32>(_e1146, _e1120, _e1133);
                                                         } else {
-                                                            phi_1952_ = vec3<f32>(_e1102, _e1115, _e1128);
+                                                            phi_1971_ = vec3<f32>(_e1120, _e1133, _e1146);
                                                         }
-                                                        let _e1346 = phi_1952_;
-                                                        phi_1953_ = _e1346;
+                                                        let _e1364 = phi_1971_;
+                                                        phi_1972_ = _e1364;
                                                     }
-                                                    let _e1348 = phi_1953_;
-                                                    let _e1351 = (_e1348.x / _e1348.z);
-                                                    let _e1354 = (_e1348.y / _e1348.z);
-                                                    if (_e1265 < 0f) {
-                                                        phi_1966_ = 0u;
+                                                    let _e1366 = phi_1972_;
+                                                    let _e1369 = (_e1366.x / _e1366.z);
+                                                    let _e1372 = (_e1366.y / _e1366.z);
+                                                    if (_e1283 < 0f) {
+                                                        phi_1985_ = 0u;
                                                     } else {
-                                                        phi_1966_ = 1u;
+                                                        phi_1985_ = 1u;
                                                     }
-                                                    let _e1359 = phi_1966_;
-                                                    if (_e1275 < 0f) {
-                                                        phi_1971_ = 0u;
+                                                    let _e1377 = phi_1985_;
+                                                    if (_e1293 < 0f) {
+                                                        phi_1990_ = 0u;
                                                     } else {
-                                                        phi_1971_ = 2u;
+                                                        phi_1990_ = 2u;
                                                     }
-                                                    let _e1362 = phi_1971_;
-                                                    if (_e1285 < 0f) {
-                                                        phi_1976_ = 0u;
+                                                    let _e1380 = phi_1990_;
+                                                    if (_e1303 < 0f) {
+                                                        phi_1995_ = 0u;
                                                     } else {
-                                                        phi_1976_ = 4u;
+                                                        phi_1995_ = 4u;
                                                     }
-                                                    let _e1365 = phi_1976_;
-                                                    let _e1367 = ((_e1359 | _e1362) | _e1365);
-                                                    let _e1368 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1133, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1368.first[0], _e1368.first[1], _e1368.first[2], _e1368.first[3], _e1368.first[4], _e1368.first[5], _e1368.first[6], _e1368.first[7], _e1368.first[8], _e1368.first[9], _e1368.first[10], _e1368.first[11], _e1368.first[12], _e1368.first[13], _e1368.first[14], _e1368.first[15], _e1368.first[16], _e1368.first[17], _e1368.first[18], _e1368.first[19], _e1368.first[20], _e1368.first[21], _e1368.first[22], _e1368.first[23], _e1368.first[24], _e1368.first[25], _e1368.first[26], _e1368.first[27], _e1368.first[28], _e1368.first[29], _e1368.first[30], _e1368.first[31]), array<u32, 32>(_e1368.mask[0], _e1368.mask[1], _e1368.mask[2], _e1368.mask[3], _e1368.mask[4], _e1368.mask[5], _e1368.mask[6], _e1368.mask[7], _e1368.mask[8], _e1368.mask[9], _e1368.mask[10], _e1368.mask[11], _e1368.mask[12], _e1368.mask[13], _e1368.mask[14], _e1368.mask[15], _e1368.mask[16], _e1368.mask[17], _e1368.mask[18], _e1368.mask[19], _e1368.mask[20], _e1368.mask[21], _e1368.mask[22], _e1368.mask[23], _e1368.mask[24], _e1368.mask[25], _e1368.mask[26], _e1368.mask[27], _e1368.mask[28], _e1368.mask[29], _e1368.mask[30], _e1368.mask[31]), _e1368.len, _e1368.group, _e1368.group_mask);
-                                                    let _e1442 = local_1.group_mask;
-                                                    if ((_e1442 & 4278190080u) == 0u) {
-                                                        let _e1446 = local_1.len;
-                                                        if (_e1446 == 0u) {
-                                                            phi_2090_ = false;
+                                                    let _e1383 = phi_1995_;
+                                                    let _e1385 = ((_e1377 | _e1380) | _e1383);
+                                                    let _e1386 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1151, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1386.first[0], _e1386.first[1], _e1386.first[2], _e1386.first[3], _e1386.first[4], _e1386.first[5], _e1386.first[6], _e1386.first[7], _e1386.first[8], _e1386.first[9], _e1386.first[10], _e1386.first[11], _e1386.first[12], _e1386.first[13], _e1386.first[14], _e1386.first[15], _e1386.first[16], _e1386.first[17], _e1386.first[18], _e1386.first[19], _e1386.first[20], _e1386.first[21], _e1386.first[22], _e1386.first[23], _e1386.first[24], _e1386.first[25], _e1386.first[26], _e1386.first[27], _e1386.first[28], _e1386.first[29], _e1386.first[30], _e1386.first[31]), array<u32, 32>(_e1386.mask[0], _e1386.mask[1], _e1386.mask[2], _e1386.mask[3], _e1386.mask[4], _e1386.mask[5], _e1386.mask[6], _e1386.mask[7], _e1386.mask[8], _e1386.mask[9], _e1386.mask[10], _e1386.mask[11], _e1386.mask[12], _e1386.mask[13], _e1386.mask[14], _e1386.mask[15], _e1386.mask[16], _e1386.mask[17], _e1386.mask[18], _e1386.mask[19], _e1386.mask[20], _e1386.mask[21], _e1386.mask[22], _e1386.mask[23], _e1386.mask[24], _e1386.mask[25], _e1386.mask[26], _e1386.mask[27], _e1386.mask[28], _e1386.mask[29], _e1386.mask[30], _e1386.mask[31]), _e1386.len, _e1386.group, _e1386.group_mask);
+                                                    let _e1460 = local_1.group_mask;
+                                                    if ((_e1460 & 4278190080u) == 0u) {
+                                                        let _e1464 = local_1.len;
+                                                        if (_e1464 == 0u) {
+                                                            phi_2109_ = false;
                                                         } else {
-                                                            let _e1450 = local_1.len;
-                                                            local_1.len = (_e1450 - 1u);
-                                                            let _e1453 = local_1.len;
-                                                            if (_e1453 < 32u) {
+                                                            let _e1468 = local_1.len;
+                                                            local_1.len = (_e1468 - 1u);
+                                                            let _e1471 = local_1.len;
+                                                            if (_e1471 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1458 = local_1.first[(0u + _e1453)];
-                                                            local_1.group = _e1458;
-                                                            let _e1461 = local_1.len;
-                                                            if (_e1461 < 32u) {
+                                                            let _e1476 = local_1.first[(0u + _e1471)];
+                                                            local_1.group = _e1476;
+                                                            let _e1479 = local_1.len;
+                                                            if (_e1479 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1466 = local_1.mask[(0u + _e1461)];
-                                                            local_1.group_mask = _e1466;
-                                                            phi_2090_ = true;
+                                                            let _e1484 = local_1.mask[(0u + _e1479)];
+                                                            local_1.group_mask = _e1484;
+                                                            phi_2109_ = true;
                                                         }
-                                                        let _e1469 = phi_2090_;
-                                                        phi_2091_ = _e1469;
+                                                        let _e1487 = phi_2109_;
+                                                        phi_2110_ = _e1487;
                                                     } else {
-                                                        phi_2091_ = true;
+                                                        phi_2110_ = true;
                                                     }
-                                                    let _e1471 = phi_2091_;
-                                                    if _e1471 {
-                                                        let _e1473 = local_1.group_mask;
-                                                        let _e1479 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1473)), 32u, (_e1473 == 0u)));
-                                                        let _e1483 = local_1.group_mask;
-                                                        let _e1497 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1497 & ~((1u << bitcast<u32>((_e1479 & 31u)))));
-                                                        let _e1500 = local_1.group;
-                                                        phi_2122_ = (_e1500 + countOneBits(((_e1483 & ~((4294967295u << bitcast<u32>((((_e1479 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1489 = phi_2110_;
+                                                    if _e1489 {
+                                                        let _e1491 = local_1.group_mask;
+                                                        let _e1497 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1491)), 32u, (_e1491 == 0u)));
+                                                        let _e1501 = local_1.group_mask;
+                                                        let _e1515 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1515 & ~((1u << bitcast<u32>((_e1497 & 31u)))));
+                                                        let _e1518 = local_1.group;
+                                                        phi_2141_ = (_e1518 + countOneBits(((_e1501 & ~((4294967295u << bitcast<u32>((((_e1497 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2122_ = 4294967295u;
+                                                        phi_2141_ = 4294967295u;
                                                     }
-                                                    let _e1503 = phi_2122_;
-                                                    phi_2124_ = _e966;
-                                                    phi_2127_ = _e1503;
+                                                    let _e1521 = phi_2141_;
+                                                    phi_2143_ = _e984;
+                                                    phi_2146_ = _e1521;
                                                     loop {
-                                                        let _e1505 = phi_2124_;
-                                                        let _e1507 = phi_2127_;
-                                                        local_10 = _e1505;
-                                                        let _e1508 = (_e1507 != 4294967295u);
-                                                        if _e1508 {
-                                                            if (_e1507 < _e76) {
+                                                        let _e1523 = phi_2143_;
+                                                        let _e1525 = phi_2146_;
+                                                        local_10 = _e1523;
+                                                        let _e1526 = (_e1525 != 4294967295u);
+                                                        if _e1526 {
+                                                            if (_e1525 < _e77) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1515 = nodes.member[(0u + _e1507)].frame[3u];
-                                                            let _e1540 = (bitcast<f32>((((_e1515 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1265);
-                                                            let _e1541 = (bitcast<f32>((((_e1515 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1275);
-                                                            let _e1542 = (bitcast<f32>((((_e1515 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1285);
-                                                            let _e1545 = nodes.member[(0u + _e1507)].frame[0u];
-                                                            let _e1549 = nodes.member[(0u + _e1507)].frame[1u];
-                                                            let _e1553 = nodes.member[(0u + _e1507)].frame[2u];
-                                                            let _e1558 = ((bitcast<f32>(_e1545) - _e1058) * _e1265);
-                                                            let _e1559 = ((bitcast<f32>(_e1549) - _e1071) * _e1275);
-                                                            let _e1560 = ((bitcast<f32>(_e1553) - _e1084) * _e1285);
-                                                            let _e1568 = nodes.member[(0u + _e1507)].x;
-                                                            if (_e1265 < 0f) {
-                                                                let _e1579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1568.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1579.unnamed.word, _e1568.w), _e1579.unnamed_1);
-                                                                let _e1591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1585.unnamed, lt_mask_LightPlace(_e1568.x, _e1585.unnamed_1.shift));
-                                                                phi_2208_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1591.unnamed, lt_mask_LightPlace(_e1591.unnamed_1.word, _e1568.y));
+                                                            let _e1533 = nodes.member[(0u + _e1525)].frame[3u];
+                                                            let _e1558 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1283);
+                                                            let _e1559 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1293);
+                                                            let _e1560 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1303);
+                                                            let _e1563 = nodes.member[(0u + _e1525)].frame[0u];
+                                                            let _e1567 = nodes.member[(0u + _e1525)].frame[1u];
+                                                            let _e1571 = nodes.member[(0u + _e1525)].frame[2u];
+                                                            let _e1576 = ((bitcast<f32>(_e1563) - _e1076) * _e1283);
+                                                            let _e1577 = ((bitcast<f32>(_e1567) - _e1089) * _e1293);
+                                                            let _e1578 = ((bitcast<f32>(_e1571) - _e1102) * _e1303);
+                                                            let _e1586 = nodes.member[(0u + _e1525)].x;
+                                                            if (_e1283 < 0f) {
+                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1586.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1597.unnamed.word, _e1586.w), _e1597.unnamed_1);
+                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1603.unnamed, lt_mask_LightPlace(_e1586.x, _e1603.unnamed_1.shift));
+                                                                phi_2227_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_mask_LightPlace(_e1609.unnamed_1.word, _e1586.y));
                                                             } else {
-                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1568.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1607.unnamed.word, _e1568.y), _e1607.unnamed_1);
-                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1613.unnamed, lt_mask_LightPlace(_e1568.z, _e1613.unnamed_1.shift));
-                                                                phi_2208_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_mask_LightPlace(_e1619.unnamed_1.word, _e1568.w));
+                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1586.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1625.unnamed.word, _e1586.y), _e1625.unnamed_1);
+                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1631.unnamed, lt_mask_LightPlace(_e1586.z, _e1631.unnamed_1.shift));
+                                                                phi_2227_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_mask_LightPlace(_e1637.unnamed_1.word, _e1586.w));
                                                             }
-                                                            let _e1627 = phi_2208_;
-                                                            let _e1637 = nodes.member[(0u + _e1507)].y;
-                                                            if (_e1275 < 0f) {
-                                                                let _e1648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1637.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1648.unnamed.word, _e1637.w), _e1648.unnamed_1);
-                                                                let _e1660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1654.unnamed, lt_mask_LightPlace(_e1637.x, _e1654.unnamed_1.shift));
-                                                                phi_2235_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1660.unnamed, lt_mask_LightPlace(_e1660.unnamed_1.word, _e1637.y));
+                                                            let _e1645 = phi_2227_;
+                                                            let _e1655 = nodes.member[(0u + _e1525)].y;
+                                                            if (_e1293 < 0f) {
+                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1655.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1666.unnamed.word, _e1655.w), _e1666.unnamed_1);
+                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1672.unnamed, lt_mask_LightPlace(_e1655.x, _e1672.unnamed_1.shift));
+                                                                phi_2254_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_mask_LightPlace(_e1678.unnamed_1.word, _e1655.y));
                                                             } else {
-                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1637.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1676.unnamed.word, _e1637.y), _e1676.unnamed_1);
-                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1682.unnamed, lt_mask_LightPlace(_e1637.z, _e1682.unnamed_1.shift));
-                                                                phi_2235_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_mask_LightPlace(_e1688.unnamed_1.word, _e1637.w));
+                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1655.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1694.unnamed.word, _e1655.y), _e1694.unnamed_1);
+                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1700.unnamed, lt_mask_LightPlace(_e1655.z, _e1700.unnamed_1.shift));
+                                                                phi_2254_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_mask_LightPlace(_e1706.unnamed_1.word, _e1655.w));
                                                             }
-                                                            let _e1696 = phi_2235_;
-                                                            let _e1706 = nodes.member[(0u + _e1507)].z;
-                                                            if (_e1285 < 0f) {
-                                                                let _e1717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1706.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1717.unnamed.word, _e1706.w), _e1717.unnamed_1);
-                                                                let _e1729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1723.unnamed, lt_mask_LightPlace(_e1706.x, _e1723.unnamed_1.shift));
-                                                                phi_2262_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1729.unnamed, lt_mask_LightPlace(_e1729.unnamed_1.word, _e1706.y));
+                                                            let _e1714 = phi_2254_;
+                                                            let _e1724 = nodes.member[(0u + _e1525)].z;
+                                                            if (_e1303 < 0f) {
+                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1724.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1735.unnamed.word, _e1724.w), _e1735.unnamed_1);
+                                                                let _e1747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1741.unnamed, lt_mask_LightPlace(_e1724.x, _e1741.unnamed_1.shift));
+                                                                phi_2281_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1747.unnamed, lt_mask_LightPlace(_e1747.unnamed_1.word, _e1724.y));
                                                             } else {
-                                                                let _e1745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1706.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1745.unnamed.word, _e1706.y), _e1745.unnamed_1);
-                                                                let _e1757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1751.unnamed, lt_mask_LightPlace(_e1706.z, _e1751.unnamed_1.shift));
-                                                                phi_2262_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1757.unnamed, lt_mask_LightPlace(_e1757.unnamed_1.word, _e1706.w));
+                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1724.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1763.unnamed.word, _e1724.y), _e1763.unnamed_1);
+                                                                let _e1775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1769.unnamed, lt_mask_LightPlace(_e1724.z, _e1769.unnamed_1.shift));
+                                                                phi_2281_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1775.unnamed, lt_mask_LightPlace(_e1775.unnamed_1.word, _e1724.w));
                                                             }
-                                                            let _e1765 = phi_2262_;
-                                                            phi_2268_ = 0u;
-                                                            phi_2271_ = 0u;
+                                                            let _e1783 = phi_2281_;
+                                                            phi_2287_ = 0u;
+                                                            phi_2290_ = 0u;
                                                             loop {
-                                                                let _e1775 = phi_2268_;
-                                                                let _e1777 = phi_2271_;
-                                                                local_6 = _e1777;
-                                                                local_7 = _e1777;
-                                                                local_8 = _e1777;
-                                                                let _e1778 = (_e1775 < 8u);
-                                                                if _e1778 {
-                                                                    let _e1780 = (_e1775 >> bitcast<u32>(2i));
-                                                                    let _e1781 = (_e1775 & 3u);
-                                                                    if (_e1780 == 0u) {
-                                                                        phi_2285_ = _e1627.unnamed.word;
+                                                                let _e1793 = phi_2287_;
+                                                                let _e1795 = phi_2290_;
+                                                                local_6 = _e1795;
+                                                                local_7 = _e1795;
+                                                                local_8 = _e1795;
+                                                                let _e1796 = (_e1793 < 8u);
+                                                                if _e1796 {
+                                                                    let _e1798 = (_e1793 >> bitcast<u32>(2i));
+                                                                    let _e1799 = (_e1793 & 3u);
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2304_ = _e1645.unnamed.word;
                                                                     } else {
-                                                                        phi_2285_ = _e1627.unnamed.shift;
+                                                                        phi_2304_ = _e1645.unnamed.shift;
                                                                     }
-                                                                    let _e1784 = phi_2285_;
-                                                                    if (_e1780 == 0u) {
-                                                                        phi_2295_ = _e1696.unnamed.word;
+                                                                    let _e1802 = phi_2304_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2314_ = _e1714.unnamed.word;
                                                                     } else {
-                                                                        phi_2295_ = _e1696.unnamed.shift;
+                                                                        phi_2314_ = _e1714.unnamed.shift;
                                                                     }
-                                                                    let _e1793 = phi_2295_;
-                                                                    if (_e1780 == 0u) {
-                                                                        phi_2305_ = _e1765.unnamed.word;
+                                                                    let _e1811 = phi_2314_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2324_ = _e1783.unnamed.word;
                                                                     } else {
-                                                                        phi_2305_ = _e1765.unnamed.shift;
+                                                                        phi_2324_ = _e1783.unnamed.shift;
                                                                     }
-                                                                    let _e1802 = phi_2305_;
-                                                                    let _e1815 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1784 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1540) + (_e1558 - _e1317)), ((f32(((_e1793 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 - _e1318)));
-                                                                    let _e1816 = core_intrinsics_maximum_number_nsz_f32_(_e1815, ((f32(((_e1802 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 - _e1319)));
-                                                                    if (_e1780 == 0u) {
-                                                                        phi_2323_ = _e1627.unnamed_1.word;
+                                                                    let _e1820 = phi_2324_;
+                                                                    let _e1833 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1802 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 - _e1335)), ((f32(((_e1811 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 - _e1336)));
+                                                                    let _e1834 = core_intrinsics_maximum_number_nsz_f32_(_e1833, ((f32(((_e1820 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 - _e1337)));
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2342_ = _e1645.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2323_ = _e1627.unnamed_1.shift;
+                                                                        phi_2342_ = _e1645.unnamed_1.shift;
                                                                     }
-                                                                    let _e1819 = phi_2323_;
-                                                                    if (_e1780 == 0u) {
-                                                                        phi_2333_ = _e1696.unnamed_1.word;
+                                                                    let _e1837 = phi_2342_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2352_ = _e1714.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2333_ = _e1696.unnamed_1.shift;
+                                                                        phi_2352_ = _e1714.unnamed_1.shift;
                                                                     }
-                                                                    let _e1828 = phi_2333_;
-                                                                    if (_e1780 == 0u) {
-                                                                        phi_2343_ = _e1765.unnamed_1.word;
+                                                                    let _e1846 = phi_2352_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2362_ = _e1783.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2343_ = _e1765.unnamed_1.shift;
+                                                                        phi_2362_ = _e1783.unnamed_1.shift;
                                                                     }
-                                                                    let _e1837 = phi_2343_;
-                                                                    let _e1850 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1819 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1540) + (_e1558 + _e1317)), ((f32(((_e1828 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 + _e1318)));
-                                                                    let _e1851 = core_intrinsics_minimum_number_nsz_f32_(_e1850, ((f32(((_e1837 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 + _e1319)));
-                                                                    if (_e1816 <= _e1851) {
-                                                                        if (_e1816 <= _e1505.t) {
-                                                                            if (_e1851 >= _e157.tmin) {
-                                                                                if (_e1780 == 0u) {
-                                                                                    let _e1858 = nodes.member[(0u + _e1507)].links[2u];
-                                                                                    phi_2379_ = _e1858;
+                                                                    let _e1855 = phi_2362_;
+                                                                    let _e1868 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1837 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 + _e1335)), ((f32(((_e1846 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 + _e1336)));
+                                                                    let _e1869 = core_intrinsics_minimum_number_nsz_f32_(_e1868, ((f32(((_e1855 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 + _e1337)));
+                                                                    if (_e1834 <= _e1869) {
+                                                                        if (_e1834 <= _e1523.t) {
+                                                                            if (_e1869 >= _e175.tmin) {
+                                                                                if (_e1798 == 0u) {
+                                                                                    let _e1876 = nodes.member[(0u + _e1525)].links[2u];
+                                                                                    phi_2398_ = _e1876;
                                                                                 } else {
-                                                                                    let _e1861 = nodes.member[(0u + _e1507)].links[3u];
-                                                                                    phi_2379_ = _e1861;
+                                                                                    let _e1879 = nodes.member[(0u + _e1525)].links[3u];
+                                                                                    phi_2398_ = _e1879;
                                                                                 }
-                                                                                let _e1863 = phi_2379_;
-                                                                                let _e1868 = ((_e1863 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u);
-                                                                                let _e1869 = (_e1868 & 31u);
-                                                                                if (_e1869 >= 24u) {
-                                                                                    phi_2392_ = (24u + ((_e1869 - 24u) ^ _e1367));
+                                                                                let _e1881 = phi_2398_;
+                                                                                let _e1886 = ((_e1881 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u);
+                                                                                let _e1887 = (_e1886 & 31u);
+                                                                                if (_e1887 >= 24u) {
+                                                                                    phi_2411_ = (24u + ((_e1887 - 24u) ^ _e1385));
                                                                                 } else {
-                                                                                    phi_2392_ = _e1869;
+                                                                                    phi_2411_ = _e1887;
                                                                                 }
-                                                                                let _e1875 = phi_2392_;
-                                                                                phi_2397_ = (_e1777 | ((_e1868 >> bitcast<u32>(5i)) << bitcast<u32>((_e1875 & 31u))));
+                                                                                let _e1893 = phi_2411_;
+                                                                                phi_2416_ = (_e1795 | ((_e1886 >> bitcast<u32>(5i)) << bitcast<u32>((_e1893 & 31u))));
                                                                             } else {
-                                                                                phi_2397_ = _e1777;
+                                                                                phi_2416_ = _e1795;
                                                                             }
-                                                                            let _e1883 = phi_2397_;
-                                                                            phi_2398_ = _e1883;
+                                                                            let _e1901 = phi_2416_;
+                                                                            phi_2417_ = _e1901;
                                                                         } else {
-                                                                            phi_2398_ = _e1777;
+                                                                            phi_2417_ = _e1795;
                                                                         }
-                                                                        let _e1885 = phi_2398_;
-                                                                        phi_2399_ = _e1885;
+                                                                        let _e1903 = phi_2417_;
+                                                                        phi_2418_ = _e1903;
                                                                     } else {
-                                                                        phi_2399_ = _e1777;
+                                                                        phi_2418_ = _e1795;
                                                                     }
-                                                                    let _e1887 = phi_2399_;
-                                                                    phi_2269_ = (_e1775 + 1u);
-                                                                    phi_2272_ = _e1887;
+                                                                    let _e1905 = phi_2418_;
+                                                                    phi_2288_ = (_e1793 + 1u);
+                                                                    phi_2291_ = _e1905;
                                                                 } else {
-                                                                    phi_2269_ = u32();
-                                                                    phi_2272_ = u32();
+                                                                    phi_2288_ = u32();
+                                                                    phi_2291_ = u32();
                                                                 }
-                                                                let _e1890 = phi_2269_;
-                                                                let _e1892 = phi_2272_;
+                                                                let _e1908 = phi_2288_;
+                                                                let _e1910 = phi_2291_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2268_ = _e1890;
-                                                                    phi_2271_ = _e1892;
-                                                                    break if !(_e1778);
+                                                                    phi_2287_ = _e1908;
+                                                                    phi_2290_ = _e1910;
+                                                                    break if !(_e1796);
                                                                 }
                                                             }
-                                                            let _e1896 = nodes.member[(0u + _e1507)].links[0u];
-                                                            let _e1900 = nodes.member[(0u + _e1507)].frame[3u];
-                                                            let _e1904 = local_6;
-                                                            if ((_e1904 & 4278190080u) == 0u) {
+                                                            let _e1914 = nodes.member[(0u + _e1525)].links[0u];
+                                                            let _e1918 = nodes.member[(0u + _e1525)].frame[3u];
+                                                            let _e1922 = local_6;
+                                                            if ((_e1922 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1908 = local_1.group_mask;
-                                                                if ((_e1908 & 4278190080u) == 0u) {
+                                                                let _e1926 = local_1.group_mask;
+                                                                if ((_e1926 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1912 = local_1.len;
-                                                                    if (_e1912 < 32u) {
-                                                                        let _e1915 = local_1.group;
-                                                                        let _e1917 = local_1.len;
-                                                                        if (_e1917 < 32u) {
+                                                                    let _e1930 = local_1.len;
+                                                                    if (_e1930 < 32u) {
+                                                                        let _e1933 = local_1.group;
+                                                                        let _e1935 = local_1.len;
+                                                                        if (_e1935 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1917)] = _e1915;
-                                                                        let _e1923 = local_1.group_mask;
-                                                                        let _e1925 = local_1.len;
-                                                                        if (_e1925 < 32u) {
+                                                                        local_1.first[(0u + _e1935)] = _e1933;
+                                                                        let _e1941 = local_1.group_mask;
+                                                                        let _e1943 = local_1.len;
+                                                                        if (_e1943 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1925)] = _e1923;
-                                                                        let _e1932 = local_1.len;
-                                                                        local_1.len = (_e1932 + 1u);
+                                                                        local_1.mask[(0u + _e1943)] = _e1941;
+                                                                        let _e1950 = local_1.len;
+                                                                        local_1.len = (_e1950 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1133 + _e1896);
-                                                                let _e1936 = local_7;
-                                                                local_1.group_mask = ((_e1936 & 4278190080u) | (_e1900 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1151 + _e1914);
+                                                                let _e1954 = local_7;
+                                                                local_1.group_mask = ((_e1954 & 4278190080u) | (_e1918 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1941 = local_8;
-                                                            phi_2457_ = _e1505;
-                                                            phi_2460_ = (_e1941 & 16777215u);
+                                                            let _e1959 = local_8;
+                                                            phi_2476_ = _e1523;
+                                                            phi_2479_ = (_e1959 & 16777215u);
                                                             loop {
-                                                                let _e1944 = phi_2457_;
-                                                                let _e1946 = phi_2460_;
-                                                                local_9 = _e1944;
-                                                                if (_e1946 == 0u) {
-                                                                    phi_2458_ = lt_bvh_Hit();
-                                                                    phi_2461_ = u32();
-                                                                    phi_3102_ = false;
+                                                                let _e1962 = phi_2476_;
+                                                                let _e1964 = phi_2479_;
+                                                                local_9 = _e1962;
+                                                                if (_e1964 == 0u) {
+                                                                    phi_2477_ = lt_bvh_Hit();
+                                                                    phi_2480_ = u32();
+                                                                    phi_3121_ = false;
                                                                 } else {
-                                                                    let _e1950 = nodes.member[(0u + _e1507)].links[1u];
-                                                                    let _e1955 = ((_e1135 + _e1950) + select(firstTrailingBit(_e1946), 32u, (_e1946 == 0u)));
-                                                                    if (_e1955 < _e79) {
+                                                                    let _e1968 = nodes.member[(0u + _e1525)].links[1u];
+                                                                    let _e1973 = ((_e1153 + _e1968) + select(firstTrailingBit(_e1964), 32u, (_e1964 == 0u)));
+                                                                    if (_e1973 < _e80) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1962 = triangles.member[(0u + _e1955)].v0_;
-                                                                    let _e1964 = (_e1962.x - _e1058);
-                                                                    let _e1966 = (_e1962.y - _e1071);
-                                                                    let _e1968 = (_e1962.z - _e1084);
-                                                                    if (_e1340 == 0u) {
-                                                                        phi_2505_ = vec3<f32>(_e1966, _e1968, _e1964);
+                                                                    let _e1980 = triangles.member[(0u + _e1973)].v0_;
+                                                                    let _e1982 = (_e1980.x - _e1076);
+                                                                    let _e1984 = (_e1980.y - _e1089);
+                                                                    let _e1986 = (_e1980.z - _e1102);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2524_ = vec3<f32>(_e1984, _e1986, _e1982);
                                                                     } else {
-                                                                        if (_e1340 == 1u) {
-                                                                            phi_2504_ = vec3<f32>(_e1968, _e1964, _e1966);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2523_ = vec3<f32>(_e1986, _e1982, _e1984);
                                                                         } else {
-                                                                            phi_2504_ = (_e1962 - vec3<f32>(_e1058, _e1071, _e1084));
+                                                                            phi_2523_ = (_e1980 - vec3<f32>(_e1076, _e1089, _e1102));
                                                                         }
-                                                                        let _e1976 = phi_2504_;
-                                                                        phi_2505_ = _e1976;
+                                                                        let _e1994 = phi_2523_;
+                                                                        phi_2524_ = _e1994;
                                                                     }
-                                                                    let _e1978 = phi_2505_;
-                                                                    let _e1982 = (_e1978.x - (_e1351 * _e1978.z));
-                                                                    let _e1986 = (_e1978.y - (_e1354 * _e1978.z));
-                                                                    let _e1988 = triangles.member[(0u + _e1955)].v1_;
-                                                                    let _e1990 = (_e1988.x - _e1058);
-                                                                    let _e1992 = (_e1988.y - _e1071);
-                                                                    let _e1994 = (_e1988.z - _e1084);
-                                                                    if (_e1340 == 0u) {
-                                                                        phi_2535_ = vec3<f32>(_e1992, _e1994, _e1990);
+                                                                    let _e1996 = phi_2524_;
+                                                                    let _e2000 = (_e1996.x - (_e1369 * _e1996.z));
+                                                                    let _e2004 = (_e1996.y - (_e1372 * _e1996.z));
+                                                                    let _e2006 = triangles.member[(0u + _e1973)].v1_;
+                                                                    let _e2008 = (_e2006.x - _e1076);
+                                                                    let _e2010 = (_e2006.y - _e1089);
+                                                                    let _e2012 = (_e2006.z - _e1102);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2554_ = vec3<f32>(_e2010, _e2012, _e2008);
                                                                     } else {
-                                                                        if (_e1340 == 1u) {
-                                                                            phi_2534_ = vec3<f32>(_e1994, _e1990, _e1992);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2553_ = vec3<f32>(_e2012, _e2008, _e2010);
                                                                         } else {
-                                                                            phi_2534_ = (_e1988 - vec3<f32>(_e1058, _e1071, _e1084));
+                                                                            phi_2553_ = (_e2006 - vec3<f32>(_e1076, _e1089, _e1102));
                                                                         }
-                                                                        let _e2002 = phi_2534_;
-                                                                        phi_2535_ = _e2002;
+                                                                        let _e2020 = phi_2553_;
+                                                                        phi_2554_ = _e2020;
                                                                     }
-                                                                    let _e2004 = phi_2535_;
-                                                                    let _e2008 = (_e2004.x - (_e1351 * _e2004.z));
-                                                                    let _e2012 = (_e2004.y - (_e1354 * _e2004.z));
-                                                                    let _e2014 = triangles.member[(0u + _e1955)].v2_;
-                                                                    let _e2016 = (_e2014.x - _e1058);
-                                                                    let _e2018 = (_e2014.y - _e1071);
-                                                                    let _e2020 = (_e2014.z - _e1084);
-                                                                    if (_e1340 == 0u) {
-                                                                        phi_2565_ = vec3<f32>(_e2018, _e2020, _e2016);
+                                                                    let _e2022 = phi_2554_;
+                                                                    let _e2026 = (_e2022.x - (_e1369 * _e2022.z));
+                                                                    let _e2030 = (_e2022.y - (_e1372 * _e2022.z));
+                                                                    let _e2032 = triangles.member[(0u + _e1973)].v2_;
+                                                                    let _e2034 = (_e2032.x - _e1076);
+                                                                    let _e2036 = (_e2032.y - _e1089);
+                                                                    let _e2038 = (_e2032.z - _e1102);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2584_ = vec3<f32>(_e2036, _e2038, _e2034);
                                                                     } else {
-                                                                        if (_e1340 == 1u) {
-                                                                            phi_2564_ = vec3<f32>(_e2020, _e2016, _e2018);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2583_ = vec3<f32>(_e2038, _e2034, _e2036);
                                                                         } else {
-                                                                            phi_2564_ = (_e2014 - vec3<f32>(_e1058, _e1071, _e1084));
+                                                                            phi_2583_ = (_e2032 - vec3<f32>(_e1076, _e1089, _e1102));
                                                                         }
-                                                                        let _e2028 = phi_2564_;
-                                                                        phi_2565_ = _e2028;
+                                                                        let _e2046 = phi_2583_;
+                                                                        phi_2584_ = _e2046;
                                                                     }
-                                                                    let _e2030 = phi_2565_;
-                                                                    let _e2034 = (_e2030.x - (_e1351 * _e2030.z));
-                                                                    let _e2038 = (_e2030.y - (_e1354 * _e2030.z));
-                                                                    if (_e2008 < _e2034) {
-                                                                        phi_2584_ = true;
+                                                                    let _e2048 = phi_2584_;
+                                                                    let _e2052 = (_e2048.x - (_e1369 * _e2048.z));
+                                                                    let _e2056 = (_e2048.y - (_e1372 * _e2048.z));
+                                                                    if (_e2026 < _e2052) {
+                                                                        phi_2603_ = true;
                                                                     } else {
-                                                                        if (_e2008 == _e2034) {
-                                                                            phi_2583_ = (_e2012 < _e2038);
+                                                                        if (_e2026 == _e2052) {
+                                                                            phi_2602_ = (_e2030 < _e2056);
                                                                         } else {
-                                                                            phi_2583_ = false;
+                                                                            phi_2602_ = false;
                                                                         }
-                                                                        let _e2043 = phi_2583_;
-                                                                        phi_2584_ = _e2043;
+                                                                        let _e2061 = phi_2602_;
+                                                                        phi_2603_ = _e2061;
                                                                     }
-                                                                    let _e2045 = phi_2584_;
-                                                                    if _e2045 {
-                                                                        phi_2588_ = _e2038;
-                                                                        phi_2589_ = _e2034;
-                                                                        phi_2590_ = _e2012;
-                                                                        phi_2591_ = _e2008;
+                                                                    let _e2063 = phi_2603_;
+                                                                    if _e2063 {
+                                                                        phi_2607_ = _e2056;
+                                                                        phi_2608_ = _e2052;
+                                                                        phi_2609_ = _e2030;
+                                                                        phi_2610_ = _e2026;
                                                                     } else {
-                                                                        phi_2588_ = _e2012;
-                                                                        phi_2589_ = _e2008;
-                                                                        phi_2590_ = _e2038;
-                                                                        phi_2591_ = _e2034;
+                                                                        phi_2607_ = _e2030;
+                                                                        phi_2608_ = _e2026;
+                                                                        phi_2609_ = _e2056;
+                                                                        phi_2610_ = _e2052;
                                                                     }
-                                                                    let _e2047 = phi_2588_;
-                                                                    let _e2049 = phi_2589_;
-                                                                    let _e2051 = phi_2590_;
-                                                                    let _e2053 = phi_2591_;
-                                                                    let _e2056 = ((_e2053 * _e2047) - (_e2051 * _e2049));
-                                                                    if _e2045 {
-                                                                        phi_2599_ = -(_e2056);
+                                                                    let _e2065 = phi_2607_;
+                                                                    let _e2067 = phi_2608_;
+                                                                    let _e2069 = phi_2609_;
+                                                                    let _e2071 = phi_2610_;
+                                                                    let _e2074 = ((_e2071 * _e2065) - (_e2069 * _e2067));
+                                                                    if _e2063 {
+                                                                        phi_2618_ = -(_e2074);
                                                                     } else {
-                                                                        phi_2599_ = _e2056;
+                                                                        phi_2618_ = _e2074;
                                                                     }
-                                                                    let _e2059 = phi_2599_;
-                                                                    if (_e2034 < _e1982) {
-                                                                        phi_2610_ = true;
+                                                                    let _e2077 = phi_2618_;
+                                                                    if (_e2052 < _e2000) {
+                                                                        phi_2629_ = true;
                                                                     } else {
-                                                                        if (_e2034 == _e1982) {
-                                                                            phi_2609_ = (_e2038 < _e1986);
+                                                                        if (_e2052 == _e2000) {
+                                                                            phi_2628_ = (_e2056 < _e2004);
                                                                         } else {
-                                                                            phi_2609_ = false;
+                                                                            phi_2628_ = false;
                                                                         }
-                                                                        let _e2064 = phi_2609_;
-                                                                        phi_2610_ = _e2064;
+                                                                        let _e2082 = phi_2628_;
+                                                                        phi_2629_ = _e2082;
                                                                     }
-                                                                    let _e2066 = phi_2610_;
-                                                                    if _e2066 {
-                                                                        phi_2614_ = _e1986;
-                                                                        phi_2615_ = _e1982;
-                                                                        phi_2616_ = _e2038;
-                                                                        phi_2617_ = _e2034;
+                                                                    let _e2084 = phi_2629_;
+                                                                    if _e2084 {
+                                                                        phi_2633_ = _e2004;
+                                                                        phi_2634_ = _e2000;
+                                                                        phi_2635_ = _e2056;
+                                                                        phi_2636_ = _e2052;
                                                                     } else {
-                                                                        phi_2614_ = _e2038;
-                                                                        phi_2615_ = _e2034;
-                                                                        phi_2616_ = _e1986;
-                                                                        phi_2617_ = _e1982;
+                                                                        phi_2633_ = _e2056;
+                                                                        phi_2634_ = _e2052;
+                                                                        phi_2635_ = _e2004;
+                                                                        phi_2636_ = _e2000;
                                                                     }
-                                                                    let _e2068 = phi_2614_;
-                                                                    let _e2070 = phi_2615_;
-                                                                    let _e2072 = phi_2616_;
-                                                                    let _e2074 = phi_2617_;
-                                                                    let _e2077 = ((_e2074 * _e2068) - (_e2072 * _e2070));
-                                                                    if _e2066 {
-                                                                        phi_2625_ = -(_e2077);
+                                                                    let _e2086 = phi_2633_;
+                                                                    let _e2088 = phi_2634_;
+                                                                    let _e2090 = phi_2635_;
+                                                                    let _e2092 = phi_2636_;
+                                                                    let _e2095 = ((_e2092 * _e2086) - (_e2090 * _e2088));
+                                                                    if _e2084 {
+                                                                        phi_2644_ = -(_e2095);
                                                                     } else {
-                                                                        phi_2625_ = _e2077;
+                                                                        phi_2644_ = _e2095;
                                                                     }
-                                                                    let _e2080 = phi_2625_;
-                                                                    if (_e1982 < _e2008) {
-                                                                        phi_2636_ = true;
+                                                                    let _e2098 = phi_2644_;
+                                                                    if (_e2000 < _e2026) {
+                                                                        phi_2655_ = true;
                                                                     } else {
-                                                                        if (_e1982 == _e2008) {
-                                                                            phi_2635_ = (_e1986 < _e2012);
+                                                                        if (_e2000 == _e2026) {
+                                                                            phi_2654_ = (_e2004 < _e2030);
                                                                         } else {
-                                                                            phi_2635_ = false;
+                                                                            phi_2654_ = false;
                                                                         }
-                                                                        let _e2085 = phi_2635_;
-                                                                        phi_2636_ = _e2085;
+                                                                        let _e2103 = phi_2654_;
+                                                                        phi_2655_ = _e2103;
                                                                     }
-                                                                    let _e2087 = phi_2636_;
-                                                                    if _e2087 {
-                                                                        phi_2640_ = _e2012;
-                                                                        phi_2641_ = _e2008;
-                                                                        phi_2642_ = _e1986;
-                                                                        phi_2643_ = _e1982;
+                                                                    let _e2105 = phi_2655_;
+                                                                    if _e2105 {
+                                                                        phi_2659_ = _e2030;
+                                                                        phi_2660_ = _e2026;
+                                                                        phi_2661_ = _e2004;
+                                                                        phi_2662_ = _e2000;
                                                                     } else {
-                                                                        phi_2640_ = _e1986;
-                                                                        phi_2641_ = _e1982;
-                                                                        phi_2642_ = _e2012;
-                                                                        phi_2643_ = _e2008;
+                                                                        phi_2659_ = _e2004;
+                                                                        phi_2660_ = _e2000;
+                                                                        phi_2661_ = _e2030;
+                                                                        phi_2662_ = _e2026;
                                                                     }
-                                                                    let _e2089 = phi_2640_;
-                                                                    let _e2091 = phi_2641_;
-                                                                    let _e2093 = phi_2642_;
-                                                                    let _e2095 = phi_2643_;
-                                                                    let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
-                                                                    if _e2087 {
-                                                                        phi_2651_ = -(_e2098);
+                                                                    let _e2107 = phi_2659_;
+                                                                    let _e2109 = phi_2660_;
+                                                                    let _e2111 = phi_2661_;
+                                                                    let _e2113 = phi_2662_;
+                                                                    let _e2116 = ((_e2113 * _e2107) - (_e2111 * _e2109));
+                                                                    if _e2105 {
+                                                                        phi_2670_ = -(_e2116);
                                                                     } else {
-                                                                        phi_2651_ = _e2098;
+                                                                        phi_2670_ = _e2116;
                                                                     }
-                                                                    let _e2101 = phi_2651_;
-                                                                    if (_e2059 >= 0f) {
-                                                                        if (_e2080 >= 0f) {
-                                                                            if (_e2101 >= 0f) {
-                                                                                phi_2666_ = ((_e2059 + _e2080) + _e2101);
-                                                                                phi_2667_ = false;
+                                                                    let _e2119 = phi_2670_;
+                                                                    if (_e2077 >= 0f) {
+                                                                        if (_e2098 >= 0f) {
+                                                                            if (_e2119 >= 0f) {
+                                                                                phi_2685_ = ((_e2077 + _e2098) + _e2119);
+                                                                                phi_2686_ = false;
                                                                             } else {
-                                                                                phi_2666_ = f32();
-                                                                                phi_2667_ = true;
+                                                                                phi_2685_ = f32();
+                                                                                phi_2686_ = true;
                                                                             }
-                                                                            let _e2108 = phi_2666_;
-                                                                            let _e2110 = phi_2667_;
-                                                                            phi_2668_ = _e2108;
-                                                                            phi_2669_ = _e2110;
+                                                                            let _e2126 = phi_2685_;
+                                                                            let _e2128 = phi_2686_;
+                                                                            phi_2687_ = _e2126;
+                                                                            phi_2688_ = _e2128;
                                                                         } else {
-                                                                            phi_2668_ = f32();
-                                                                            phi_2669_ = true;
+                                                                            phi_2687_ = f32();
+                                                                            phi_2688_ = true;
                                                                         }
-                                                                        let _e2112 = phi_2668_;
-                                                                        let _e2114 = phi_2669_;
-                                                                        phi_2670_ = _e2112;
-                                                                        phi_2671_ = _e2114;
+                                                                        let _e2130 = phi_2687_;
+                                                                        let _e2132 = phi_2688_;
+                                                                        phi_2689_ = _e2130;
+                                                                        phi_2690_ = _e2132;
                                                                     } else {
-                                                                        phi_2670_ = f32();
-                                                                        phi_2671_ = true;
+                                                                        phi_2689_ = f32();
+                                                                        phi_2690_ = true;
                                                                     }
-                                                                    let _e2116 = phi_2670_;
-                                                                    let _e2118 = phi_2671_;
-                                                                    if _e2118 {
-                                                                        if (_e2059 <= 0f) {
-                                                                            if (_e2080 <= 0f) {
-                                                                                let _e2121 = (_e2101 <= 0f);
-                                                                                if _e2121 {
+                                                                    let _e2134 = phi_2689_;
+                                                                    let _e2136 = phi_2690_;
+                                                                    if _e2136 {
+                                                                        if (_e2077 <= 0f) {
+                                                                            if (_e2098 <= 0f) {
+                                                                                let _e2139 = (_e2119 <= 0f);
+                                                                                if _e2139 {
                                                                                 }
-                                                                                phi_2689_ = ((_e2059 + _e2080) + _e2101);
-                                                                                phi_2690_ = false;
-                                                                                phi_2691_ = _e2121;
+                                                                                phi_2708_ = ((_e2077 + _e2098) + _e2119);
+                                                                                phi_2709_ = false;
+                                                                                phi_2710_ = _e2139;
                                                                             } else {
-                                                                                phi_2689_ = f32();
-                                                                                phi_2690_ = true;
-                                                                                phi_2691_ = false;
+                                                                                phi_2708_ = f32();
+                                                                                phi_2709_ = true;
+                                                                                phi_2710_ = false;
                                                                             }
-                                                                            let _e2125 = phi_2689_;
-                                                                            let _e2127 = phi_2690_;
-                                                                            let _e2129 = phi_2691_;
-                                                                            phi_2692_ = _e2125;
-                                                                            phi_2693_ = _e2127;
-                                                                            phi_2694_ = _e2129;
+                                                                            let _e2143 = phi_2708_;
+                                                                            let _e2145 = phi_2709_;
+                                                                            let _e2147 = phi_2710_;
+                                                                            phi_2711_ = _e2143;
+                                                                            phi_2712_ = _e2145;
+                                                                            phi_2713_ = _e2147;
                                                                         } else {
-                                                                            phi_2692_ = f32();
-                                                                            phi_2693_ = true;
-                                                                            phi_2694_ = false;
+                                                                            phi_2711_ = f32();
+                                                                            phi_2712_ = true;
+                                                                            phi_2713_ = false;
                                                                         }
-                                                                        let _e2131 = phi_2692_;
-                                                                        let _e2133 = phi_2693_;
-                                                                        let _e2135 = phi_2694_;
-                                                                        if _e2133 {
-                                                                            phi_2698_ = false;
+                                                                        let _e2149 = phi_2711_;
+                                                                        let _e2151 = phi_2712_;
+                                                                        let _e2153 = phi_2713_;
+                                                                        if _e2151 {
+                                                                            phi_2717_ = false;
                                                                         } else {
-                                                                            phi_2698_ = _e2135;
+                                                                            phi_2717_ = _e2153;
                                                                         }
-                                                                        let _e2137 = phi_2698_;
-                                                                        phi_2699_ = _e2131;
-                                                                        phi_2700_ = _e2137;
+                                                                        let _e2155 = phi_2717_;
+                                                                        phi_2718_ = _e2149;
+                                                                        phi_2719_ = _e2155;
                                                                     } else {
-                                                                        phi_2699_ = _e2116;
-                                                                        phi_2700_ = true;
+                                                                        phi_2718_ = _e2134;
+                                                                        phi_2719_ = true;
                                                                     }
-                                                                    let _e2139 = phi_2699_;
-                                                                    let _e2141 = phi_2700_;
-                                                                    if _e2141 {
-                                                                        let _e2142 = (_e2139 == 0f);
-                                                                        if _e2142 {
-                                                                            phi_3016_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3017_ = false;
+                                                                    let _e2157 = phi_2718_;
+                                                                    let _e2159 = phi_2719_;
+                                                                    if _e2159 {
+                                                                        let _e2160 = (_e2157 == 0f);
+                                                                        if _e2160 {
+                                                                            phi_3035_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3036_ = false;
                                                                         } else {
-                                                                            let _e2144 = triangles.member[(0u + _e1955)].v0_;
-                                                                            let _e2146 = (_e2144.x - _e1058);
-                                                                            let _e2148 = (_e2144.y - _e1071);
-                                                                            let _e2150 = (_e2144.z - _e1084);
-                                                                            if (_e1340 == 0u) {
-                                                                                phi_2729_ = vec3<f32>(_e2148, _e2150, _e2146);
+                                                                            let _e2162 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2164 = (_e2162.x - _e1076);
+                                                                            let _e2166 = (_e2162.y - _e1089);
+                                                                            let _e2168 = (_e2162.z - _e1102);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2748_ = vec3<f32>(_e2166, _e2168, _e2164);
                                                                             } else {
-                                                                                if (_e1340 == 1u) {
-                                                                                    phi_2728_ = vec3<f32>(_e2150, _e2146, _e2148);
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2747_ = vec3<f32>(_e2168, _e2164, _e2166);
                                                                                 } else {
-                                                                                    phi_2728_ = (_e2144 - vec3<f32>(_e1058, _e1071, _e1084));
+                                                                                    phi_2747_ = (_e2162 - vec3<f32>(_e1076, _e1089, _e1102));
                                                                                 }
-                                                                                let _e2158 = phi_2728_;
-                                                                                phi_2729_ = _e2158;
+                                                                                let _e2176 = phi_2747_;
+                                                                                phi_2748_ = _e2176;
                                                                             }
-                                                                            let _e2160 = phi_2729_;
-                                                                            let _e2162 = triangles.member[(0u + _e1955)].v1_;
-                                                                            let _e2164 = triangles.member[(0u + _e1955)].v0_;
-                                                                            let _e2167 = (_e2162.x - _e2164.x);
-                                                                            let _e2170 = (_e2162.y - _e2164.y);
-                                                                            let _e2173 = (_e2162.z - _e2164.z);
-                                                                            if (_e1340 == 0u) {
-                                                                                phi_2755_ = vec3<f32>(_e2170, _e2173, _e2167);
+                                                                            let _e2178 = phi_2748_;
+                                                                            let _e2180 = triangles.member[(0u + _e1973)].v1_;
+                                                                            let _e2182 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2185 = (_e2180.x - _e2182.x);
+                                                                            let _e2188 = (_e2180.y - _e2182.y);
+                                                                            let _e2191 = (_e2180.z - _e2182.z);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2774_ = vec3<f32>(_e2188, _e2191, _e2185);
                                                                             } else {
-                                                                                if (_e1340 == 1u) {
-                                                                                    phi_2754_ = vec3<f32>(_e2173, _e2167, _e2170);
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2773_ = vec3<f32>(_e2191, _e2185, _e2188);
                                                                                 } else {
-                                                                                    phi_2754_ = (_e2162 - _e2164);
+                                                                                    phi_2773_ = (_e2180 - _e2182);
                                                                                 }
-                                                                                let _e2180 = phi_2754_;
-                                                                                phi_2755_ = _e2180;
+                                                                                let _e2198 = phi_2773_;
+                                                                                phi_2774_ = _e2198;
                                                                             }
-                                                                            let _e2182 = phi_2755_;
-                                                                            let _e2184 = triangles.member[(0u + _e1955)].v2_;
-                                                                            let _e2186 = triangles.member[(0u + _e1955)].v0_;
-                                                                            let _e2189 = (_e2184.x - _e2186.x);
-                                                                            let _e2192 = (_e2184.y - _e2186.y);
-                                                                            let _e2195 = (_e2184.z - _e2186.z);
-                                                                            if (_e1340 == 0u) {
-                                                                                phi_2781_ = vec3<f32>(_e2192, _e2195, _e2189);
+                                                                            let _e2200 = phi_2774_;
+                                                                            let _e2202 = triangles.member[(0u + _e1973)].v2_;
+                                                                            let _e2204 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2207 = (_e2202.x - _e2204.x);
+                                                                            let _e2210 = (_e2202.y - _e2204.y);
+                                                                            let _e2213 = (_e2202.z - _e2204.z);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2800_ = vec3<f32>(_e2210, _e2213, _e2207);
                                                                             } else {
-                                                                                if (_e1340 == 1u) {
-                                                                                    phi_2780_ = vec3<f32>(_e2195, _e2189, _e2192);
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2799_ = vec3<f32>(_e2213, _e2207, _e2210);
                                                                                 } else {
-                                                                                    phi_2780_ = (_e2184 - _e2186);
+                                                                                    phi_2799_ = (_e2202 - _e2204);
                                                                                 }
-                                                                                let _e2202 = phi_2780_;
-                                                                                phi_2781_ = _e2202;
+                                                                                let _e2220 = phi_2799_;
+                                                                                phi_2800_ = _e2220;
                                                                             }
-                                                                            let _e2204 = phi_2781_;
-                                                                            let _e2211 = ((_e2182.y * _e2204.z) - (_e2182.z * _e2204.y));
-                                                                            let _e2218 = ((_e2182.z * _e2204.x) - (_e2182.x * _e2204.z));
-                                                                            let _e2225 = ((_e2182.x * _e2204.y) - (_e2182.y * _e2204.x));
-                                                                            let _e2239 = (((1f / _e1348.z) * (((_e2211 * _e2160.x) + (_e2218 * _e2160.y)) + (_e2225 * _e2160.z))) / (((_e2211 * _e1351) + (_e2218 * _e1354)) + _e2225));
-                                                                            if (_e2239 > _e157.tmin) {
-                                                                                if (_e2239 < _e157.tmax) {
-                                                                                    let _e2243 = triangles.member[(0u + _e1955)].v0_;
-                                                                                    let _e2245 = triangles.member[(0u + _e1955)].v1_;
-                                                                                    if (_e2243.x < _e2245.x) {
-                                                                                        phi_2837_ = _e2243.x;
+                                                                            let _e2222 = phi_2800_;
+                                                                            let _e2229 = ((_e2200.y * _e2222.z) - (_e2200.z * _e2222.y));
+                                                                            let _e2236 = ((_e2200.z * _e2222.x) - (_e2200.x * _e2222.z));
+                                                                            let _e2243 = ((_e2200.x * _e2222.y) - (_e2200.y * _e2222.x));
+                                                                            let _e2257 = (((1f / _e1366.z) * (((_e2229 * _e2178.x) + (_e2236 * _e2178.y)) + (_e2243 * _e2178.z))) / (((_e2229 * _e1369) + (_e2236 * _e1372)) + _e2243));
+                                                                            if (_e2257 > _e175.tmin) {
+                                                                                if (_e2257 < _e175.tmax) {
+                                                                                    let _e2261 = triangles.member[(0u + _e1973)].v0_;
+                                                                                    let _e2263 = triangles.member[(0u + _e1973)].v1_;
+                                                                                    if (_e2261.x < _e2263.x) {
+                                                                                        phi_2856_ = _e2261.x;
                                                                                     } else {
-                                                                                        phi_2837_ = _e2245.x;
+                                                                                        phi_2856_ = _e2263.x;
                                                                                     }
-                                                                                    let _e2252 = phi_2837_;
-                                                                                    if (_e2243.y < _e2245.y) {
-                                                                                        phi_2846_ = _e2243.y;
+                                                                                    let _e2270 = phi_2856_;
+                                                                                    if (_e2261.y < _e2263.y) {
+                                                                                        phi_2865_ = _e2261.y;
                                                                                     } else {
-                                                                                        phi_2846_ = _e2245.y;
+                                                                                        phi_2865_ = _e2263.y;
                                                                                     }
-                                                                                    let _e2259 = phi_2846_;
-                                                                                    if (_e2243.z < _e2245.z) {
-                                                                                        phi_2855_ = _e2243.z;
+                                                                                    let _e2277 = phi_2865_;
+                                                                                    if (_e2261.z < _e2263.z) {
+                                                                                        phi_2874_ = _e2261.z;
                                                                                     } else {
-                                                                                        phi_2855_ = _e2245.z;
+                                                                                        phi_2874_ = _e2263.z;
                                                                                     }
-                                                                                    let _e2266 = phi_2855_;
-                                                                                    let _e2268 = triangles.member[(0u + _e1955)].v2_;
-                                                                                    if (_e2252 < _e2268.x) {
-                                                                                        phi_2864_ = _e2252;
+                                                                                    let _e2284 = phi_2874_;
+                                                                                    let _e2286 = triangles.member[(0u + _e1973)].v2_;
+                                                                                    if (_e2270 < _e2286.x) {
+                                                                                        phi_2883_ = _e2270;
                                                                                     } else {
-                                                                                        phi_2864_ = _e2268.x;
+                                                                                        phi_2883_ = _e2286.x;
                                                                                     }
-                                                                                    let _e2273 = phi_2864_;
-                                                                                    if (_e2259 < _e2268.y) {
-                                                                                        phi_2871_ = _e2259;
+                                                                                    let _e2291 = phi_2883_;
+                                                                                    if (_e2277 < _e2286.y) {
+                                                                                        phi_2890_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2871_ = _e2268.y;
+                                                                                        phi_2890_ = _e2286.y;
                                                                                     }
-                                                                                    let _e2278 = phi_2871_;
-                                                                                    if (_e2266 < _e2268.z) {
-                                                                                        phi_2878_ = _e2266;
+                                                                                    let _e2296 = phi_2890_;
+                                                                                    if (_e2284 < _e2286.z) {
+                                                                                        phi_2897_ = _e2284;
                                                                                     } else {
-                                                                                        phi_2878_ = _e2268.z;
+                                                                                        phi_2897_ = _e2286.z;
                                                                                     }
-                                                                                    let _e2283 = phi_2878_;
-                                                                                    let _e2285 = triangles.member[(0u + _e1955)].v0_;
-                                                                                    let _e2287 = triangles.member[(0u + _e1955)].v1_;
-                                                                                    if (_e2285.x > _e2287.x) {
-                                                                                        phi_2891_ = _e2285.x;
+                                                                                    let _e2301 = phi_2897_;
+                                                                                    let _e2303 = triangles.member[(0u + _e1973)].v0_;
+                                                                                    let _e2305 = triangles.member[(0u + _e1973)].v1_;
+                                                                                    if (_e2303.x > _e2305.x) {
+                                                                                        phi_2910_ = _e2303.x;
                                                                                     } else {
-                                                                                        phi_2891_ = _e2287.x;
+                                                                                        phi_2910_ = _e2305.x;
                                                                                     }
-                                                                                    let _e2294 = phi_2891_;
-                                                                                    if (_e2285.y > _e2287.y) {
-                                                                                        phi_2900_ = _e2285.y;
+                                                                                    let _e2312 = phi_2910_;
+                                                                                    if (_e2303.y > _e2305.y) {
+                                                                                        phi_2919_ = _e2303.y;
                                                                                     } else {
-                                                                                        phi_2900_ = _e2287.y;
+                                                                                        phi_2919_ = _e2305.y;
                                                                                     }
-                                                                                    let _e2301 = phi_2900_;
-                                                                                    if (_e2285.z > _e2287.z) {
-                                                                                        phi_2909_ = _e2285.z;
+                                                                                    let _e2319 = phi_2919_;
+                                                                                    if (_e2303.z > _e2305.z) {
+                                                                                        phi_2928_ = _e2303.z;
                                                                                     } else {
-                                                                                        phi_2909_ = _e2287.z;
+                                                                                        phi_2928_ = _e2305.z;
                                                                                     }
-                                                                                    let _e2308 = phi_2909_;
-                                                                                    let _e2310 = triangles.member[(0u + _e1955)].v2_;
-                                                                                    if (_e2294 > _e2310.x) {
-                                                                                        phi_2918_ = _e2294;
+                                                                                    let _e2326 = phi_2928_;
+                                                                                    let _e2328 = triangles.member[(0u + _e1973)].v2_;
+                                                                                    if (_e2312 > _e2328.x) {
+                                                                                        phi_2937_ = _e2312;
                                                                                     } else {
-                                                                                        phi_2918_ = _e2310.x;
+                                                                                        phi_2937_ = _e2328.x;
                                                                                     }
-                                                                                    let _e2315 = phi_2918_;
-                                                                                    if (_e2301 > _e2310.y) {
-                                                                                        phi_2925_ = _e2301;
+                                                                                    let _e2333 = phi_2937_;
+                                                                                    if (_e2319 > _e2328.y) {
+                                                                                        phi_2944_ = _e2319;
                                                                                     } else {
-                                                                                        phi_2925_ = _e2310.y;
+                                                                                        phi_2944_ = _e2328.y;
                                                                                     }
-                                                                                    let _e2320 = phi_2925_;
-                                                                                    if (_e2308 > _e2310.z) {
-                                                                                        phi_2932_ = _e2308;
+                                                                                    let _e2338 = phi_2944_;
+                                                                                    if (_e2326 > _e2328.z) {
+                                                                                        phi_2951_ = _e2326;
                                                                                     } else {
-                                                                                        phi_2932_ = _e2310.z;
+                                                                                        phi_2951_ = _e2328.z;
                                                                                     }
-                                                                                    let _e2325 = phi_2932_;
-                                                                                    let _e2329 = ((_e2273 - _e1058) * _e1265);
-                                                                                    let _e2330 = ((_e2278 - _e1071) * _e1275);
-                                                                                    let _e2331 = ((_e2283 - _e1084) * _e1285);
-                                                                                    let _e2335 = ((_e2315 - _e1058) * _e1265);
-                                                                                    let _e2336 = ((_e2320 - _e1071) * _e1275);
-                                                                                    let _e2337 = ((_e2325 - _e1084) * _e1285);
-                                                                                    if (_e2329 < _e2335) {
-                                                                                        phi_2949_ = _e2329;
+                                                                                    let _e2343 = phi_2951_;
+                                                                                    let _e2347 = ((_e2291 - _e1076) * _e1283);
+                                                                                    let _e2348 = ((_e2296 - _e1089) * _e1293);
+                                                                                    let _e2349 = ((_e2301 - _e1102) * _e1303);
+                                                                                    let _e2353 = ((_e2333 - _e1076) * _e1283);
+                                                                                    let _e2354 = ((_e2338 - _e1089) * _e1293);
+                                                                                    let _e2355 = ((_e2343 - _e1102) * _e1303);
+                                                                                    if (_e2347 < _e2353) {
+                                                                                        phi_2968_ = _e2347;
                                                                                     } else {
-                                                                                        phi_2949_ = _e2335;
+                                                                                        phi_2968_ = _e2353;
                                                                                     }
-                                                                                    let _e2340 = phi_2949_;
-                                                                                    if (_e2330 < _e2336) {
-                                                                                        phi_2954_ = _e2330;
+                                                                                    let _e2358 = phi_2968_;
+                                                                                    if (_e2348 < _e2354) {
+                                                                                        phi_2973_ = _e2348;
                                                                                     } else {
-                                                                                        phi_2954_ = _e2336;
+                                                                                        phi_2973_ = _e2354;
                                                                                     }
-                                                                                    let _e2343 = phi_2954_;
-                                                                                    if (_e2331 < _e2337) {
-                                                                                        phi_2959_ = _e2331;
+                                                                                    let _e2361 = phi_2973_;
+                                                                                    if (_e2349 < _e2355) {
+                                                                                        phi_2978_ = _e2349;
                                                                                     } else {
-                                                                                        phi_2959_ = _e2337;
+                                                                                        phi_2978_ = _e2355;
                                                                                     }
-                                                                                    let _e2346 = phi_2959_;
-                                                                                    if (_e2329 > _e2335) {
-                                                                                        phi_2967_ = _e2329;
+                                                                                    let _e2364 = phi_2978_;
+                                                                                    if (_e2347 > _e2353) {
+                                                                                        phi_2986_ = _e2347;
                                                                                     } else {
-                                                                                        phi_2967_ = _e2335;
+                                                                                        phi_2986_ = _e2353;
                                                                                     }
-                                                                                    let _e2352 = phi_2967_;
-                                                                                    if (_e2330 > _e2336) {
-                                                                                        phi_2972_ = _e2330;
+                                                                                    let _e2370 = phi_2986_;
+                                                                                    if (_e2348 > _e2354) {
+                                                                                        phi_2991_ = _e2348;
                                                                                     } else {
-                                                                                        phi_2972_ = _e2336;
+                                                                                        phi_2991_ = _e2354;
                                                                                     }
-                                                                                    let _e2355 = phi_2972_;
-                                                                                    if (_e2331 > _e2337) {
-                                                                                        phi_2977_ = _e2331;
+                                                                                    let _e2373 = phi_2991_;
+                                                                                    if (_e2349 > _e2355) {
+                                                                                        phi_2996_ = _e2349;
                                                                                     } else {
-                                                                                        phi_2977_ = _e2337;
+                                                                                        phi_2996_ = _e2355;
                                                                                     }
-                                                                                    let _e2358 = phi_2977_;
-                                                                                    let _e2362 = core_intrinsics_maximum_number_nsz_f32_((_e2340 - _e1324), (_e2343 - _e1325));
-                                                                                    let _e2363 = core_intrinsics_maximum_number_nsz_f32_(_e2362, (_e2346 - _e1326));
-                                                                                    let _e2364 = core_intrinsics_minimum_number_nsz_f32_((_e2352 + _e1324), (_e2355 + _e1325));
-                                                                                    let _e2365 = core_intrinsics_minimum_number_nsz_f32_(_e2364, (_e2358 + _e1326));
-                                                                                    if (_e2363 > _e1033) {
-                                                                                        phi_2989_ = _e2363;
+                                                                                    let _e2376 = phi_2996_;
+                                                                                    let _e2380 = core_intrinsics_maximum_number_nsz_f32_((_e2358 - _e1342), (_e2361 - _e1343));
+                                                                                    let _e2381 = core_intrinsics_maximum_number_nsz_f32_(_e2380, (_e2364 - _e1344));
+                                                                                    let _e2382 = core_intrinsics_minimum_number_nsz_f32_((_e2370 + _e1342), (_e2373 + _e1343));
+                                                                                    let _e2383 = core_intrinsics_minimum_number_nsz_f32_(_e2382, (_e2376 + _e1344));
+                                                                                    if (_e2381 > _e1051) {
+                                                                                        phi_3008_ = _e2381;
                                                                                     } else {
-                                                                                        phi_2989_ = _e1033;
+                                                                                        phi_3008_ = _e1051;
                                                                                     }
-                                                                                    let _e2368 = phi_2989_;
-                                                                                    if (_e2365 < _e1035) {
-                                                                                        phi_2994_ = _e2365;
+                                                                                    let _e2386 = phi_3008_;
+                                                                                    if (_e2383 < _e1053) {
+                                                                                        phi_3013_ = _e2383;
                                                                                     } else {
-                                                                                        phi_2994_ = _e1035;
+                                                                                        phi_3013_ = _e1053;
                                                                                     }
-                                                                                    let _e2371 = phi_2994_;
-                                                                                    if (_e2239 < _e2368) {
-                                                                                        phi_2999_ = _e2368;
+                                                                                    let _e2389 = phi_3013_;
+                                                                                    if (_e2257 < _e2386) {
+                                                                                        phi_3018_ = _e2386;
                                                                                     } else {
-                                                                                        phi_2999_ = _e2239;
+                                                                                        phi_3018_ = _e2257;
                                                                                     }
-                                                                                    let _e2374 = phi_2999_;
-                                                                                    if (_e2374 > _e2371) {
-                                                                                        phi_3004_ = _e2371;
+                                                                                    let _e2392 = phi_3018_;
+                                                                                    if (_e2392 > _e2389) {
+                                                                                        phi_3023_ = _e2389;
                                                                                     } else {
-                                                                                        phi_3004_ = _e2374;
+                                                                                        phi_3023_ = _e2392;
                                                                                     }
-                                                                                    let _e2377 = phi_3004_;
-                                                                                    phi_3009_ = lt_bvh_triangle_Intersection(_e2377, (_e2080 / _e2139), (_e2101 / _e2139), (_e2368 <= _e2371));
-                                                                                    phi_3010_ = false;
+                                                                                    let _e2395 = phi_3023_;
+                                                                                    phi_3028_ = lt_bvh_triangle_Intersection(_e2395, (_e2098 / _e2157), (_e2119 / _e2157), (_e2386 <= _e2389));
+                                                                                    phi_3029_ = false;
                                                                                 } else {
-                                                                                    phi_3009_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_3010_ = true;
+                                                                                    phi_3028_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3029_ = true;
                                                                                 }
-                                                                                let _e2383 = phi_3009_;
-                                                                                let _e2385 = phi_3010_;
-                                                                                phi_3011_ = _e2383;
-                                                                                phi_3012_ = _e2385;
+                                                                                let _e2401 = phi_3028_;
+                                                                                let _e2403 = phi_3029_;
+                                                                                phi_3030_ = _e2401;
+                                                                                phi_3031_ = _e2403;
                                                                             } else {
-                                                                                phi_3011_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3012_ = true;
+                                                                                phi_3030_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3031_ = true;
                                                                             }
-                                                                            let _e2387 = phi_3011_;
-                                                                            let _e2389 = phi_3012_;
-                                                                            if _e2389 {
+                                                                            let _e2405 = phi_3030_;
+                                                                            let _e2407 = phi_3031_;
+                                                                            if _e2407 {
                                                                             }
-                                                                            phi_3016_ = _e2387;
-                                                                            phi_3017_ = _e2389;
+                                                                            phi_3035_ = _e2405;
+                                                                            phi_3036_ = _e2407;
                                                                         }
-                                                                        let _e2391 = phi_3016_;
-                                                                        let _e2393 = phi_3017_;
-                                                                        phi_3018_ = _e2391;
-                                                                        phi_3019_ = _e2142;
-                                                                        phi_3020_ = _e2393;
+                                                                        let _e2409 = phi_3035_;
+                                                                        let _e2411 = phi_3036_;
+                                                                        phi_3037_ = _e2409;
+                                                                        phi_3038_ = _e2160;
+                                                                        phi_3039_ = _e2411;
                                                                     } else {
-                                                                        phi_3018_ = lt_bvh_triangle_Intersection();
-                                                                        phi_3019_ = true;
-                                                                        phi_3020_ = false;
+                                                                        phi_3037_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3038_ = true;
+                                                                        phi_3039_ = false;
                                                                     }
-                                                                    let _e2395 = phi_3018_;
-                                                                    let _e2397 = phi_3019_;
-                                                                    let _e2399 = phi_3020_;
-                                                                    if _e2397 {
-                                                                        phi_3024_ = true;
+                                                                    let _e2413 = phi_3037_;
+                                                                    let _e2415 = phi_3038_;
+                                                                    let _e2417 = phi_3039_;
+                                                                    if _e2415 {
+                                                                        phi_3043_ = true;
                                                                     } else {
-                                                                        phi_3024_ = _e2399;
+                                                                        phi_3043_ = _e2417;
                                                                     }
-                                                                    let _e2401 = phi_3024_;
-                                                                    if _e2401 {
-                                                                        phi_3028_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2419 = phi_3043_;
+                                                                    if _e2419 {
+                                                                        phi_3047_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3028_ = _e2395;
+                                                                        phi_3047_ = _e2413;
                                                                     }
-                                                                    let _e2403 = phi_3028_;
-                                                                    if _e2403.is_hit {
-                                                                        if (_e2403.t > _e157.tmin) {
-                                                                            if (_e2403.t < _e1944.t) {
-                                                                                phi_3076_ = true;
+                                                                    let _e2421 = phi_3047_;
+                                                                    if _e2421.is_hit {
+                                                                        if (_e2421.t > _e175.tmin) {
+                                                                            if (_e2421.t < _e1962.t) {
+                                                                                phi_3095_ = true;
                                                                             } else {
-                                                                                if (_e2403.t == _e1944.t) {
-                                                                                    if (_e1944.triangle != 4294967295u) {
-                                                                                        if (_e1955 < _e1944.triangle) {
-                                                                                            phi_3067_ = true;
+                                                                                if (_e2421.t == _e1962.t) {
+                                                                                    if (_e1962.triangle != 4294967295u) {
+                                                                                        if (_e1973 < _e1962.triangle) {
+                                                                                            phi_3086_ = true;
                                                                                         } else {
-                                                                                            if (_e1955 == _e1944.triangle) {
-                                                                                                phi_3066_ = (_e974 < _e1944.instance);
+                                                                                            if (_e1973 == _e1962.triangle) {
+                                                                                                phi_3085_ = (_e992 < _e1962.instance);
                                                                                             } else {
-                                                                                                phi_3066_ = false;
+                                                                                                phi_3085_ = false;
                                                                                             }
-                                                                                            let _e2421 = phi_3066_;
-                                                                                            phi_3067_ = _e2421;
+                                                                                            let _e2439 = phi_3085_;
+                                                                                            phi_3086_ = _e2439;
                                                                                         }
-                                                                                        let _e2423 = phi_3067_;
-                                                                                        phi_3068_ = _e2423;
-                                                                                        phi_3069_ = false;
+                                                                                        let _e2441 = phi_3086_;
+                                                                                        phi_3087_ = _e2441;
+                                                                                        phi_3088_ = false;
                                                                                     } else {
-                                                                                        phi_3068_ = bool();
-                                                                                        phi_3069_ = true;
+                                                                                        phi_3087_ = bool();
+                                                                                        phi_3088_ = true;
                                                                                     }
-                                                                                    let _e2425 = phi_3068_;
-                                                                                    let _e2427 = phi_3069_;
-                                                                                    phi_3070_ = _e2425;
-                                                                                    phi_3071_ = _e2427;
+                                                                                    let _e2443 = phi_3087_;
+                                                                                    let _e2445 = phi_3088_;
+                                                                                    phi_3089_ = _e2443;
+                                                                                    phi_3090_ = _e2445;
                                                                                 } else {
-                                                                                    phi_3070_ = bool();
-                                                                                    phi_3071_ = true;
-                                                                                }
-                                                                                let _e2429 = phi_3070_;
-                                                                                let _e2431 = phi_3071_;
-                                                                                if _e2431 {
-                                                                                    phi_3075_ = false;
-                                                                                } else {
-                                                                                    phi_3075_ = _e2429;
-                                                                                }
-                                                                                let _e2433 = phi_3075_;
-                                                                                phi_3076_ = _e2433;
-                                                                            }
-                                                                            let _e2435 = phi_3076_;
-                                                                            if _e2435 {
-                                                                                let _e2437 = triangles.member[(0u + _e1955)].i0_;
-                                                                                if ((_e2437 & 2147483648u) == 0u) {
+                                                                                    phi_3089_ = bool();
                                                                                     phi_3090_ = true;
+                                                                                }
+                                                                                let _e2447 = phi_3089_;
+                                                                                let _e2449 = phi_3090_;
+                                                                                if _e2449 {
+                                                                                    phi_3094_ = false;
+                                                                                } else {
+                                                                                    phi_3094_ = _e2447;
+                                                                                }
+                                                                                let _e2451 = phi_3094_;
+                                                                                phi_3095_ = _e2451;
+                                                                            }
+                                                                            let _e2453 = phi_3095_;
+                                                                            if _e2453 {
+                                                                                let _e2455 = triangles.member[(0u + _e1973)].i0_;
+                                                                                if ((_e2455 & 2147483648u) == 0u) {
+                                                                                    phi_3109_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_3090_ = true;
+                                                                                    phi_3109_ = true;
                                                                                 }
-                                                                                let _e2441 = phi_3090_;
-                                                                                if _e2441 {
-                                                                                    phi_3098_ = lt_bvh_Hit(_e2403.t, _e2403.u, _e2403.v, _e1955, _e974);
+                                                                                let _e2459 = phi_3109_;
+                                                                                if _e2459 {
+                                                                                    phi_3117_ = lt_bvh_Hit(_e2421.t, _e2421.u, _e2421.v, _e1973, _e992);
                                                                                 } else {
-                                                                                    phi_3098_ = _e1944;
+                                                                                    phi_3117_ = _e1962;
                                                                                 }
-                                                                                let _e2447 = phi_3098_;
-                                                                                phi_3099_ = _e2447;
+                                                                                let _e2465 = phi_3117_;
+                                                                                phi_3118_ = _e2465;
                                                                             } else {
-                                                                                phi_3099_ = _e1944;
+                                                                                phi_3118_ = _e1962;
                                                                             }
-                                                                            let _e2449 = phi_3099_;
-                                                                            phi_3100_ = _e2449;
+                                                                            let _e2467 = phi_3118_;
+                                                                            phi_3119_ = _e2467;
                                                                         } else {
-                                                                            phi_3100_ = _e1944;
+                                                                            phi_3119_ = _e1962;
                                                                         }
-                                                                        let _e2451 = phi_3100_;
-                                                                        phi_3101_ = _e2451;
+                                                                        let _e2469 = phi_3119_;
+                                                                        phi_3120_ = _e2469;
                                                                     } else {
-                                                                        phi_3101_ = _e1944;
+                                                                        phi_3120_ = _e1962;
                                                                     }
-                                                                    let _e2453 = phi_3101_;
-                                                                    phi_2458_ = _e2453;
-                                                                    phi_2461_ = (_e1946 & (_e1946 - 1u));
-                                                                    phi_3102_ = true;
+                                                                    let _e2471 = phi_3120_;
+                                                                    phi_2477_ = _e2471;
+                                                                    phi_2480_ = (_e1964 & (_e1964 - 1u));
+                                                                    phi_3121_ = true;
                                                                 }
-                                                                let _e2455 = phi_2458_;
-                                                                let _e2457 = phi_2461_;
-                                                                let _e2459 = phi_3102_;
+                                                                let _e2473 = phi_2477_;
+                                                                let _e2475 = phi_2480_;
+                                                                let _e2477 = phi_3121_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2457_ = _e2455;
-                                                                    phi_2460_ = _e2457;
-                                                                    break if !(_e2459);
+                                                                    phi_2476_ = _e2473;
+                                                                    phi_2479_ = _e2475;
+                                                                    break if !(_e2477);
                                                                 }
                                                             }
-                                                            let _e2462 = local_1.group_mask;
-                                                            if ((_e2462 & 4278190080u) == 0u) {
-                                                                let _e2466 = local_1.len;
-                                                                if (_e2466 == 0u) {
-                                                                    phi_3141_ = false;
+                                                            let _e2480 = local_1.group_mask;
+                                                            if ((_e2480 & 4278190080u) == 0u) {
+                                                                let _e2484 = local_1.len;
+                                                                if (_e2484 == 0u) {
+                                                                    phi_3160_ = false;
                                                                 } else {
-                                                                    let _e2470 = local_1.len;
-                                                                    local_1.len = (_e2470 - 1u);
-                                                                    let _e2473 = local_1.len;
-                                                                    if (_e2473 < 32u) {
+                                                                    let _e2488 = local_1.len;
+                                                                    local_1.len = (_e2488 - 1u);
+                                                                    let _e2491 = local_1.len;
+                                                                    if (_e2491 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2478 = local_1.first[(0u + _e2473)];
-                                                                    local_1.group = _e2478;
-                                                                    let _e2481 = local_1.len;
-                                                                    if (_e2481 < 32u) {
+                                                                    let _e2496 = local_1.first[(0u + _e2491)];
+                                                                    local_1.group = _e2496;
+                                                                    let _e2499 = local_1.len;
+                                                                    if (_e2499 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2486 = local_1.mask[(0u + _e2481)];
-                                                                    local_1.group_mask = _e2486;
-                                                                    phi_3141_ = true;
+                                                                    let _e2504 = local_1.mask[(0u + _e2499)];
+                                                                    local_1.group_mask = _e2504;
+                                                                    phi_3160_ = true;
                                                                 }
-                                                                let _e2489 = phi_3141_;
-                                                                phi_3142_ = _e2489;
+                                                                let _e2507 = phi_3160_;
+                                                                phi_3161_ = _e2507;
                                                             } else {
-                                                                phi_3142_ = true;
+                                                                phi_3161_ = true;
                                                             }
-                                                            let _e2491 = phi_3142_;
-                                                            if _e2491 {
-                                                                let _e2493 = local_1.group_mask;
-                                                                let _e2499 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2493)), 32u, (_e2493 == 0u)));
-                                                                let _e2503 = local_1.group_mask;
-                                                                let _e2517 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2517 & ~((1u << bitcast<u32>((_e2499 & 31u)))));
-                                                                let _e2520 = local_1.group;
-                                                                phi_3173_ = (_e2520 + countOneBits(((_e2503 & ~((4294967295u << bitcast<u32>((((_e2499 - 24u) ^ _e1367) & 31u))))) & 255u)));
+                                                            let _e2509 = phi_3161_;
+                                                            if _e2509 {
+                                                                let _e2511 = local_1.group_mask;
+                                                                let _e2517 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2511)), 32u, (_e2511 == 0u)));
+                                                                let _e2521 = local_1.group_mask;
+                                                                let _e2535 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2535 & ~((1u << bitcast<u32>((_e2517 & 31u)))));
+                                                                let _e2538 = local_1.group;
+                                                                phi_3192_ = (_e2538 + countOneBits(((_e2521 & ~((4294967295u << bitcast<u32>((((_e2517 - 24u) ^ _e1385) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3173_ = 4294967295u;
+                                                                phi_3192_ = 4294967295u;
                                                             }
-                                                            let _e2523 = phi_3173_;
-                                                            let _e3649 = local_9;
-                                                            phi_2125_ = _e3649;
-                                                            phi_2128_ = _e2523;
+                                                            let _e2541 = phi_3192_;
+                                                            let _e3667 = local_9;
+                                                            phi_2144_ = _e3667;
+                                                            phi_2147_ = _e2541;
                                                         } else {
-                                                            phi_2125_ = lt_bvh_Hit();
-                                                            phi_2128_ = u32();
+                                                            phi_2144_ = lt_bvh_Hit();
+                                                            phi_2147_ = u32();
                                                         }
-                                                        let _e2525 = phi_2125_;
-                                                        let _e2527 = phi_2128_;
+                                                        let _e2543 = phi_2144_;
+                                                        let _e2545 = phi_2147_;
                                                         continue;
                                                         continuing {
-                                                            phi_2124_ = _e2525;
-                                                            phi_2127_ = _e2527;
-                                                            break if !(_e1508);
+                                                            phi_2143_ = _e2543;
+                                                            phi_2146_ = _e2545;
+                                                            break if !(_e1526);
                                                         }
                                                     }
-                                                    let _e3653 = local_10;
-                                                    phi_3174_ = _e3653;
+                                                    let _e3671 = local_10;
+                                                    phi_3193_ = _e3671;
                                                 }
-                                                let _e2530 = phi_3174_;
-                                                phi_3175_ = _e2530;
-                                                phi_3176_ = _e1189;
+                                                let _e2548 = phi_3193_;
+                                                phi_3194_ = _e2548;
+                                                phi_3195_ = _e1207;
                                             } else {
-                                                phi_3175_ = lt_bvh_Hit();
-                                                phi_3176_ = true;
+                                                phi_3194_ = lt_bvh_Hit();
+                                                phi_3195_ = true;
                                             }
-                                            let _e2532 = phi_3175_;
-                                            let _e2534 = phi_3176_;
-                                            if _e2534 {
-                                                phi_3180_ = _e966;
+                                            let _e2550 = phi_3194_;
+                                            let _e2552 = phi_3195_;
+                                            if _e2552 {
+                                                phi_3199_ = _e984;
                                             } else {
-                                                phi_3180_ = _e2532;
+                                                phi_3199_ = _e2550;
                                             }
-                                            let _e2536 = phi_3180_;
-                                            phi_3181_ = _e2536;
+                                            let _e2554 = phi_3199_;
+                                            phi_3200_ = _e2554;
                                         } else {
-                                            phi_3181_ = _e966;
+                                            phi_3200_ = _e984;
                                         }
-                                        let _e2538 = phi_3181_;
-                                        phi_3182_ = _e2538;
+                                        let _e2556 = phi_3200_;
+                                        phi_3201_ = _e2556;
                                     } else {
-                                        phi_3182_ = _e966;
+                                        phi_3201_ = _e984;
                                     }
-                                    let _e2540 = phi_3182_;
-                                    phi_3183_ = _e2540;
+                                    let _e2558 = phi_3201_;
+                                    phi_3202_ = _e2558;
                                 } else {
-                                    phi_3183_ = _e966;
+                                    phi_3202_ = _e984;
                                 }
-                                let _e2542 = phi_3183_;
-                                phi_1492_ = (_e964 & (_e964 - 1u));
-                                phi_1495_ = _e2542;
-                                phi_3184_ = true;
+                                let _e2560 = phi_3202_;
+                                phi_1511_ = (_e982 & (_e982 - 1u));
+                                phi_1514_ = _e2560;
+                                phi_3203_ = true;
                             }
-                            let _e2544 = phi_1492_;
-                            let _e2546 = phi_1495_;
-                            let _e2548 = phi_3184_;
+                            let _e2562 = phi_1511_;
+                            let _e2564 = phi_1514_;
+                            let _e2566 = phi_3203_;
                             continue;
                             continuing {
-                                phi_1491_ = _e2544;
-                                phi_1494_ = _e2546;
-                                break if !(_e2548);
+                                phi_1510_ = _e2562;
+                                phi_1513_ = _e2564;
+                                break if !(_e2566);
                             }
                         }
-                        let _e2551 = local_2.group_mask;
-                        if ((_e2551 & 4278190080u) == 0u) {
-                            let _e2555 = local_2.len;
-                            if (_e2555 == 0u) {
-                                phi_3223_ = false;
+                        let _e2569 = local_2.group_mask;
+                        if ((_e2569 & 4278190080u) == 0u) {
+                            let _e2573 = local_2.len;
+                            if (_e2573 == 0u) {
+                                phi_3242_ = false;
                             } else {
-                                let _e2559 = local_2.len;
-                                local_2.len = (_e2559 - 1u);
-                                let _e2562 = local_2.len;
-                                if (_e2562 < 32u) {
+                                let _e2577 = local_2.len;
+                                local_2.len = (_e2577 - 1u);
+                                let _e2580 = local_2.len;
+                                if (_e2580 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2567 = local_2.first[(0u + _e2562)];
-                                local_2.group = _e2567;
-                                let _e2570 = local_2.len;
-                                if (_e2570 < 32u) {
+                                let _e2585 = local_2.first[(0u + _e2580)];
+                                local_2.group = _e2585;
+                                let _e2588 = local_2.len;
+                                if (_e2588 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2575 = local_2.mask[(0u + _e2570)];
-                                local_2.group_mask = _e2575;
-                                phi_3223_ = true;
+                                let _e2593 = local_2.mask[(0u + _e2588)];
+                                local_2.group_mask = _e2593;
+                                phi_3242_ = true;
                             }
-                            let _e2578 = phi_3223_;
-                            phi_3224_ = _e2578;
+                            let _e2596 = phi_3242_;
+                            phi_3243_ = _e2596;
                         } else {
-                            phi_3224_ = true;
+                            phi_3243_ = true;
                         }
-                        let _e2580 = phi_3224_;
-                        if _e2580 {
-                            let _e2582 = local_2.group_mask;
-                            let _e2588 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2582)), 32u, (_e2582 == 0u)));
-                            let _e2592 = local_2.group_mask;
-                            let _e2606 = local_2.group_mask;
-                            local_2.group_mask = (_e2606 & ~((1u << bitcast<u32>((_e2588 & 31u)))));
-                            let _e2609 = local_2.group;
-                            phi_3255_ = (_e2609 + countOneBits(((_e2592 & ~((4294967295u << bitcast<u32>((((_e2588 - 24u) ^ _e383) & 31u))))) & 255u)));
+                        let _e2598 = phi_3243_;
+                        if _e2598 {
+                            let _e2600 = local_2.group_mask;
+                            let _e2606 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2600)), 32u, (_e2600 == 0u)));
+                            let _e2610 = local_2.group_mask;
+                            let _e2624 = local_2.group_mask;
+                            local_2.group_mask = (_e2624 & ~((1u << bitcast<u32>((_e2606 & 31u)))));
+                            let _e2627 = local_2.group;
+                            phi_3274_ = (_e2627 + countOneBits(((_e2610 & ~((4294967295u << bitcast<u32>((((_e2606 - 24u) ^ _e401) & 31u))))) & 255u)));
                         } else {
-                            phi_3255_ = 4294967295u;
+                            phi_3274_ = 4294967295u;
                         }
-                        let _e2612 = phi_3255_;
-                        phi_1155_ = _e2612;
-                        let _e3669 = local_11;
-                        phi_1158_ = _e3669;
+                        let _e2630 = phi_3274_;
+                        phi_1174_ = _e2630;
+                        let _e3687 = local_11;
+                        phi_1177_ = _e3687;
                     } else {
-                        phi_1155_ = u32();
-                        phi_1158_ = lt_bvh_Hit();
+                        phi_1174_ = u32();
+                        phi_1177_ = lt_bvh_Hit();
                     }
-                    let _e2614 = phi_1155_;
-                    let _e2616 = phi_1158_;
+                    let _e2632 = phi_1174_;
+                    let _e2634 = phi_1177_;
                     continue;
                     continuing {
-                        phi_1154_ = _e2614;
-                        phi_1157_ = _e2616;
-                        break if !(_e524);
+                        phi_1173_ = _e2632;
+                        phi_1176_ = _e2634;
+                        break if !(_e542);
                     }
                 }
-                let _e3672 = local_12;
-                phi_3256_ = _e3672;
+                let _e3690 = local_12;
+                phi_3275_ = _e3690;
             }
-            let _e2619 = phi_3256_;
-            phi_3257_ = _e2619;
-            phi_3258_ = _e221;
+            let _e2637 = phi_3275_;
+            phi_3276_ = _e2637;
+            phi_3277_ = _e239;
         } else {
-            phi_3257_ = lt_bvh_Hit();
-            phi_3258_ = true;
+            phi_3276_ = lt_bvh_Hit();
+            phi_3277_ = true;
         }
-        let _e2621 = phi_3257_;
-        let _e2623 = phi_3258_;
-        if _e2623 {
-            phi_3262_ = _e159;
+        let _e2639 = phi_3276_;
+        let _e2641 = phi_3277_;
+        if _e2641 {
+            phi_3281_ = _e177;
         } else {
-            phi_3262_ = _e2621;
+            phi_3281_ = _e2639;
         }
-        let _e2625 = phi_3262_;
-        if (_e2625.triangle != 4294967295u) {
-            let _e2631 = ((1f - _e2625.u) - _e2625.v);
-            if (_e2625.triangle < _e79) {
+        let _e2643 = phi_3281_;
+        if (_e2643.triangle != 4294967295u) {
+            let _e2649 = ((1f - _e2643.u) - _e2643.v);
+            if (_e2643.triangle < _e80) {
             } else {
                 return;
             }
-            let _e2636 = triangles.member[(0u + _e2625.triangle)];
-            if (_e2625.instance < _e91) {
+            let _e2654 = triangles.member[(0u + _e2643.triangle)];
+            if (_e2643.instance < _e92) {
             } else {
                 return;
             }
-            let _e2647 = instances.member[(0u + _e2625.instance)].object_to_world[0u];
-            let _e2658 = ((((_e2647.x * _e2636.v0_.x) + (_e2647.y * _e2636.v0_.y)) + (_e2647.z * _e2636.v0_.z)) + (_e2647.w * 1f));
-            let _e2660 = instances.member[(0u + _e2625.instance)].object_to_world[1u];
-            let _e2671 = ((((_e2660.x * _e2636.v0_.x) + (_e2660.y * _e2636.v0_.y)) + (_e2660.z * _e2636.v0_.z)) + (_e2660.w * 1f));
-            let _e2673 = instances.member[(0u + _e2625.instance)].object_to_world[2u];
-            let _e2684 = ((((_e2673.x * _e2636.v0_.x) + (_e2673.y * _e2636.v0_.y)) + (_e2673.z * _e2636.v0_.z)) + (_e2673.w * 1f));
-            let _e2691 = instances.member[(0u + _e2625.instance)].object_to_world[0u];
-            let _e2702 = ((((_e2691.x * _e2636.v1_.x) + (_e2691.y * _e2636.v1_.y)) + (_e2691.z * _e2636.v1_.z)) + (_e2691.w * 1f));
-            let _e2704 = instances.member[(0u + _e2625.instance)].object_to_world[1u];
-            let _e2715 = ((((_e2704.x * _e2636.v1_.x) + (_e2704.y * _e2636.v1_.y)) + (_e2704.z * _e2636.v1_.z)) + (_e2704.w * 1f));
-            let _e2717 = instances.member[(0u + _e2625.instance)].object_to_world[2u];
-            let _e2728 = ((((_e2717.x * _e2636.v1_.x) + (_e2717.y * _e2636.v1_.y)) + (_e2717.z * _e2636.v1_.z)) + (_e2717.w * 1f));
-            let _e2735 = instances.member[(0u + _e2625.instance)].object_to_world[0u];
-            let _e2746 = ((((_e2735.x * _e2636.v2_.x) + (_e2735.y * _e2636.v2_.y)) + (_e2735.z * _e2636.v2_.z)) + (_e2735.w * 1f));
-            let _e2748 = instances.member[(0u + _e2625.instance)].object_to_world[1u];
-            let _e2759 = ((((_e2748.x * _e2636.v2_.x) + (_e2748.y * _e2636.v2_.y)) + (_e2748.z * _e2636.v2_.z)) + (_e2748.w * 1f));
-            let _e2761 = instances.member[(0u + _e2625.instance)].object_to_world[2u];
-            let _e2772 = ((((_e2761.x * _e2636.v2_.x) + (_e2761.y * _e2636.v2_.y)) + (_e2761.z * _e2636.v2_.z)) + (_e2761.w * 1f));
-            let _e2785 = (((_e2658 * _e2631) + (_e2702 * _e2625.u)) + (_e2746 * _e2625.v));
-            let _e2786 = (((_e2671 * _e2631) + (_e2715 * _e2625.u)) + (_e2759 * _e2625.v));
-            let _e2787 = (((_e2684 * _e2631) + (_e2728 * _e2625.u)) + (_e2772 * _e2625.v));
-            let _e2789 = abs(_e2658);
-            let _e2790 = abs(_e2671);
-            let _e2791 = abs(_e2684);
-            let _e2792 = abs(_e2702);
-            let _e2793 = abs(_e2715);
-            let _e2794 = abs(_e2728);
-            if (_e2789 > _e2792) {
-                phi_3449_ = _e2789;
+            let _e2665 = instances.member[(0u + _e2643.instance)].object_to_world[0u];
+            let _e2676 = ((((_e2665.x * _e2654.v0_.x) + (_e2665.y * _e2654.v0_.y)) + (_e2665.z * _e2654.v0_.z)) + (_e2665.w * 1f));
+            let _e2678 = instances.member[(0u + _e2643.instance)].object_to_world[1u];
+            let _e2689 = ((((_e2678.x * _e2654.v0_.x) + (_e2678.y * _e2654.v0_.y)) + (_e2678.z * _e2654.v0_.z)) + (_e2678.w * 1f));
+            let _e2691 = instances.member[(0u + _e2643.instance)].object_to_world[2u];
+            let _e2702 = ((((_e2691.x * _e2654.v0_.x) + (_e2691.y * _e2654.v0_.y)) + (_e2691.z * _e2654.v0_.z)) + (_e2691.w * 1f));
+            let _e2709 = instances.member[(0u + _e2643.instance)].object_to_world[0u];
+            let _e2720 = ((((_e2709.x * _e2654.v1_.x) + (_e2709.y * _e2654.v1_.y)) + (_e2709.z * _e2654.v1_.z)) + (_e2709.w * 1f));
+            let _e2722 = instances.member[(0u + _e2643.instance)].object_to_world[1u];
+            let _e2733 = ((((_e2722.x * _e2654.v1_.x) + (_e2722.y * _e2654.v1_.y)) + (_e2722.z * _e2654.v1_.z)) + (_e2722.w * 1f));
+            let _e2735 = instances.member[(0u + _e2643.instance)].object_to_world[2u];
+            let _e2746 = ((((_e2735.x * _e2654.v1_.x) + (_e2735.y * _e2654.v1_.y)) + (_e2735.z * _e2654.v1_.z)) + (_e2735.w * 1f));
+            let _e2753 = instances.member[(0u + _e2643.instance)].object_to_world[0u];
+            let _e2764 = ((((_e2753.x * _e2654.v2_.x) + (_e2753.y * _e2654.v2_.y)) + (_e2753.z * _e2654.v2_.z)) + (_e2753.w * 1f));
+            let _e2766 = instances.member[(0u + _e2643.instance)].object_to_world[1u];
+            let _e2777 = ((((_e2766.x * _e2654.v2_.x) + (_e2766.y * _e2654.v2_.y)) + (_e2766.z * _e2654.v2_.z)) + (_e2766.w * 1f));
+            let _e2779 = instances.member[(0u + _e2643.instance)].object_to_world[2u];
+            let _e2790 = ((((_e2779.x * _e2654.v2_.x) + (_e2779.y * _e2654.v2_.y)) + (_e2779.z * _e2654.v2_.z)) + (_e2779.w * 1f));
+            let _e2803 = (((_e2676 * _e2649) + (_e2720 * _e2643.u)) + (_e2764 * _e2643.v));
+            let _e2804 = (((_e2689 * _e2649) + (_e2733 * _e2643.u)) + (_e2777 * _e2643.v));
+            let _e2805 = (((_e2702 * _e2649) + (_e2746 * _e2643.u)) + (_e2790 * _e2643.v));
+            let _e2807 = abs(_e2676);
+            let _e2808 = abs(_e2689);
+            let _e2809 = abs(_e2702);
+            let _e2810 = abs(_e2720);
+            let _e2811 = abs(_e2733);
+            let _e2812 = abs(_e2746);
+            if (_e2807 > _e2810) {
+                phi_3468_ = _e2807;
             } else {
-                phi_3449_ = _e2792;
+                phi_3468_ = _e2810;
             }
-            let _e2797 = phi_3449_;
-            if (_e2790 > _e2793) {
-                phi_3454_ = _e2790;
+            let _e2815 = phi_3468_;
+            if (_e2808 > _e2811) {
+                phi_3473_ = _e2808;
             } else {
-                phi_3454_ = _e2793;
+                phi_3473_ = _e2811;
             }
-            let _e2800 = phi_3454_;
-            if (_e2791 > _e2794) {
-                phi_3459_ = _e2791;
+            let _e2818 = phi_3473_;
+            if (_e2809 > _e2812) {
+                phi_3478_ = _e2809;
             } else {
-                phi_3459_ = _e2794;
+                phi_3478_ = _e2812;
             }
-            let _e2803 = phi_3459_;
-            let _e2804 = abs(_e2746);
-            let _e2805 = abs(_e2759);
-            let _e2806 = abs(_e2772);
-            if (_e2797 > _e2804) {
-                phi_3467_ = _e2797;
+            let _e2821 = phi_3478_;
+            let _e2822 = abs(_e2764);
+            let _e2823 = abs(_e2777);
+            let _e2824 = abs(_e2790);
+            if (_e2815 > _e2822) {
+                phi_3486_ = _e2815;
             } else {
-                phi_3467_ = _e2804;
+                phi_3486_ = _e2822;
             }
-            let _e2809 = phi_3467_;
-            if (_e2800 > _e2805) {
-                phi_3472_ = _e2800;
+            let _e2827 = phi_3486_;
+            if (_e2818 > _e2823) {
+                phi_3491_ = _e2818;
             } else {
-                phi_3472_ = _e2805;
+                phi_3491_ = _e2823;
             }
-            let _e2812 = phi_3472_;
-            if (_e2803 > _e2806) {
-                phi_3477_ = _e2803;
+            let _e2830 = phi_3491_;
+            if (_e2821 > _e2824) {
+                phi_3496_ = _e2821;
             } else {
-                phi_3477_ = _e2806;
+                phi_3496_ = _e2824;
             }
-            let _e2815 = phi_3477_;
-            let _e2816 = (_e2702 - _e2658);
-            let _e2817 = (_e2715 - _e2671);
-            let _e2818 = (_e2728 - _e2684);
-            let _e2819 = (_e2746 - _e2658);
-            let _e2820 = (_e2759 - _e2671);
-            let _e2821 = (_e2772 - _e2684);
-            let _e2825 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2817), abs(_e2818));
-            let _e2826 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2816), _e2825);
-            let _e2827 = (_e2816 / _e2826);
-            let _e2828 = (_e2817 / _e2826);
-            let _e2829 = (_e2818 / _e2826);
-            let _e2833 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2820), abs(_e2821));
-            let _e2834 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2819), _e2833);
-            let _e2835 = (_e2819 / _e2834);
-            let _e2836 = (_e2820 / _e2834);
-            let _e2837 = (_e2821 / _e2834);
-            let _e2840 = ((_e2828 * _e2837) - (_e2836 * _e2829));
-            let _e2843 = ((_e2829 * _e2835) - (_e2837 * _e2827));
-            let _e2846 = ((_e2827 * _e2836) - (_e2835 * _e2828));
-            let _e2848 = p.member.eye;
-            let _e2861 = (1f / sqrt((((_e2840 * _e2840) + (_e2843 * _e2843)) + (_e2846 * _e2846))));
-            let _e2862 = (_e2840 * _e2861);
-            let _e2863 = (_e2843 * _e2861);
-            let _e2864 = (_e2846 * _e2861);
-            if ((((_e2862 * (_e2848.x - _e2785)) + (_e2863 * (_e2848.y - _e2786))) + (_e2864 * (_e2848.z - _e2787))) < 0f) {
-                phi_3541_ = vec3<f32>(-(_e2862), -(_e2863), -(_e2864));
+            let _e2833 = phi_3496_;
+            let _e2834 = (_e2720 - _e2676);
+            let _e2835 = (_e2733 - _e2689);
+            let _e2836 = (_e2746 - _e2702);
+            let _e2837 = (_e2764 - _e2676);
+            let _e2838 = (_e2777 - _e2689);
+            let _e2839 = (_e2790 - _e2702);
+            let _e2843 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2835), abs(_e2836));
+            let _e2844 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2834), _e2843);
+            let _e2845 = (_e2834 / _e2844);
+            let _e2846 = (_e2835 / _e2844);
+            let _e2847 = (_e2836 / _e2844);
+            let _e2851 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2838), abs(_e2839));
+            let _e2852 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2837), _e2851);
+            let _e2853 = (_e2837 / _e2852);
+            let _e2854 = (_e2838 / _e2852);
+            let _e2855 = (_e2839 / _e2852);
+            let _e2858 = ((_e2846 * _e2855) - (_e2854 * _e2847));
+            let _e2861 = ((_e2847 * _e2853) - (_e2855 * _e2845));
+            let _e2864 = ((_e2845 * _e2854) - (_e2853 * _e2846));
+            let _e2866 = p.member.eye;
+            let _e2879 = (1f / sqrt((((_e2858 * _e2858) + (_e2861 * _e2861)) + (_e2864 * _e2864))));
+            let _e2880 = (_e2858 * _e2879);
+            let _e2881 = (_e2861 * _e2879);
+            let _e2882 = (_e2864 * _e2879);
+            if ((((_e2880 * (_e2866.x - _e2803)) + (_e2881 * (_e2866.y - _e2804))) + (_e2882 * (_e2866.z - _e2805))) < 0f) {
+                phi_3560_ = vec3<f32>(-(_e2880), -(_e2881), -(_e2882));
             } else {
-                phi_3541_ = vec3<f32>(_e2862, _e2863, _e2864);
+                phi_3560_ = vec3<f32>(_e2880, _e2881, _e2882);
             }
-            let _e2877 = phi_3541_;
-            if (_e2625.triangle < _e79) {
+            let _e2895 = phi_3560_;
+            if (_e2643.triangle < _e80) {
             } else {
                 return;
             }
-            let _e2882 = triangles.member[(0u + _e2625.triangle)];
-            let _e2884 = (_e2882.i0_ & 2147483647u);
-            if (_e2884 < _e82) {
+            let _e2900 = triangles.member[(0u + _e2643.triangle)];
+            let _e2902 = (_e2900.i0_ & 2147483647u);
+            if (_e2902 < _e83) {
             } else {
                 return;
             }
-            let _e2890 = vertices.member[(0u + _e2884)];
-            if (_e2882.i1_ < _e82) {
+            let _e2908 = vertices.member[(0u + _e2902)];
+            if (_e2900.i1_ < _e83) {
             } else {
                 return;
             }
-            let _e2894 = vertices.member[(0u + _e2882.i1_)];
-            if (_e2882.i2_ < _e82) {
+            let _e2912 = vertices.member[(0u + _e2900.i1_)];
+            if (_e2900.i2_ < _e83) {
             } else {
                 return;
             }
-            let _e2898 = vertices.member[(0u + _e2882.i2_)];
-            let _e2899 = array<abi_Vertex, 3>(_e2890, _e2894, _e2898);
-            if (_e2899[0].material < arrayLength((&materials.member))) {
+            let _e2916 = vertices.member[(0u + _e2900.i2_)];
+            let _e2917 = array<abi_Vertex, 3>(_e2908, _e2912, _e2916);
+            if (_e2917[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2905 = materials.member[(0u + _e2899[0].material)];
-            let _e2922 = (1f / 255f);
-            let _e2941 = (1f / 255f);
-            let _e2963 = (1f / 255f);
-            if (_e2905.color_size == 0u) {
-                phi_3784_ = vec3<f32>(1f, 1f, 1f);
+            let _e2923 = materials.member[(0u + _e2917[0].material)];
+            let _e2940 = (1f / 255f);
+            let _e2959 = (1f / 255f);
+            let _e2981 = (1f / 255f);
+            if (_e2923.color_size == 0u) {
+                phi_3803_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e2905.color_offset;
-                local.size = _e2905.color_size;
-                local.flags = _e2905.flags;
-                let _e3006 = _lt_shaders_texture_TextureView_quad((&local), (((_e2899[0].u * _e2631) + (_e2899[1].u * _e2625.u)) + (_e2899[2].u * _e2625.v)), (((_e2899[0].v * _e2631) + (_e2899[1].v * _e2625.u)) + (_e2899[2].v * _e2625.v)));
-                if (_e3006.indices[0] < _e94) {
+                local.offset = _e2923.color_offset;
+                local.size = _e2923.color_size;
+                local.flags = _e2923.flags;
+                let _e3024 = _lt_shaders_texture_TextureView_quad((&local), (((_e2917[0].u * _e2649) + (_e2917[1].u * _e2643.u)) + (_e2917[2].u * _e2643.v)), (((_e2917[0].v * _e2649) + (_e2917[1].v * _e2643.u)) + (_e2917[2].v * _e2643.v)));
+                if (_e3024.indices[0] < _e95) {
                 } else {
                     return;
                 }
-                let _e3012 = color_texels.member[(0u + _e3006.indices[0])];
-                let _e3023 = (1f / 255f);
-                if (_e3006.indices[1] < _e94) {
+                let _e3030 = color_texels.member[(0u + _e3024.indices[0])];
+                let _e3041 = (1f / 255f);
+                if (_e3024.indices[1] < _e95) {
                 } else {
                     return;
                 }
-                let _e3037 = color_texels.member[(0u + _e3006.indices[1])];
-                let _e3048 = (1f / 255f);
-                if (_e3006.indices[2] < _e94) {
+                let _e3055 = color_texels.member[(0u + _e3024.indices[1])];
+                let _e3066 = (1f / 255f);
+                if (_e3024.indices[2] < _e95) {
                 } else {
                     return;
                 }
-                let _e3065 = color_texels.member[(0u + _e3006.indices[2])];
-                let _e3076 = (1f / 255f);
-                if (_e3006.indices[3] < _e94) {
+                let _e3083 = color_texels.member[(0u + _e3024.indices[2])];
+                let _e3094 = (1f / 255f);
+                if (_e3024.indices[3] < _e95) {
                 } else {
                     return;
                 }
-                let _e3093 = color_texels.member[(0u + _e3006.indices[3])];
-                let _e3104 = (1f / 255f);
-                let _e3113 = (((((f32((_e3012 & 255u)) * _e3023) * _e3006.weights.x) + ((f32((_e3037 & 255u)) * _e3048) * _e3006.weights.y)) + ((f32((_e3065 & 255u)) * _e3076) * _e3006.weights.z)) + ((f32((_e3093 & 255u)) * _e3104) * _e3006.weights.w));
-                let _e3114 = (((((f32(((_e3012 >> bitcast<u32>(8i)) & 255u)) * _e3023) * _e3006.weights.x) + ((f32(((_e3037 >> bitcast<u32>(8i)) & 255u)) * _e3048) * _e3006.weights.y)) + ((f32(((_e3065 >> bitcast<u32>(8i)) & 255u)) * _e3076) * _e3006.weights.z)) + ((f32(((_e3093 >> bitcast<u32>(8i)) & 255u)) * _e3104) * _e3006.weights.w));
-                let _e3115 = (((((f32(((_e3012 >> bitcast<u32>(16i)) & 255u)) * _e3023) * _e3006.weights.x) + ((f32(((_e3037 >> bitcast<u32>(16i)) & 255u)) * _e3048) * _e3006.weights.y)) + ((f32(((_e3065 >> bitcast<u32>(16i)) & 255u)) * _e3076) * _e3006.weights.z)) + ((f32(((_e3093 >> bitcast<u32>(16i)) & 255u)) * _e3104) * _e3006.weights.w));
-                phi_3784_ = vec3<f32>((_e3113 * _e3113), (_e3114 * _e3114), (_e3115 * _e3115));
+                let _e3111 = color_texels.member[(0u + _e3024.indices[3])];
+                let _e3122 = (1f / 255f);
+                let _e3131 = (((((f32((_e3030 & 255u)) * _e3041) * _e3024.weights.x) + ((f32((_e3055 & 255u)) * _e3066) * _e3024.weights.y)) + ((f32((_e3083 & 255u)) * _e3094) * _e3024.weights.z)) + ((f32((_e3111 & 255u)) * _e3122) * _e3024.weights.w));
+                let _e3132 = (((((f32(((_e3030 >> bitcast<u32>(8i)) & 255u)) * _e3041) * _e3024.weights.x) + ((f32(((_e3055 >> bitcast<u32>(8i)) & 255u)) * _e3066) * _e3024.weights.y)) + ((f32(((_e3083 >> bitcast<u32>(8i)) & 255u)) * _e3094) * _e3024.weights.z)) + ((f32(((_e3111 >> bitcast<u32>(8i)) & 255u)) * _e3122) * _e3024.weights.w));
+                let _e3133 = (((((f32(((_e3030 >> bitcast<u32>(16i)) & 255u)) * _e3041) * _e3024.weights.x) + ((f32(((_e3055 >> bitcast<u32>(16i)) & 255u)) * _e3066) * _e3024.weights.y)) + ((f32(((_e3083 >> bitcast<u32>(16i)) & 255u)) * _e3094) * _e3024.weights.z)) + ((f32(((_e3111 >> bitcast<u32>(16i)) & 255u)) * _e3122) * _e3024.weights.w));
+                phi_3803_ = vec3<f32>((_e3131 * _e3131), (_e3132 * _e3132), (_e3133 * _e3133));
             }
-            let _e3121 = phi_3784_;
-            let _e3123 = ((_e2905.base_color.x * ((((f32((_e2899[0].color & 255u)) * _e2922) * _e2631) + ((f32((_e2899[1].color & 255u)) * _e2941) * _e2625.u)) + ((f32((_e2899[2].color & 255u)) * _e2963) * _e2625.v))) * _e3121.x);
-            let _e3125 = ((_e2905.base_color.y * ((((f32(((_e2899[0].color >> bitcast<u32>(8i)) & 255u)) * _e2922) * _e2631) + ((f32(((_e2899[1].color >> bitcast<u32>(8i)) & 255u)) * _e2941) * _e2625.u)) + ((f32(((_e2899[2].color >> bitcast<u32>(8i)) & 255u)) * _e2963) * _e2625.v))) * _e3121.y);
-            let _e3127 = ((_e2905.base_color.z * ((((f32(((_e2899[0].color >> bitcast<u32>(16i)) & 255u)) * _e2922) * _e2631) + ((f32(((_e2899[1].color >> bitcast<u32>(16i)) & 255u)) * _e2941) * _e2625.u)) + ((f32(((_e2899[2].color >> bitcast<u32>(16i)) & 255u)) * _e2963) * _e2625.v))) * _e3121.z);
-            let _e3128 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2812, _e2815);
-            let _e3129 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2809, _e3128);
-            if ((_e2905.flags & 2u) == 0u) {
-                phi_3799_ = 0u;
+            let _e3139 = phi_3803_;
+            let _e3141 = ((_e2923.base_color.x * ((((f32((_e2917[0].color & 255u)) * _e2940) * _e2649) + ((f32((_e2917[1].color & 255u)) * _e2959) * _e2643.u)) + ((f32((_e2917[2].color & 255u)) * _e2981) * _e2643.v))) * _e3139.x);
+            let _e3143 = ((_e2923.base_color.y * ((((f32(((_e2917[0].color >> bitcast<u32>(8i)) & 255u)) * _e2940) * _e2649) + ((f32(((_e2917[1].color >> bitcast<u32>(8i)) & 255u)) * _e2959) * _e2643.u)) + ((f32(((_e2917[2].color >> bitcast<u32>(8i)) & 255u)) * _e2981) * _e2643.v))) * _e3139.y);
+            let _e3145 = ((_e2923.base_color.z * ((((f32(((_e2917[0].color >> bitcast<u32>(16i)) & 255u)) * _e2940) * _e2649) + ((f32(((_e2917[1].color >> bitcast<u32>(16i)) & 255u)) * _e2959) * _e2643.u)) + ((f32(((_e2917[2].color >> bitcast<u32>(16i)) & 255u)) * _e2981) * _e2643.v))) * _e3139.z);
+            let _e3146 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2830, _e2833);
+            let _e3147 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2827, _e3146);
+            if ((_e2923.flags & 2u) == 0u) {
+                phi_3818_ = 0u;
             } else {
-                phi_3799_ = 1u;
+                phi_3818_ = 1u;
             }
-            let _e3134 = phi_3799_;
-            if (_e2899[0].normal == 2147516416u) {
-                phi_4029_ = _e2877;
+            let _e3152 = phi_3818_;
+            if (_e2917[0].normal == 2147516416u) {
+                phi_4048_ = _e2895;
             } else {
-                let _e3147 = (f32((bitcast<i32>((_e2899[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3153 = (f32((bitcast<i32>(_e2899[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3157 = ((1f - abs(_e3147)) - abs(_e3153));
-                if (_e3157 < 0f) {
-                    phi_3826_ = -(_e3157);
+                let _e3165 = (f32((bitcast<i32>((_e2917[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3171 = (f32((bitcast<i32>(_e2917[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3175 = ((1f - abs(_e3165)) - abs(_e3171));
+                if (_e3175 < 0f) {
+                    phi_3845_ = -(_e3175);
                 } else {
-                    phi_3826_ = 0f;
+                    phi_3845_ = 0f;
                 }
-                let _e3161 = phi_3826_;
-                if (_e3147 < 0f) {
-                    phi_3833_ = (_e3147 + _e3161);
+                let _e3179 = phi_3845_;
+                if (_e3165 < 0f) {
+                    phi_3852_ = (_e3165 + _e3179);
                 } else {
-                    phi_3833_ = (_e3147 - _e3161);
+                    phi_3852_ = (_e3165 - _e3179);
                 }
-                let _e3166 = phi_3833_;
-                if (_e3153 < 0f) {
-                    phi_3840_ = (_e3153 + _e3161);
+                let _e3184 = phi_3852_;
+                if (_e3171 < 0f) {
+                    phi_3859_ = (_e3171 + _e3179);
                 } else {
-                    phi_3840_ = (_e3153 - _e3161);
+                    phi_3859_ = (_e3171 - _e3179);
                 }
-                let _e3171 = phi_3840_;
-                let _e3178 = (1f / sqrt((((_e3166 * _e3166) + (_e3171 * _e3171)) + (_e3157 * _e3157))));
-                let _e3194 = (f32((bitcast<i32>((_e2899[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3200 = (f32((bitcast<i32>(_e2899[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3204 = ((1f - abs(_e3194)) - abs(_e3200));
-                if (_e3204 < 0f) {
-                    phi_3875_ = -(_e3204);
+                let _e3189 = phi_3859_;
+                let _e3196 = (1f / sqrt((((_e3184 * _e3184) + (_e3189 * _e3189)) + (_e3175 * _e3175))));
+                let _e3212 = (f32((bitcast<i32>((_e2917[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3218 = (f32((bitcast<i32>(_e2917[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3222 = ((1f - abs(_e3212)) - abs(_e3218));
+                if (_e3222 < 0f) {
+                    phi_3894_ = -(_e3222);
                 } else {
-                    phi_3875_ = 0f;
+                    phi_3894_ = 0f;
                 }
-                let _e3208 = phi_3875_;
-                if (_e3194 < 0f) {
-                    phi_3882_ = (_e3194 + _e3208);
+                let _e3226 = phi_3894_;
+                if (_e3212 < 0f) {
+                    phi_3901_ = (_e3212 + _e3226);
                 } else {
-                    phi_3882_ = (_e3194 - _e3208);
+                    phi_3901_ = (_e3212 - _e3226);
                 }
-                let _e3213 = phi_3882_;
-                if (_e3200 < 0f) {
-                    phi_3889_ = (_e3200 + _e3208);
+                let _e3231 = phi_3901_;
+                if (_e3218 < 0f) {
+                    phi_3908_ = (_e3218 + _e3226);
                 } else {
-                    phi_3889_ = (_e3200 - _e3208);
+                    phi_3908_ = (_e3218 - _e3226);
                 }
-                let _e3218 = phi_3889_;
-                let _e3225 = (1f / sqrt((((_e3213 * _e3213) + (_e3218 * _e3218)) + (_e3204 * _e3204))));
-                let _e3244 = (f32((bitcast<i32>((_e2899[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3250 = (f32((bitcast<i32>(_e2899[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3254 = ((1f - abs(_e3244)) - abs(_e3250));
-                if (_e3254 < 0f) {
-                    phi_3927_ = -(_e3254);
+                let _e3236 = phi_3908_;
+                let _e3243 = (1f / sqrt((((_e3231 * _e3231) + (_e3236 * _e3236)) + (_e3222 * _e3222))));
+                let _e3262 = (f32((bitcast<i32>((_e2917[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3268 = (f32((bitcast<i32>(_e2917[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3272 = ((1f - abs(_e3262)) - abs(_e3268));
+                if (_e3272 < 0f) {
+                    phi_3946_ = -(_e3272);
                 } else {
-                    phi_3927_ = 0f;
+                    phi_3946_ = 0f;
                 }
-                let _e3258 = phi_3927_;
-                if (_e3244 < 0f) {
-                    phi_3934_ = (_e3244 + _e3258);
+                let _e3276 = phi_3946_;
+                if (_e3262 < 0f) {
+                    phi_3953_ = (_e3262 + _e3276);
                 } else {
-                    phi_3934_ = (_e3244 - _e3258);
+                    phi_3953_ = (_e3262 - _e3276);
                 }
-                let _e3263 = phi_3934_;
-                if (_e3250 < 0f) {
-                    phi_3941_ = (_e3250 + _e3258);
+                let _e3281 = phi_3953_;
+                if (_e3268 < 0f) {
+                    phi_3960_ = (_e3268 + _e3276);
                 } else {
-                    phi_3941_ = (_e3250 - _e3258);
+                    phi_3960_ = (_e3268 - _e3276);
                 }
-                let _e3268 = phi_3941_;
-                let _e3275 = (1f / sqrt((((_e3263 * _e3263) + (_e3268 * _e3268)) + (_e3254 * _e3254))));
-                let _e3282 = ((((_e3166 * _e3178) * _e2631) + ((_e3213 * _e3225) * _e2625.u)) + ((_e3263 * _e3275) * _e2625.v));
-                let _e3283 = ((((_e3171 * _e3178) * _e2631) + ((_e3218 * _e3225) * _e2625.u)) + ((_e3268 * _e3275) * _e2625.v));
-                let _e3284 = ((((_e3157 * _e3178) * _e2631) + ((_e3204 * _e3225) * _e2625.u)) + ((_e3254 * _e3275) * _e2625.v));
-                if (_e2625.instance < _e91) {
+                let _e3286 = phi_3960_;
+                let _e3293 = (1f / sqrt((((_e3281 * _e3281) + (_e3286 * _e3286)) + (_e3272 * _e3272))));
+                let _e3300 = ((((_e3184 * _e3196) * _e2649) + ((_e3231 * _e3243) * _e2643.u)) + ((_e3281 * _e3293) * _e2643.v));
+                let _e3301 = ((((_e3189 * _e3196) * _e2649) + ((_e3236 * _e3243) * _e2643.u)) + ((_e3286 * _e3293) * _e2643.v));
+                let _e3302 = ((((_e3175 * _e3196) * _e2649) + ((_e3222 * _e3243) * _e2643.u)) + ((_e3272 * _e3293) * _e2643.v));
+                if (_e2643.instance < _e92) {
                 } else {
                     return;
                 }
-                let _e3291 = instances.member[(0u + _e2625.instance)].world_to_object[0u];
-                let _e3300 = instances.member[(0u + _e2625.instance)].world_to_object[1u];
-                let _e3312 = instances.member[(0u + _e2625.instance)].world_to_object[2u];
-                let _e3319 = (((_e3291.x * _e3282) + (_e3300.x * _e3283)) + (_e3312.x * _e3284));
-                let _e3320 = (((_e3291.y * _e3282) + (_e3300.y * _e3283)) + (_e3312.y * _e3284));
-                let _e3321 = (((_e3291.z * _e3282) + (_e3300.z * _e3283)) + (_e3312.z * _e3284));
-                let _e3327 = sqrt((((_e3319 * _e3319) + (_e3320 * _e3320)) + (_e3321 * _e3321)));
-                if (_e3327 > 0f) {
-                    let _e3329 = (_e3319 / _e3327);
-                    let _e3330 = (_e3320 / _e3327);
-                    let _e3331 = (_e3321 / _e3327);
-                    if ((((_e3329 * _e2877.x) + (_e3330 * _e2877.y)) + (_e3331 * _e2877.z)) < 0f) {
-                        phi_4027_ = vec3<f32>(-(_e3329), -(_e3330), -(_e3331));
+                let _e3309 = instances.member[(0u + _e2643.instance)].world_to_object[0u];
+                let _e3318 = instances.member[(0u + _e2643.instance)].world_to_object[1u];
+                let _e3330 = instances.member[(0u + _e2643.instance)].world_to_object[2u];
+                let _e3337 = (((_e3309.x * _e3300) + (_e3318.x * _e3301)) + (_e3330.x * _e3302));
+                let _e3338 = (((_e3309.y * _e3300) + (_e3318.y * _e3301)) + (_e3330.y * _e3302));
+                let _e3339 = (((_e3309.z * _e3300) + (_e3318.z * _e3301)) + (_e3330.z * _e3302));
+                let _e3345 = sqrt((((_e3337 * _e3337) + (_e3338 * _e3338)) + (_e3339 * _e3339)));
+                if (_e3345 > 0f) {
+                    let _e3347 = (_e3337 / _e3345);
+                    let _e3348 = (_e3338 / _e3345);
+                    let _e3349 = (_e3339 / _e3345);
+                    if ((((_e3347 * _e2895.x) + (_e3348 * _e2895.y)) + (_e3349 * _e2895.z)) < 0f) {
+                        phi_4046_ = vec3<f32>(-(_e3347), -(_e3348), -(_e3349));
                     } else {
-                        phi_4027_ = vec3<f32>(_e3329, _e3330, _e3331);
+                        phi_4046_ = vec3<f32>(_e3347, _e3348, _e3349);
                     }
-                    let _e3347 = phi_4027_;
-                    phi_4028_ = _e3347;
+                    let _e3365 = phi_4046_;
+                    phi_4047_ = _e3365;
                 } else {
-                    phi_4028_ = _e2877;
+                    phi_4047_ = _e2895;
                 }
-                let _e3349 = phi_4028_;
-                phi_4029_ = _e3349;
+                let _e3367 = phi_4047_;
+                phi_4048_ = _e3367;
             }
-            let _e3351 = phi_4029_;
-            if (_e3123 > 0f) {
-                if (_e3123 < 1f) {
-                    phi_4038_ = _e3123;
+            let _e3369 = phi_4048_;
+            if (_e3141 > 0f) {
+                if (_e3141 < 1f) {
+                    phi_4057_ = _e3141;
                 } else {
-                    phi_4038_ = 1f;
+                    phi_4057_ = 1f;
                 }
-                let _e3355 = phi_4038_;
-                phi_4039_ = _e3355;
+                let _e3373 = phi_4057_;
+                phi_4058_ = _e3373;
             } else {
-                phi_4039_ = 0f;
+                phi_4058_ = 0f;
             }
-            let _e3357 = phi_4039_;
-            if (_e3125 > 0f) {
-                if (_e3125 < 1f) {
-                    phi_4049_ = _e3125;
+            let _e3375 = phi_4058_;
+            if (_e3143 > 0f) {
+                if (_e3143 < 1f) {
+                    phi_4068_ = _e3143;
                 } else {
-                    phi_4049_ = 1f;
+                    phi_4068_ = 1f;
                 }
-                let _e3362 = phi_4049_;
-                phi_4050_ = _e3362;
+                let _e3380 = phi_4068_;
+                phi_4069_ = _e3380;
             } else {
-                phi_4050_ = 0f;
+                phi_4069_ = 0f;
             }
-            let _e3364 = phi_4050_;
-            if (_e3127 > 0f) {
-                if (_e3127 < 1f) {
-                    phi_4060_ = _e3127;
+            let _e3382 = phi_4069_;
+            if (_e3145 > 0f) {
+                if (_e3145 < 1f) {
+                    phi_4079_ = _e3145;
                 } else {
-                    phi_4060_ = 1f;
+                    phi_4079_ = 1f;
                 }
-                let _e3369 = phi_4060_;
-                phi_4061_ = _e3369;
+                let _e3387 = phi_4079_;
+                phi_4080_ = _e3387;
             } else {
-                phi_4061_ = 0f;
+                phi_4080_ = 0f;
             }
-            let _e3371 = phi_4061_;
-            let _e3374 = ((sqrt(_e3357) * 255f) + 0.5f);
-            let _e3383 = ((sqrt(_e3364) * 255f) + 0.5f);
-            let _e3395 = ((sqrt(_e3371) * 255f) + 0.5f);
-            phi_4096_ = abi_Sample(vec3<f32>(_e2785, _e2786, _e2787), _e3129, _e2877, _e3134, _e3351, ((select(select(u32(_e3374), 0u, (_e3374 < bitcast<f32>(0u))), 4294967295u, (_e3374 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3383), 0u, (_e3383 < bitcast<f32>(0u))), 4294967295u, (_e3383 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3395), 0u, (_e3395 < bitcast<f32>(0u))), 4294967295u, (_e3395 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3389 = phi_4080_;
+            let _e3392 = ((sqrt(_e3375) * 255f) + 0.5f);
+            let _e3401 = ((sqrt(_e3382) * 255f) + 0.5f);
+            let _e3413 = ((sqrt(_e3389) * 255f) + 0.5f);
+            phi_4115_ = abi_Sample(vec3<f32>(_e2803, _e2804, _e2805), _e3147, _e2895, _e3152, _e3369, ((select(select(u32(_e3392), 0u, (_e3392 < bitcast<f32>(0u))), 4294967295u, (_e3392 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3401), 0u, (_e3401 < bitcast<f32>(0u))), 4294967295u, (_e3401 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3413), 0u, (_e3413 < bitcast<f32>(0u))), 4294967295u, (_e3413 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4096_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4115_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3409 = phi_4096_;
-        if (_e100.shift < arrayLength((&samples.member))) {
+        let _e3427 = phi_4115_;
+        if (_e101.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e100.shift)] = _e3409;
+        samples.member[(0u + _e101.shift)] = _e3427;
     }
     return;
 }

@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -153,81 +153,81 @@ var<storage, read_write> samples: type_9;
 var<storage> instances: type_51;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_197_: lt_mask_LightPlace;
-    var phi_198_: bool;
     var phi_199_: lt_mask_LightPlace;
     var phi_200_: bool;
-    var phi_205_: lt_mask_LightPlace;
+    var phi_201_: lt_mask_LightPlace;
+    var phi_202_: bool;
+    var phi_207_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_197_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_198_ = false;
+            phi_199_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_200_ = false;
         } else {
-            phi_197_ = lt_mask_LightPlace();
-            phi_198_ = true;
+            phi_199_ = lt_mask_LightPlace();
+            phi_200_ = true;
         }
-        let _e74 = phi_197_;
-        let _e76 = phi_198_;
-        phi_199_ = _e74;
-        phi_200_ = _e76;
+        let _e75 = phi_199_;
+        let _e77 = phi_200_;
+        phi_201_ = _e75;
+        phi_202_ = _e77;
     } else {
-        phi_199_ = lt_mask_LightPlace();
-        phi_200_ = true;
+        phi_201_ = lt_mask_LightPlace();
+        phi_202_ = true;
     }
-    let _e78 = phi_199_;
-    let _e80 = phi_200_;
-    if _e80 {
-        phi_205_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e79 = phi_201_;
+    let _e81 = phi_202_;
+    if _e81 {
+        phi_207_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_205_ = _e78;
+        phi_207_ = _e79;
     }
-    let _e85 = phi_205_;
-    return lt_mask_LightPlace(_e85.word, _e85.shift);
+    let _e86 = phi_207_;
+    return lt_mask_LightPlace(_e86.word, _e86.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_220_: bool;
-    var phi_224_: f32;
+    var phi_222_: bool;
+    var phi_226_: f32;
 
     if (param_3 != param_3) {
-        phi_220_ = true;
+        phi_222_ = true;
     } else {
-        let _e64 = (param_4 >= param_3);
-        if _e64 {
+        let _e65 = (param_4 >= param_3);
+        if _e65 {
         }
-        phi_220_ = _e64;
+        phi_222_ = _e65;
     }
-    let _e66 = phi_220_;
-    if _e66 {
-        phi_224_ = param_4;
+    let _e67 = phi_222_;
+    if _e67 {
+        phi_226_ = param_4;
     } else {
-        phi_224_ = param_3;
+        phi_226_ = param_3;
     }
-    let _e68 = phi_224_;
-    return _e68;
+    let _e69 = phi_226_;
+    return _e69;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_236_: bool;
-    var phi_240_: f32;
+    var phi_238_: bool;
+    var phi_242_: f32;
 
     if (param_5 != param_5) {
-        phi_236_ = true;
+        phi_238_ = true;
     } else {
-        let _e64 = (param_6 <= param_5);
-        if _e64 {
+        let _e65 = (param_6 <= param_5);
+        if _e65 {
         }
-        phi_236_ = _e64;
+        phi_238_ = _e65;
     }
-    let _e66 = phi_236_;
-    if _e66 {
-        phi_240_ = param_6;
+    let _e67 = phi_238_;
+    if _e67 {
+        phi_242_ = param_6;
     } else {
-        phi_240_ = param_5;
+        phi_242_ = param_5;
     }
-    let _e68 = phi_240_;
-    return _e68;
+    let _e69 = phi_242_;
+    return _e69;
 }
 
 fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
@@ -235,15 +235,15 @@ fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_9: f32, param_10: f32) -> f32 {
-    var phi_252_: f32;
+    var phi_254_: f32;
 
     if (param_9 > param_10) {
-        phi_252_ = param_9;
+        phi_254_ = param_9;
     } else {
-        phi_252_ = param_10;
+        phi_254_ = param_10;
     }
-    let _e65 = phi_252_;
-    return _e65;
+    let _e66 = phi_254_;
+    return _e66;
 }
 
 fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_11: vec3<f32>) -> vec3<f32> {
@@ -253,2411 +253,2413 @@ fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSour
 fn function_() {
     var local: lt_bvh_traverse_Stack;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_376_: bool;
-    var phi_377_: bool;
-    var phi_378_: bool;
-    var phi_379_: bool;
-    var phi_383_: bool;
+    var phi_395_: bool;
     var phi_396_: bool;
     var phi_397_: bool;
     var phi_398_: bool;
-    var phi_399_: bool;
-    var phi_403_: bool;
+    var phi_402_: bool;
+    var phi_415_: bool;
     var phi_416_: bool;
     var phi_417_: bool;
     var phi_418_: bool;
     var phi_422_: bool;
-    var phi_423_: bool;
-    var phi_424_: bool;
-    var phi_425_: bool;
-    var phi_426_: bool;
-    var phi_430_: bool;
-    var phi_506_: f32;
-    var phi_513_: f32;
-    var phi_521_: f32;
-    var phi_528_: f32;
-    var phi_536_: f32;
-    var phi_543_: f32;
-    var phi_566_: f32;
-    var phi_571_: f32;
-    var phi_576_: f32;
-    var phi_581_: f32;
-    var phi_586_: f32;
-    var phi_605_: u32;
-    var phi_610_: u32;
-    var phi_615_: u32;
-    var phi_729_: bool;
-    var phi_730_: bool;
-    var phi_761_: u32;
-    var phi_763_: u32;
-    var phi_766_: lt_bvh_Hit;
-    var phi_851_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_878_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_905_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_911_: u32;
-    var phi_914_: u32;
-    var phi_928_: u32;
-    var phi_938_: u32;
-    var phi_948_: u32;
-    var phi_966_: u32;
-    var phi_976_: u32;
-    var phi_986_: u32;
-    var phi_1022_: u32;
-    var phi_1035_: u32;
-    var phi_1040_: u32;
+    var phi_435_: bool;
+    var phi_436_: bool;
+    var phi_437_: bool;
+    var phi_441_: bool;
+    var phi_442_: bool;
+    var phi_443_: bool;
+    var phi_444_: bool;
+    var phi_445_: bool;
+    var phi_449_: bool;
+    var phi_525_: f32;
+    var phi_532_: f32;
+    var phi_540_: f32;
+    var phi_547_: f32;
+    var phi_555_: f32;
+    var phi_562_: f32;
+    var phi_585_: f32;
+    var phi_590_: f32;
+    var phi_595_: f32;
+    var phi_600_: f32;
+    var phi_605_: f32;
+    var phi_624_: u32;
+    var phi_629_: u32;
+    var phi_634_: u32;
+    var phi_748_: bool;
+    var phi_749_: bool;
+    var phi_780_: u32;
+    var phi_782_: u32;
+    var phi_785_: lt_bvh_Hit;
+    var phi_870_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_897_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_924_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_930_: u32;
+    var phi_933_: u32;
+    var phi_947_: u32;
+    var phi_957_: u32;
+    var phi_967_: u32;
+    var phi_985_: u32;
+    var phi_995_: u32;
+    var phi_1005_: u32;
     var phi_1041_: u32;
-    var phi_1042_: u32;
-    var phi_912_: u32;
-    var phi_915_: u32;
+    var phi_1054_: u32;
+    var phi_1059_: u32;
+    var phi_1060_: u32;
+    var phi_1061_: u32;
+    var phi_931_: u32;
+    var phi_934_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1100_: u32;
-    var phi_1103_: lt_bvh_Hit;
-    var phi_1158_: f32;
-    var phi_1163_: f32;
-    var phi_1168_: f32;
-    var phi_1176_: f32;
-    var phi_1181_: f32;
-    var phi_1186_: f32;
-    var phi_1318_: bool;
-    var phi_1319_: bool;
-    var phi_1320_: bool;
-    var phi_1321_: bool;
-    var phi_1325_: bool;
+    var phi_1119_: u32;
+    var phi_1122_: lt_bvh_Hit;
+    var phi_1177_: f32;
+    var phi_1182_: f32;
+    var phi_1187_: f32;
+    var phi_1195_: f32;
+    var phi_1200_: f32;
+    var phi_1205_: f32;
+    var phi_1337_: bool;
     var phi_1338_: bool;
     var phi_1339_: bool;
     var phi_1340_: bool;
-    var phi_1341_: bool;
-    var phi_1345_: bool;
+    var phi_1344_: bool;
+    var phi_1357_: bool;
     var phi_1358_: bool;
     var phi_1359_: bool;
     var phi_1360_: bool;
     var phi_1364_: bool;
-    var phi_1365_: bool;
-    var phi_1366_: bool;
-    var phi_1367_: bool;
-    var phi_1368_: bool;
-    var phi_1372_: bool;
-    var phi_1442_: f32;
-    var phi_1449_: f32;
-    var phi_1456_: f32;
-    var phi_1463_: f32;
-    var phi_1470_: f32;
-    var phi_1477_: f32;
-    var phi_1494_: f32;
-    var phi_1499_: f32;
-    var phi_1504_: f32;
-    var phi_1509_: f32;
-    var phi_1514_: f32;
-    var phi_1540_: bool;
-    var phi_1541_: bool;
-    var phi_1549_: u32;
-    var phi_1550_: u32;
-    var phi_1561_: vec3<f32>;
-    var phi_1562_: vec3<f32>;
-    var phi_1575_: u32;
-    var phi_1580_: u32;
-    var phi_1585_: u32;
-    var phi_1699_: bool;
-    var phi_1700_: bool;
-    var phi_1731_: u32;
-    var phi_1733_: lt_bvh_Hit;
-    var phi_1736_: u32;
-    var phi_1817_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1844_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1871_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1877_: u32;
-    var phi_1880_: u32;
-    var phi_1894_: u32;
-    var phi_1904_: u32;
-    var phi_1914_: u32;
-    var phi_1932_: u32;
-    var phi_1942_: u32;
-    var phi_1952_: u32;
-    var phi_1988_: u32;
-    var phi_2001_: u32;
-    var phi_2006_: u32;
+    var phi_1377_: bool;
+    var phi_1378_: bool;
+    var phi_1379_: bool;
+    var phi_1383_: bool;
+    var phi_1384_: bool;
+    var phi_1385_: bool;
+    var phi_1386_: bool;
+    var phi_1387_: bool;
+    var phi_1391_: bool;
+    var phi_1461_: f32;
+    var phi_1468_: f32;
+    var phi_1475_: f32;
+    var phi_1482_: f32;
+    var phi_1489_: f32;
+    var phi_1496_: f32;
+    var phi_1513_: f32;
+    var phi_1518_: f32;
+    var phi_1523_: f32;
+    var phi_1528_: f32;
+    var phi_1533_: f32;
+    var phi_1559_: bool;
+    var phi_1560_: bool;
+    var phi_1568_: u32;
+    var phi_1569_: u32;
+    var phi_1580_: vec3<f32>;
+    var phi_1581_: vec3<f32>;
+    var phi_1594_: u32;
+    var phi_1599_: u32;
+    var phi_1604_: u32;
+    var phi_1718_: bool;
+    var phi_1719_: bool;
+    var phi_1750_: u32;
+    var phi_1752_: lt_bvh_Hit;
+    var phi_1755_: u32;
+    var phi_1836_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1863_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1890_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1896_: u32;
+    var phi_1899_: u32;
+    var phi_1913_: u32;
+    var phi_1923_: u32;
+    var phi_1933_: u32;
+    var phi_1951_: u32;
+    var phi_1961_: u32;
+    var phi_1971_: u32;
     var phi_2007_: u32;
-    var phi_2008_: u32;
-    var phi_1878_: u32;
-    var phi_1881_: u32;
+    var phi_2020_: u32;
+    var phi_2025_: u32;
+    var phi_2026_: u32;
+    var phi_2027_: u32;
+    var phi_1897_: u32;
+    var phi_1900_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_2066_: lt_bvh_Hit;
-    var phi_2069_: u32;
-    var phi_2113_: vec3<f32>;
-    var phi_2114_: vec3<f32>;
-    var phi_2143_: vec3<f32>;
-    var phi_2144_: vec3<f32>;
-    var phi_2173_: vec3<f32>;
-    var phi_2174_: vec3<f32>;
-    var phi_2192_: bool;
-    var phi_2193_: bool;
-    var phi_2197_: f32;
-    var phi_2198_: f32;
-    var phi_2199_: f32;
-    var phi_2200_: f32;
-    var phi_2208_: f32;
-    var phi_2218_: bool;
-    var phi_2219_: bool;
-    var phi_2223_: f32;
-    var phi_2224_: f32;
-    var phi_2225_: f32;
-    var phi_2226_: f32;
-    var phi_2234_: f32;
-    var phi_2244_: bool;
-    var phi_2245_: bool;
-    var phi_2249_: f32;
-    var phi_2250_: f32;
-    var phi_2251_: f32;
-    var phi_2252_: f32;
-    var phi_2260_: f32;
-    var phi_2275_: f32;
-    var phi_2276_: bool;
-    var phi_2277_: f32;
-    var phi_2278_: bool;
+    var phi_2085_: lt_bvh_Hit;
+    var phi_2088_: u32;
+    var phi_2132_: vec3<f32>;
+    var phi_2133_: vec3<f32>;
+    var phi_2162_: vec3<f32>;
+    var phi_2163_: vec3<f32>;
+    var phi_2192_: vec3<f32>;
+    var phi_2193_: vec3<f32>;
+    var phi_2211_: bool;
+    var phi_2212_: bool;
+    var phi_2216_: f32;
+    var phi_2217_: f32;
+    var phi_2218_: f32;
+    var phi_2219_: f32;
+    var phi_2227_: f32;
+    var phi_2237_: bool;
+    var phi_2238_: bool;
+    var phi_2242_: f32;
+    var phi_2243_: f32;
+    var phi_2244_: f32;
+    var phi_2245_: f32;
+    var phi_2253_: f32;
+    var phi_2263_: bool;
+    var phi_2264_: bool;
+    var phi_2268_: f32;
+    var phi_2269_: f32;
+    var phi_2270_: f32;
+    var phi_2271_: f32;
     var phi_2279_: f32;
-    var phi_2280_: bool;
+    var phi_2294_: f32;
+    var phi_2295_: bool;
+    var phi_2296_: f32;
+    var phi_2297_: bool;
     var phi_2298_: f32;
     var phi_2299_: bool;
-    var phi_2300_: bool;
-    var phi_2301_: f32;
-    var phi_2302_: bool;
-    var phi_2303_: bool;
-    var phi_2307_: bool;
-    var phi_2308_: f32;
-    var phi_2309_: bool;
-    var phi_2337_: vec3<f32>;
-    var phi_2338_: vec3<f32>;
-    var phi_2363_: vec3<f32>;
-    var phi_2364_: vec3<f32>;
-    var phi_2389_: vec3<f32>;
-    var phi_2390_: vec3<f32>;
-    var phi_2446_: f32;
-    var phi_2455_: f32;
-    var phi_2464_: f32;
-    var phi_2473_: f32;
-    var phi_2480_: f32;
-    var phi_2487_: f32;
-    var phi_2500_: f32;
-    var phi_2509_: f32;
-    var phi_2518_: f32;
-    var phi_2527_: f32;
-    var phi_2534_: f32;
-    var phi_2541_: f32;
-    var phi_2558_: f32;
-    var phi_2563_: f32;
-    var phi_2568_: f32;
-    var phi_2576_: f32;
-    var phi_2581_: f32;
-    var phi_2586_: f32;
-    var phi_2598_: f32;
-    var phi_2603_: f32;
-    var phi_2608_: f32;
-    var phi_2613_: f32;
-    var phi_2618_: lt_bvh_triangle_Intersection;
-    var phi_2619_: bool;
-    var phi_2620_: lt_bvh_triangle_Intersection;
-    var phi_2621_: bool;
-    var phi_2625_: lt_bvh_triangle_Intersection;
-    var phi_2626_: bool;
-    var phi_2627_: lt_bvh_triangle_Intersection;
-    var phi_2628_: bool;
-    var phi_2629_: bool;
-    var phi_2633_: bool;
+    var phi_2317_: f32;
+    var phi_2318_: bool;
+    var phi_2319_: bool;
+    var phi_2320_: f32;
+    var phi_2321_: bool;
+    var phi_2322_: bool;
+    var phi_2326_: bool;
+    var phi_2327_: f32;
+    var phi_2328_: bool;
+    var phi_2356_: vec3<f32>;
+    var phi_2357_: vec3<f32>;
+    var phi_2382_: vec3<f32>;
+    var phi_2383_: vec3<f32>;
+    var phi_2408_: vec3<f32>;
+    var phi_2409_: vec3<f32>;
+    var phi_2465_: f32;
+    var phi_2474_: f32;
+    var phi_2483_: f32;
+    var phi_2492_: f32;
+    var phi_2499_: f32;
+    var phi_2506_: f32;
+    var phi_2519_: f32;
+    var phi_2528_: f32;
+    var phi_2537_: f32;
+    var phi_2546_: f32;
+    var phi_2553_: f32;
+    var phi_2560_: f32;
+    var phi_2577_: f32;
+    var phi_2582_: f32;
+    var phi_2587_: f32;
+    var phi_2595_: f32;
+    var phi_2600_: f32;
+    var phi_2605_: f32;
+    var phi_2617_: f32;
+    var phi_2622_: f32;
+    var phi_2627_: f32;
+    var phi_2632_: f32;
     var phi_2637_: lt_bvh_triangle_Intersection;
-    var phi_2675_: bool;
-    var phi_2676_: bool;
-    var phi_2677_: bool;
-    var phi_2678_: bool;
-    var phi_2679_: bool;
-    var phi_2680_: bool;
-    var phi_2684_: bool;
-    var phi_2685_: bool;
+    var phi_2638_: bool;
+    var phi_2639_: lt_bvh_triangle_Intersection;
+    var phi_2640_: bool;
+    var phi_2644_: lt_bvh_triangle_Intersection;
+    var phi_2645_: bool;
+    var phi_2646_: lt_bvh_triangle_Intersection;
+    var phi_2647_: bool;
+    var phi_2648_: bool;
+    var phi_2652_: bool;
+    var phi_2656_: lt_bvh_triangle_Intersection;
+    var phi_2694_: bool;
+    var phi_2695_: bool;
+    var phi_2696_: bool;
+    var phi_2697_: bool;
+    var phi_2698_: bool;
     var phi_2699_: bool;
-    var phi_2707_: lt_bvh_Hit;
-    var phi_2708_: lt_bvh_Hit;
-    var phi_2709_: lt_bvh_Hit;
-    var phi_2710_: lt_bvh_Hit;
-    var phi_2067_: lt_bvh_Hit;
-    var phi_2070_: u32;
-    var phi_2711_: bool;
-    var phi_2750_: bool;
-    var phi_2751_: bool;
-    var phi_2782_: u32;
-    var phi_1734_: lt_bvh_Hit;
-    var phi_1737_: u32;
-    var phi_2783_: lt_bvh_Hit;
-    var phi_2784_: lt_bvh_Hit;
-    var phi_2785_: bool;
-    var phi_2789_: lt_bvh_Hit;
-    var phi_2790_: lt_bvh_Hit;
-    var phi_2791_: lt_bvh_Hit;
-    var phi_2792_: lt_bvh_Hit;
-    var phi_1101_: u32;
-    var phi_1104_: lt_bvh_Hit;
-    var phi_2793_: bool;
-    var phi_2832_: bool;
-    var phi_2833_: bool;
-    var phi_2864_: u32;
-    var phi_764_: u32;
-    var phi_767_: lt_bvh_Hit;
-    var phi_2865_: lt_bvh_Hit;
-    var phi_2866_: lt_bvh_Hit;
-    var phi_2867_: bool;
-    var phi_2871_: lt_bvh_Hit;
-    var phi_3059_: f32;
-    var phi_3064_: f32;
-    var phi_3069_: f32;
-    var phi_3077_: f32;
-    var phi_3082_: f32;
-    var phi_3087_: f32;
-    var phi_3151_: vec3<f32>;
-    var phi_3272_: u32;
-    var phi_3299_: f32;
-    var phi_3306_: f32;
-    var phi_3313_: f32;
-    var phi_3348_: f32;
-    var phi_3355_: f32;
-    var phi_3362_: f32;
-    var phi_3400_: f32;
-    var phi_3407_: f32;
-    var phi_3414_: f32;
-    var phi_3500_: vec3<f32>;
-    var phi_3501_: vec3<f32>;
-    var phi_3502_: vec3<f32>;
-    var phi_3511_: f32;
-    var phi_3512_: f32;
-    var phi_3522_: f32;
-    var phi_3523_: f32;
-    var phi_3533_: f32;
-    var phi_3534_: f32;
-    var phi_3569_: abi_Sample;
+    var phi_2703_: bool;
+    var phi_2704_: bool;
+    var phi_2718_: bool;
+    var phi_2726_: lt_bvh_Hit;
+    var phi_2727_: lt_bvh_Hit;
+    var phi_2728_: lt_bvh_Hit;
+    var phi_2729_: lt_bvh_Hit;
+    var phi_2086_: lt_bvh_Hit;
+    var phi_2089_: u32;
+    var phi_2730_: bool;
+    var phi_2769_: bool;
+    var phi_2770_: bool;
+    var phi_2801_: u32;
+    var phi_1753_: lt_bvh_Hit;
+    var phi_1756_: u32;
+    var phi_2802_: lt_bvh_Hit;
+    var phi_2803_: lt_bvh_Hit;
+    var phi_2804_: bool;
+    var phi_2808_: lt_bvh_Hit;
+    var phi_2809_: lt_bvh_Hit;
+    var phi_2810_: lt_bvh_Hit;
+    var phi_2811_: lt_bvh_Hit;
+    var phi_1120_: u32;
+    var phi_1123_: lt_bvh_Hit;
+    var phi_2812_: bool;
+    var phi_2851_: bool;
+    var phi_2852_: bool;
+    var phi_2883_: u32;
+    var phi_783_: u32;
+    var phi_786_: lt_bvh_Hit;
+    var phi_2884_: lt_bvh_Hit;
+    var phi_2885_: lt_bvh_Hit;
+    var phi_2886_: bool;
+    var phi_2890_: lt_bvh_Hit;
+    var phi_3078_: f32;
+    var phi_3083_: f32;
+    var phi_3088_: f32;
+    var phi_3096_: f32;
+    var phi_3101_: f32;
+    var phi_3106_: f32;
+    var phi_3170_: vec3<f32>;
+    var phi_3291_: u32;
+    var phi_3318_: f32;
+    var phi_3325_: f32;
+    var phi_3332_: f32;
+    var phi_3367_: f32;
+    var phi_3374_: f32;
+    var phi_3381_: f32;
+    var phi_3419_: f32;
+    var phi_3426_: f32;
+    var phi_3433_: f32;
+    var phi_3519_: vec3<f32>;
+    var phi_3520_: vec3<f32>;
+    var phi_3521_: vec3<f32>;
+    var phi_3530_: f32;
+    var phi_3531_: f32;
+    var phi_3541_: f32;
+    var phi_3542_: f32;
+    var phi_3552_: f32;
+    var phi_3553_: f32;
+    var phi_3588_: abi_Sample;
     var local_8: lt_bvh_Hit;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
 
-    let _e63 = id_1;
-    let _e67 = arrayLength((&nodes.member));
-    let _e70 = arrayLength((&triangles.member));
-    let _e73 = arrayLength((&vertices.member));
-    let _e82 = arrayLength((&instances.member));
-    let _e85 = p.member.size[0u];
-    let _e87 = p.member.size[1u];
-    let _e88 = lt_shaders_entry_pixel_index(_e63, _e85, _e87);
-    if (bitcast<i32>(_e88.word) != 0i) {
-        let _e94 = p.member.root;
-        let _e98 = p.member.eye;
-        let _e103 = p.member.size[0u];
-        let _e107 = ((((f32(_e63.x) + 0.5f) / f32(_e103)) * 2f) - 1f);
-        let _e112 = p.member.size[1u];
-        let _e116 = (1f - (((f32(_e63.y) + 0.5f) / f32(_e112)) * 2f));
-        let _e118 = p.member.forward;
-        let _e120 = p.member.right;
-        let _e134 = p.member.up;
-        let _e145 = _lt_bvh_ray_Ray_new(_e98, vec3<f32>(((_e118.x + (_e120.x * _e107)) + (_e134.x * _e116)), ((_e118.y + (_e120.y * _e107)) + (_e134.y * _e116)), ((_e118.z + (_e120.z * _e107)) + (_e134.z * _e116))));
-        let _e147 = lt_bvh_Hit(_e145.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e150 = abs(_e145.direction.x);
-        let _e152 = abs(_e145.direction.y);
-        let _e154 = abs(_e145.direction.z);
-        if (abs(_e145.origin.x) < 1000000000000000f) {
-            if (abs(_e145.origin.y) < 1000000000000000f) {
-                phi_376_ = (abs(_e145.origin.z) < 1000000000000000f);
-                phi_377_ = false;
+    let _e64 = id_1;
+    let _e68 = arrayLength((&nodes.member));
+    let _e71 = arrayLength((&triangles.member));
+    let _e74 = arrayLength((&vertices.member));
+    let _e83 = arrayLength((&instances.member));
+    let _e86 = p.member.size[0u];
+    let _e88 = p.member.size[1u];
+    let _e89 = lt_shaders_entry_pixel_index(_e64, _e86, _e88);
+    if (bitcast<i32>(_e89.word) != 0i) {
+        let _e95 = p.member.root;
+        let _e99 = p.member.eye;
+        let _e102 = p.member.grid[0u];
+        let _e104 = p.member.grid[1u];
+        let _e123 = p.member.size[0u];
+        let _e127 = ((((f32(_e64.x) + ((f32((_e64.y & (_e104 - 1u))) + 0.5f) / f32(_e104))) / f32(_e123)) * 2f) - 1f);
+        let _e130 = p.member.size[1u];
+        let _e134 = (1f - (((f32(_e64.y) + ((f32((_e64.x & (_e102 - 1u))) + 0.5f) / f32(_e102))) / f32(_e130)) * 2f));
+        let _e136 = p.member.forward;
+        let _e138 = p.member.right;
+        let _e152 = p.member.up;
+        let _e163 = _lt_bvh_ray_Ray_new(_e99, vec3<f32>(((_e136.x + (_e138.x * _e127)) + (_e152.x * _e134)), ((_e136.y + (_e138.y * _e127)) + (_e152.y * _e134)), ((_e136.z + (_e138.z * _e127)) + (_e152.z * _e134))));
+        let _e165 = lt_bvh_Hit(_e163.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e168 = abs(_e163.direction.x);
+        let _e170 = abs(_e163.direction.y);
+        let _e172 = abs(_e163.direction.z);
+        if (abs(_e163.origin.x) < 1000000000000000f) {
+            if (abs(_e163.origin.y) < 1000000000000000f) {
+                phi_395_ = (abs(_e163.origin.z) < 1000000000000000f);
+                phi_396_ = false;
             } else {
-                phi_376_ = bool();
-                phi_377_ = true;
+                phi_395_ = bool();
+                phi_396_ = true;
             }
-            let _e166 = phi_376_;
-            let _e168 = phi_377_;
-            phi_378_ = _e166;
-            phi_379_ = _e168;
+            let _e184 = phi_395_;
+            let _e186 = phi_396_;
+            phi_397_ = _e184;
+            phi_398_ = _e186;
         } else {
-            phi_378_ = bool();
-            phi_379_ = true;
+            phi_397_ = bool();
+            phi_398_ = true;
         }
-        let _e170 = phi_378_;
-        let _e172 = phi_379_;
-        if _e172 {
-            phi_383_ = false;
+        let _e188 = phi_397_;
+        let _e190 = phi_398_;
+        if _e190 {
+            phi_402_ = false;
         } else {
-            phi_383_ = _e170;
+            phi_402_ = _e188;
         }
-        let _e174 = phi_383_;
-        if _e174 {
-            if (_e150 < 1000000000000000f) {
-                if (_e152 < 1000000000000000f) {
-                    phi_396_ = (_e154 < 1000000000000000f);
-                    phi_397_ = false;
+        let _e192 = phi_402_;
+        if _e192 {
+            if (_e168 < 1000000000000000f) {
+                if (_e170 < 1000000000000000f) {
+                    phi_415_ = (_e172 < 1000000000000000f);
+                    phi_416_ = false;
                 } else {
-                    phi_396_ = bool();
-                    phi_397_ = true;
+                    phi_415_ = bool();
+                    phi_416_ = true;
                 }
-                let _e179 = phi_396_;
-                let _e181 = phi_397_;
-                phi_398_ = _e179;
-                phi_399_ = _e181;
+                let _e197 = phi_415_;
+                let _e199 = phi_416_;
+                phi_417_ = _e197;
+                phi_418_ = _e199;
             } else {
-                phi_398_ = bool();
-                phi_399_ = true;
+                phi_417_ = bool();
+                phi_418_ = true;
             }
-            let _e183 = phi_398_;
-            let _e185 = phi_399_;
-            if _e185 {
-                phi_403_ = false;
+            let _e201 = phi_417_;
+            let _e203 = phi_418_;
+            if _e203 {
+                phi_422_ = false;
             } else {
-                phi_403_ = _e183;
+                phi_422_ = _e201;
             }
-            let _e187 = phi_403_;
-            if _e187 {
-                if (_e150 > 0f) {
-                    phi_417_ = bool();
-                    phi_418_ = true;
+            let _e205 = phi_422_;
+            if _e205 {
+                if (_e168 > 0f) {
+                    phi_436_ = bool();
+                    phi_437_ = true;
                 } else {
-                    let _e189 = (_e152 > 0f);
-                    if _e189 {
-                        phi_416_ = bool();
+                    let _e207 = (_e170 > 0f);
+                    if _e207 {
+                        phi_435_ = bool();
                     } else {
-                        phi_416_ = (_e154 > 0f);
+                        phi_435_ = (_e172 > 0f);
                     }
-                    let _e192 = phi_416_;
-                    phi_417_ = _e192;
-                    phi_418_ = _e189;
+                    let _e210 = phi_435_;
+                    phi_436_ = _e210;
+                    phi_437_ = _e207;
                 }
-                let _e194 = phi_417_;
-                let _e196 = phi_418_;
-                if _e196 {
-                    phi_422_ = true;
+                let _e212 = phi_436_;
+                let _e214 = phi_437_;
+                if _e214 {
+                    phi_441_ = true;
                 } else {
-                    phi_422_ = _e194;
+                    phi_441_ = _e212;
                 }
-                let _e198 = phi_422_;
-                phi_423_ = _e198;
-                phi_424_ = false;
+                let _e216 = phi_441_;
+                phi_442_ = _e216;
+                phi_443_ = false;
             } else {
-                phi_423_ = bool();
-                phi_424_ = true;
+                phi_442_ = bool();
+                phi_443_ = true;
             }
-            let _e200 = phi_423_;
-            let _e202 = phi_424_;
-            phi_425_ = _e200;
-            phi_426_ = _e202;
+            let _e218 = phi_442_;
+            let _e220 = phi_443_;
+            phi_444_ = _e218;
+            phi_445_ = _e220;
         } else {
-            phi_425_ = bool();
-            phi_426_ = true;
+            phi_444_ = bool();
+            phi_445_ = true;
         }
-        let _e204 = phi_425_;
-        let _e206 = phi_426_;
-        if _e206 {
-            phi_430_ = false;
+        let _e222 = phi_444_;
+        let _e224 = phi_445_;
+        if _e224 {
+            phi_449_ = false;
         } else {
-            phi_430_ = _e204;
+            phi_449_ = _e222;
         }
-        let _e208 = phi_430_;
-        if _e208 {
-            let _e209 = (_e94 >= _e67);
-            if _e209 {
-                phi_2865_ = lt_bvh_Hit();
+        let _e226 = phi_449_;
+        if _e226 {
+            let _e227 = (_e95 >= _e68);
+            if _e227 {
+                phi_2884_ = lt_bvh_Hit();
             } else {
-                if (_e94 < _e67) {
+                if (_e95 < _e68) {
                 } else {
                     return;
                 }
-                let _e215 = nodes.member[(0u + _e94)].frame[0u];
-                let _e219 = nodes.member[(0u + _e94)].frame[1u];
-                let _e223 = nodes.member[(0u + _e94)].frame[2u];
-                let _e227 = nodes.member[(0u + _e94)].frame[0u];
-                let _e231 = nodes.member[(0u + _e94)].frame[1u];
-                let _e235 = nodes.member[(0u + _e94)].frame[2u];
-                let _e239 = nodes.member[(0u + _e94)].frame[3u];
-                let _e278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e145.direction.x), abs(_e145.direction.y));
-                let _e279 = core_intrinsics_maximum_number_nsz_f32_(_e278, abs(_e145.direction.z));
-                let _e280 = (_e279 * 0.0000000000009094947f);
-                if (abs(_e145.direction.x) < _e280) {
-                    phi_506_ = _e280;
+                let _e233 = nodes.member[(0u + _e95)].frame[0u];
+                let _e237 = nodes.member[(0u + _e95)].frame[1u];
+                let _e241 = nodes.member[(0u + _e95)].frame[2u];
+                let _e245 = nodes.member[(0u + _e95)].frame[0u];
+                let _e249 = nodes.member[(0u + _e95)].frame[1u];
+                let _e253 = nodes.member[(0u + _e95)].frame[2u];
+                let _e257 = nodes.member[(0u + _e95)].frame[3u];
+                let _e296 = core_intrinsics_maximum_number_nsz_f32_(abs(_e163.direction.x), abs(_e163.direction.y));
+                let _e297 = core_intrinsics_maximum_number_nsz_f32_(_e296, abs(_e163.direction.z));
+                let _e298 = (_e297 * 0.0000000000009094947f);
+                if (abs(_e163.direction.x) < _e298) {
+                    phi_525_ = _e298;
                 } else {
-                    phi_506_ = abs(_e145.direction.x);
+                    phi_525_ = abs(_e163.direction.x);
                 }
-                let _e286 = phi_506_;
-                if (_e145.direction.x < 0f) {
-                    phi_513_ = (-1f / _e286);
+                let _e304 = phi_525_;
+                if (_e163.direction.x < 0f) {
+                    phi_532_ = (-1f / _e304);
                 } else {
-                    phi_513_ = (1f / _e286);
+                    phi_532_ = (1f / _e304);
                 }
-                let _e291 = phi_513_;
-                if (abs(_e145.direction.y) < _e280) {
-                    phi_521_ = _e280;
+                let _e309 = phi_532_;
+                if (abs(_e163.direction.y) < _e298) {
+                    phi_540_ = _e298;
                 } else {
-                    phi_521_ = abs(_e145.direction.y);
+                    phi_540_ = abs(_e163.direction.y);
                 }
-                let _e297 = phi_521_;
-                if (_e145.direction.y < 0f) {
-                    phi_528_ = (-1f / _e297);
+                let _e315 = phi_540_;
+                if (_e163.direction.y < 0f) {
+                    phi_547_ = (-1f / _e315);
                 } else {
-                    phi_528_ = (1f / _e297);
+                    phi_547_ = (1f / _e315);
                 }
-                let _e302 = phi_528_;
-                if (abs(_e145.direction.z) < _e280) {
-                    phi_536_ = _e280;
+                let _e320 = phi_547_;
+                if (abs(_e163.direction.z) < _e298) {
+                    phi_555_ = _e298;
                 } else {
-                    phi_536_ = abs(_e145.direction.z);
+                    phi_555_ = abs(_e163.direction.z);
                 }
-                let _e308 = phi_536_;
-                if (_e145.direction.z < 0f) {
-                    phi_543_ = (-1f / _e308);
+                let _e326 = phi_555_;
+                if (_e163.direction.z < 0f) {
+                    phi_562_ = (-1f / _e326);
                 } else {
-                    phi_543_ = (1f / _e308);
+                    phi_562_ = (1f / _e326);
                 }
-                let _e313 = phi_543_;
-                let _e320 = abs((bitcast<f32>(_e215) - _e145.origin.x));
-                let _e321 = abs((bitcast<f32>(_e219) - _e145.origin.y));
-                let _e322 = abs((bitcast<f32>(_e223) - _e145.origin.z));
-                let _e329 = abs(((bitcast<f32>(_e227) + (bitcast<f32>((((_e239 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.x));
-                let _e330 = abs(((bitcast<f32>(_e231) + (bitcast<f32>((((_e239 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.y));
-                let _e331 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e239 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.z));
-                if (_e320 > _e329) {
-                    phi_566_ = _e320;
+                let _e331 = phi_562_;
+                let _e338 = abs((bitcast<f32>(_e233) - _e163.origin.x));
+                let _e339 = abs((bitcast<f32>(_e237) - _e163.origin.y));
+                let _e340 = abs((bitcast<f32>(_e241) - _e163.origin.z));
+                let _e347 = abs(((bitcast<f32>(_e245) + (bitcast<f32>((((_e257 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e163.origin.x));
+                let _e348 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e257 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e163.origin.y));
+                let _e349 = abs(((bitcast<f32>(_e253) + (bitcast<f32>((((_e257 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e163.origin.z));
+                if (_e338 > _e347) {
+                    phi_585_ = _e338;
                 } else {
-                    phi_566_ = _e329;
+                    phi_585_ = _e347;
                 }
-                let _e334 = phi_566_;
-                if (_e321 > _e330) {
-                    phi_571_ = _e321;
+                let _e352 = phi_585_;
+                if (_e339 > _e348) {
+                    phi_590_ = _e339;
                 } else {
-                    phi_571_ = _e330;
+                    phi_590_ = _e348;
                 }
-                let _e337 = phi_571_;
-                if (_e322 > _e331) {
-                    phi_576_ = _e322;
+                let _e355 = phi_590_;
+                if (_e340 > _e349) {
+                    phi_595_ = _e340;
                 } else {
-                    phi_576_ = _e331;
+                    phi_595_ = _e349;
                 }
-                let _e340 = phi_576_;
-                if (_e334 > _e337) {
-                    phi_581_ = _e334;
+                let _e358 = phi_595_;
+                if (_e352 > _e355) {
+                    phi_600_ = _e352;
                 } else {
-                    phi_581_ = _e337;
+                    phi_600_ = _e355;
                 }
-                let _e343 = phi_581_;
-                if (_e343 > _e340) {
-                    phi_586_ = _e343;
+                let _e361 = phi_600_;
+                if (_e361 > _e358) {
+                    phi_605_ = _e361;
                 } else {
-                    phi_586_ = _e340;
+                    phi_605_ = _e358;
                 }
-                let _e346 = phi_586_;
-                let _e350 = (_e346 * 0.0000019073486f);
-                let _e351 = (abs(_e291) * _e350);
-                let _e352 = (abs(_e302) * _e350);
-                let _e353 = (abs(_e313) * _e350);
-                let _e357 = (_e346 * 0.0000009536743f);
-                let _e358 = (abs(_e291) * _e357);
-                let _e359 = (abs(_e302) * _e357);
-                let _e360 = (abs(_e313) * _e357);
-                if (_e291 < 0f) {
-                    phi_605_ = 0u;
+                let _e364 = phi_605_;
+                let _e368 = (_e364 * 0.0000019073486f);
+                let _e369 = (abs(_e309) * _e368);
+                let _e370 = (abs(_e320) * _e368);
+                let _e371 = (abs(_e331) * _e368);
+                let _e375 = (_e364 * 0.0000009536743f);
+                let _e376 = (abs(_e309) * _e375);
+                let _e377 = (abs(_e320) * _e375);
+                let _e378 = (abs(_e331) * _e375);
+                if (_e309 < 0f) {
+                    phi_624_ = 0u;
                 } else {
-                    phi_605_ = 1u;
+                    phi_624_ = 1u;
                 }
-                let _e363 = phi_605_;
-                if (_e302 < 0f) {
-                    phi_610_ = 0u;
+                let _e381 = phi_624_;
+                if (_e320 < 0f) {
+                    phi_629_ = 0u;
                 } else {
-                    phi_610_ = 2u;
+                    phi_629_ = 2u;
                 }
-                let _e366 = phi_610_;
-                if (_e313 < 0f) {
-                    phi_615_ = 0u;
+                let _e384 = phi_629_;
+                if (_e331 < 0f) {
+                    phi_634_ = 0u;
                 } else {
-                    phi_615_ = 4u;
+                    phi_634_ = 4u;
                 }
-                let _e369 = phi_615_;
-                let _e371 = ((_e363 | _e366) | _e369);
-                let _e372 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e94, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e372.first[0], _e372.first[1], _e372.first[2], _e372.first[3], _e372.first[4], _e372.first[5], _e372.first[6], _e372.first[7], _e372.first[8], _e372.first[9], _e372.first[10], _e372.first[11], _e372.first[12], _e372.first[13], _e372.first[14], _e372.first[15], _e372.first[16], _e372.first[17], _e372.first[18], _e372.first[19], _e372.first[20], _e372.first[21], _e372.first[22], _e372.first[23], _e372.first[24], _e372.first[25], _e372.first[26], _e372.first[27], _e372.first[28], _e372.first[29], _e372.first[30], _e372.first[31]), array<u32, 32>(_e372.mask[0], _e372.mask[1], _e372.mask[2], _e372.mask[3], _e372.mask[4], _e372.mask[5], _e372.mask[6], _e372.mask[7], _e372.mask[8], _e372.mask[9], _e372.mask[10], _e372.mask[11], _e372.mask[12], _e372.mask[13], _e372.mask[14], _e372.mask[15], _e372.mask[16], _e372.mask[17], _e372.mask[18], _e372.mask[19], _e372.mask[20], _e372.mask[21], _e372.mask[22], _e372.mask[23], _e372.mask[24], _e372.mask[25], _e372.mask[26], _e372.mask[27], _e372.mask[28], _e372.mask[29], _e372.mask[30], _e372.mask[31]), _e372.len, _e372.group, _e372.group_mask);
-                let _e446 = local_1.group_mask;
-                if ((_e446 & 4278190080u) == 0u) {
-                    let _e450 = local_1.len;
-                    if (_e450 == 0u) {
-                        phi_729_ = false;
+                let _e387 = phi_634_;
+                let _e389 = ((_e381 | _e384) | _e387);
+                let _e390 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e95, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e390.first[0], _e390.first[1], _e390.first[2], _e390.first[3], _e390.first[4], _e390.first[5], _e390.first[6], _e390.first[7], _e390.first[8], _e390.first[9], _e390.first[10], _e390.first[11], _e390.first[12], _e390.first[13], _e390.first[14], _e390.first[15], _e390.first[16], _e390.first[17], _e390.first[18], _e390.first[19], _e390.first[20], _e390.first[21], _e390.first[22], _e390.first[23], _e390.first[24], _e390.first[25], _e390.first[26], _e390.first[27], _e390.first[28], _e390.first[29], _e390.first[30], _e390.first[31]), array<u32, 32>(_e390.mask[0], _e390.mask[1], _e390.mask[2], _e390.mask[3], _e390.mask[4], _e390.mask[5], _e390.mask[6], _e390.mask[7], _e390.mask[8], _e390.mask[9], _e390.mask[10], _e390.mask[11], _e390.mask[12], _e390.mask[13], _e390.mask[14], _e390.mask[15], _e390.mask[16], _e390.mask[17], _e390.mask[18], _e390.mask[19], _e390.mask[20], _e390.mask[21], _e390.mask[22], _e390.mask[23], _e390.mask[24], _e390.mask[25], _e390.mask[26], _e390.mask[27], _e390.mask[28], _e390.mask[29], _e390.mask[30], _e390.mask[31]), _e390.len, _e390.group, _e390.group_mask);
+                let _e464 = local_1.group_mask;
+                if ((_e464 & 4278190080u) == 0u) {
+                    let _e468 = local_1.len;
+                    if (_e468 == 0u) {
+                        phi_748_ = false;
                     } else {
-                        let _e454 = local_1.len;
-                        local_1.len = (_e454 - 1u);
-                        let _e457 = local_1.len;
-                        if (_e457 < 32u) {
+                        let _e472 = local_1.len;
+                        local_1.len = (_e472 - 1u);
+                        let _e475 = local_1.len;
+                        if (_e475 < 32u) {
                         } else {
                             return;
                         }
-                        let _e462 = local_1.first[(0u + _e457)];
-                        local_1.group = _e462;
-                        let _e465 = local_1.len;
-                        if (_e465 < 32u) {
+                        let _e480 = local_1.first[(0u + _e475)];
+                        local_1.group = _e480;
+                        let _e483 = local_1.len;
+                        if (_e483 < 32u) {
                         } else {
                             return;
                         }
-                        let _e470 = local_1.mask[(0u + _e465)];
-                        local_1.group_mask = _e470;
-                        phi_729_ = true;
+                        let _e488 = local_1.mask[(0u + _e483)];
+                        local_1.group_mask = _e488;
+                        phi_748_ = true;
                     }
-                    let _e473 = phi_729_;
-                    phi_730_ = _e473;
+                    let _e491 = phi_748_;
+                    phi_749_ = _e491;
                 } else {
-                    phi_730_ = true;
+                    phi_749_ = true;
                 }
-                let _e475 = phi_730_;
-                if _e475 {
-                    let _e477 = local_1.group_mask;
-                    let _e483 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e477)), 32u, (_e477 == 0u)));
-                    let _e487 = local_1.group_mask;
-                    let _e501 = local_1.group_mask;
-                    local_1.group_mask = (_e501 & ~((1u << bitcast<u32>((_e483 & 31u)))));
-                    let _e504 = local_1.group;
-                    phi_761_ = (_e504 + countOneBits(((_e487 & ~((4294967295u << bitcast<u32>((((_e483 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e493 = phi_749_;
+                if _e493 {
+                    let _e495 = local_1.group_mask;
+                    let _e501 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e495)), 32u, (_e495 == 0u)));
+                    let _e505 = local_1.group_mask;
+                    let _e519 = local_1.group_mask;
+                    local_1.group_mask = (_e519 & ~((1u << bitcast<u32>((_e501 & 31u)))));
+                    let _e522 = local_1.group;
+                    phi_780_ = (_e522 + countOneBits(((_e505 & ~((4294967295u << bitcast<u32>((((_e501 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_761_ = 4294967295u;
+                    phi_780_ = 4294967295u;
                 }
-                let _e507 = phi_761_;
-                phi_763_ = _e507;
-                phi_766_ = _e147;
+                let _e525 = phi_780_;
+                phi_782_ = _e525;
+                phi_785_ = _e165;
                 loop {
-                    let _e509 = phi_763_;
-                    let _e511 = phi_766_;
-                    local_11 = _e511;
-                    let _e512 = (_e509 != 4294967295u);
-                    if _e512 {
-                        if (_e509 < _e67) {
+                    let _e527 = phi_782_;
+                    let _e529 = phi_785_;
+                    local_11 = _e529;
+                    let _e530 = (_e527 != 4294967295u);
+                    if _e530 {
+                        if (_e527 < _e68) {
                         } else {
                             return;
                         }
-                        let _e520 = nodes.member[(0u + _e509)].frame[3u];
-                        let _e545 = (bitcast<f32>((((_e520 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e291);
-                        let _e546 = (bitcast<f32>((((_e520 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
-                        let _e547 = (bitcast<f32>((((_e520 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
-                        let _e550 = nodes.member[(0u + _e509)].frame[0u];
-                        let _e554 = nodes.member[(0u + _e509)].frame[1u];
-                        let _e558 = nodes.member[(0u + _e509)].frame[2u];
-                        let _e566 = ((bitcast<f32>(_e550) - _e145.origin.x) * _e291);
-                        let _e567 = ((bitcast<f32>(_e554) - _e145.origin.y) * _e302);
-                        let _e568 = ((bitcast<f32>(_e558) - _e145.origin.z) * _e313);
-                        let _e576 = nodes.member[(0u + _e509)].x;
-                        if (_e291 < 0f) {
-                            let _e587 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e576.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e587.unnamed.word, _e576.w), _e587.unnamed_1);
-                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e593.unnamed, lt_mask_LightPlace(_e576.x, _e593.unnamed_1.shift));
-                            phi_851_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_mask_LightPlace(_e599.unnamed_1.word, _e576.y));
+                        let _e538 = nodes.member[(0u + _e527)].frame[3u];
+                        let _e563 = (bitcast<f32>((((_e538 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e309);
+                        let _e564 = (bitcast<f32>((((_e538 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e320);
+                        let _e565 = (bitcast<f32>((((_e538 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
+                        let _e568 = nodes.member[(0u + _e527)].frame[0u];
+                        let _e572 = nodes.member[(0u + _e527)].frame[1u];
+                        let _e576 = nodes.member[(0u + _e527)].frame[2u];
+                        let _e584 = ((bitcast<f32>(_e568) - _e163.origin.x) * _e309);
+                        let _e585 = ((bitcast<f32>(_e572) - _e163.origin.y) * _e320);
+                        let _e586 = ((bitcast<f32>(_e576) - _e163.origin.z) * _e331);
+                        let _e594 = nodes.member[(0u + _e527)].x;
+                        if (_e309 < 0f) {
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e605.unnamed.word, _e594.w), _e605.unnamed_1);
+                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_mask_LightPlace(_e594.x, _e611.unnamed_1.shift));
+                            phi_870_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e617.unnamed, lt_mask_LightPlace(_e617.unnamed_1.word, _e594.y));
                         } else {
-                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e576.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e615.unnamed.word, _e576.y), _e615.unnamed_1);
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_mask_LightPlace(_e576.z, _e621.unnamed_1.shift));
-                            phi_851_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_mask_LightPlace(_e627.unnamed_1.word, _e576.w));
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.unnamed.word, _e594.y), _e633.unnamed_1);
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_mask_LightPlace(_e594.z, _e639.unnamed_1.shift));
+                            phi_870_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e645.unnamed_1.word, _e594.w));
                         }
-                        let _e635 = phi_851_;
-                        let _e645 = nodes.member[(0u + _e509)].y;
-                        if (_e302 < 0f) {
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e645.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e656.unnamed.word, _e645.w), _e656.unnamed_1);
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e662.unnamed, lt_mask_LightPlace(_e645.x, _e662.unnamed_1.shift));
-                            phi_878_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_mask_LightPlace(_e668.unnamed_1.word, _e645.y));
+                        let _e653 = phi_870_;
+                        let _e663 = nodes.member[(0u + _e527)].y;
+                        if (_e320 < 0f) {
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.unnamed.word, _e663.w), _e674.unnamed_1);
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e663.x, _e680.unnamed_1.shift));
+                            phi_897_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e686.unnamed_1.word, _e663.y));
                         } else {
-                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e645.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e684.unnamed.word, _e645.y), _e684.unnamed_1);
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_mask_LightPlace(_e645.z, _e690.unnamed_1.shift));
-                            phi_878_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e696.unnamed_1.word, _e645.w));
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.unnamed.word, _e663.y), _e702.unnamed_1);
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e663.z, _e708.unnamed_1.shift));
+                            phi_897_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e714.unnamed_1.word, _e663.w));
                         }
-                        let _e704 = phi_878_;
-                        let _e714 = nodes.member[(0u + _e509)].z;
-                        if (_e313 < 0f) {
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e714.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e725.unnamed.word, _e714.w), _e725.unnamed_1);
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_mask_LightPlace(_e714.x, _e731.unnamed_1.shift));
-                            phi_905_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e737.unnamed_1.word, _e714.y));
+                        let _e722 = phi_897_;
+                        let _e732 = nodes.member[(0u + _e527)].z;
+                        if (_e331 < 0f) {
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.unnamed.word, _e732.w), _e743.unnamed_1);
+                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e732.x, _e749.unnamed_1.shift));
+                            phi_924_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e755.unnamed_1.word, _e732.y));
                         } else {
-                            let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e714.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e753.unnamed.word, _e714.y), _e753.unnamed_1);
-                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_mask_LightPlace(_e714.z, _e759.unnamed_1.shift));
-                            phi_905_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_mask_LightPlace(_e765.unnamed_1.word, _e714.w));
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.unnamed.word, _e732.y), _e771.unnamed_1);
+                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e732.z, _e777.unnamed_1.shift));
+                            phi_924_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e783.unnamed_1.word, _e732.w));
                         }
-                        let _e773 = phi_905_;
-                        phi_911_ = 0u;
-                        phi_914_ = 0u;
+                        let _e791 = phi_924_;
+                        phi_930_ = 0u;
+                        phi_933_ = 0u;
                         loop {
-                            let _e783 = phi_911_;
-                            let _e785 = phi_914_;
-                            local_2 = _e785;
-                            local_3 = _e785;
-                            local_4 = _e785;
-                            let _e786 = (_e783 < 8u);
-                            if _e786 {
-                                let _e788 = (_e783 >> bitcast<u32>(2i));
-                                let _e789 = (_e783 & 3u);
-                                if (_e788 == 0u) {
-                                    phi_928_ = _e635.unnamed.word;
+                            let _e801 = phi_930_;
+                            let _e803 = phi_933_;
+                            local_2 = _e803;
+                            local_3 = _e803;
+                            local_4 = _e803;
+                            let _e804 = (_e801 < 8u);
+                            if _e804 {
+                                let _e806 = (_e801 >> bitcast<u32>(2i));
+                                let _e807 = (_e801 & 3u);
+                                if (_e806 == 0u) {
+                                    phi_947_ = _e653.unnamed.word;
                                 } else {
-                                    phi_928_ = _e635.unnamed.shift;
+                                    phi_947_ = _e653.unnamed.shift;
                                 }
-                                let _e792 = phi_928_;
-                                if (_e788 == 0u) {
-                                    phi_938_ = _e704.unnamed.word;
+                                let _e810 = phi_947_;
+                                if (_e806 == 0u) {
+                                    phi_957_ = _e722.unnamed.word;
                                 } else {
-                                    phi_938_ = _e704.unnamed.shift;
+                                    phi_957_ = _e722.unnamed.shift;
                                 }
-                                let _e801 = phi_938_;
-                                if (_e788 == 0u) {
-                                    phi_948_ = _e773.unnamed.word;
+                                let _e819 = phi_957_;
+                                if (_e806 == 0u) {
+                                    phi_967_ = _e791.unnamed.word;
                                 } else {
-                                    phi_948_ = _e773.unnamed.shift;
+                                    phi_967_ = _e791.unnamed.shift;
                                 }
-                                let _e810 = phi_948_;
-                                let _e823 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e792 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e545) + (_e566 - _e351)), ((f32(((_e801 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e546) + (_e567 - _e352)));
-                                let _e824 = core_intrinsics_maximum_number_nsz_f32_(_e823, ((f32(((_e810 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e547) + (_e568 - _e353)));
-                                if (_e788 == 0u) {
-                                    phi_966_ = _e635.unnamed_1.word;
+                                let _e828 = phi_967_;
+                                let _e841 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e810 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e563) + (_e584 - _e369)), ((f32(((_e819 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e564) + (_e585 - _e370)));
+                                let _e842 = core_intrinsics_maximum_number_nsz_f32_(_e841, ((f32(((_e828 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e565) + (_e586 - _e371)));
+                                if (_e806 == 0u) {
+                                    phi_985_ = _e653.unnamed_1.word;
                                 } else {
-                                    phi_966_ = _e635.unnamed_1.shift;
+                                    phi_985_ = _e653.unnamed_1.shift;
                                 }
-                                let _e827 = phi_966_;
-                                if (_e788 == 0u) {
-                                    phi_976_ = _e704.unnamed_1.word;
+                                let _e845 = phi_985_;
+                                if (_e806 == 0u) {
+                                    phi_995_ = _e722.unnamed_1.word;
                                 } else {
-                                    phi_976_ = _e704.unnamed_1.shift;
+                                    phi_995_ = _e722.unnamed_1.shift;
                                 }
-                                let _e836 = phi_976_;
-                                if (_e788 == 0u) {
-                                    phi_986_ = _e773.unnamed_1.word;
+                                let _e854 = phi_995_;
+                                if (_e806 == 0u) {
+                                    phi_1005_ = _e791.unnamed_1.word;
                                 } else {
-                                    phi_986_ = _e773.unnamed_1.shift;
+                                    phi_1005_ = _e791.unnamed_1.shift;
                                 }
-                                let _e845 = phi_986_;
-                                let _e858 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e827 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e545) + (_e566 + _e351)), ((f32(((_e836 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e546) + (_e567 + _e352)));
-                                let _e859 = core_intrinsics_minimum_number_nsz_f32_(_e858, ((f32(((_e845 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e547) + (_e568 + _e353)));
-                                if (_e824 <= _e859) {
-                                    if (_e824 <= _e511.t) {
-                                        if (_e859 >= _e145.tmin) {
-                                            if (_e788 == 0u) {
-                                                let _e866 = nodes.member[(0u + _e509)].links[2u];
-                                                phi_1022_ = _e866;
+                                let _e863 = phi_1005_;
+                                let _e876 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e845 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e563) + (_e584 + _e369)), ((f32(((_e854 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e564) + (_e585 + _e370)));
+                                let _e877 = core_intrinsics_minimum_number_nsz_f32_(_e876, ((f32(((_e863 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e565) + (_e586 + _e371)));
+                                if (_e842 <= _e877) {
+                                    if (_e842 <= _e529.t) {
+                                        if (_e877 >= _e163.tmin) {
+                                            if (_e806 == 0u) {
+                                                let _e884 = nodes.member[(0u + _e527)].links[2u];
+                                                phi_1041_ = _e884;
                                             } else {
-                                                let _e869 = nodes.member[(0u + _e509)].links[3u];
-                                                phi_1022_ = _e869;
+                                                let _e887 = nodes.member[(0u + _e527)].links[3u];
+                                                phi_1041_ = _e887;
                                             }
-                                            let _e871 = phi_1022_;
-                                            let _e876 = ((_e871 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u);
-                                            let _e877 = (_e876 & 31u);
-                                            if (_e877 >= 24u) {
-                                                phi_1035_ = (24u + ((_e877 - 24u) ^ _e371));
+                                            let _e889 = phi_1041_;
+                                            let _e894 = ((_e889 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u);
+                                            let _e895 = (_e894 & 31u);
+                                            if (_e895 >= 24u) {
+                                                phi_1054_ = (24u + ((_e895 - 24u) ^ _e389));
                                             } else {
-                                                phi_1035_ = _e877;
+                                                phi_1054_ = _e895;
                                             }
-                                            let _e883 = phi_1035_;
-                                            phi_1040_ = (_e785 | ((_e876 >> bitcast<u32>(5i)) << bitcast<u32>((_e883 & 31u))));
+                                            let _e901 = phi_1054_;
+                                            phi_1059_ = (_e803 | ((_e894 >> bitcast<u32>(5i)) << bitcast<u32>((_e901 & 31u))));
                                         } else {
-                                            phi_1040_ = _e785;
+                                            phi_1059_ = _e803;
                                         }
-                                        let _e891 = phi_1040_;
-                                        phi_1041_ = _e891;
+                                        let _e909 = phi_1059_;
+                                        phi_1060_ = _e909;
                                     } else {
-                                        phi_1041_ = _e785;
+                                        phi_1060_ = _e803;
                                     }
-                                    let _e893 = phi_1041_;
-                                    phi_1042_ = _e893;
+                                    let _e911 = phi_1060_;
+                                    phi_1061_ = _e911;
                                 } else {
-                                    phi_1042_ = _e785;
+                                    phi_1061_ = _e803;
                                 }
-                                let _e895 = phi_1042_;
-                                phi_912_ = (_e783 + 1u);
-                                phi_915_ = _e895;
+                                let _e913 = phi_1061_;
+                                phi_931_ = (_e801 + 1u);
+                                phi_934_ = _e913;
                             } else {
-                                phi_912_ = u32();
-                                phi_915_ = u32();
+                                phi_931_ = u32();
+                                phi_934_ = u32();
                             }
-                            let _e898 = phi_912_;
-                            let _e900 = phi_915_;
+                            let _e916 = phi_931_;
+                            let _e918 = phi_934_;
                             continue;
                             continuing {
-                                phi_911_ = _e898;
-                                phi_914_ = _e900;
-                                break if !(_e786);
+                                phi_930_ = _e916;
+                                phi_933_ = _e918;
+                                break if !(_e804);
                             }
                         }
-                        let _e904 = nodes.member[(0u + _e509)].links[0u];
-                        let _e908 = nodes.member[(0u + _e509)].frame[3u];
-                        let _e912 = local_2;
-                        if ((_e912 & 4278190080u) == 0u) {
+                        let _e922 = nodes.member[(0u + _e527)].links[0u];
+                        let _e926 = nodes.member[(0u + _e527)].frame[3u];
+                        let _e930 = local_2;
+                        if ((_e930 & 4278190080u) == 0u) {
                         } else {
-                            let _e916 = local_1.group_mask;
-                            if ((_e916 & 4278190080u) == 0u) {
+                            let _e934 = local_1.group_mask;
+                            if ((_e934 & 4278190080u) == 0u) {
                             } else {
-                                let _e920 = local_1.len;
-                                if (_e920 < 32u) {
-                                    let _e923 = local_1.group;
-                                    let _e925 = local_1.len;
-                                    if (_e925 < 32u) {
+                                let _e938 = local_1.len;
+                                if (_e938 < 32u) {
+                                    let _e941 = local_1.group;
+                                    let _e943 = local_1.len;
+                                    if (_e943 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e925)] = _e923;
-                                    let _e931 = local_1.group_mask;
-                                    let _e933 = local_1.len;
-                                    if (_e933 < 32u) {
+                                    local_1.first[(0u + _e943)] = _e941;
+                                    let _e949 = local_1.group_mask;
+                                    let _e951 = local_1.len;
+                                    if (_e951 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e933)] = _e931;
-                                    let _e940 = local_1.len;
-                                    local_1.len = (_e940 + 1u);
+                                    local_1.mask[(0u + _e951)] = _e949;
+                                    let _e958 = local_1.len;
+                                    local_1.len = (_e958 + 1u);
                                 }
                             }
-                            local_1.group = (_e94 + _e904);
-                            let _e944 = local_3;
-                            local_1.group_mask = ((_e944 & 4278190080u) | (_e908 >> bitcast<u32>(24i)));
+                            local_1.group = (_e95 + _e922);
+                            let _e962 = local_3;
+                            local_1.group_mask = ((_e962 & 4278190080u) | (_e926 >> bitcast<u32>(24i)));
                         }
-                        let _e949 = local_4;
-                        phi_1100_ = (_e949 & 16777215u);
-                        phi_1103_ = _e511;
+                        let _e967 = local_4;
+                        phi_1119_ = (_e967 & 16777215u);
+                        phi_1122_ = _e529;
                         loop {
-                            let _e952 = phi_1100_;
-                            let _e954 = phi_1103_;
-                            local_10 = _e954;
-                            if (_e952 == 0u) {
-                                phi_1101_ = u32();
-                                phi_1104_ = lt_bvh_Hit();
-                                phi_2793_ = false;
+                            let _e970 = phi_1119_;
+                            let _e972 = phi_1122_;
+                            local_10 = _e972;
+                            if (_e970 == 0u) {
+                                phi_1120_ = u32();
+                                phi_1123_ = lt_bvh_Hit();
+                                phi_2812_ = false;
                             } else {
-                                let _e958 = nodes.member[(0u + _e509)].links[1u];
-                                let _e962 = (_e958 + select(firstTrailingBit(_e952), 32u, (_e952 == 0u)));
-                                if (_e962 < _e82) {
+                                let _e976 = nodes.member[(0u + _e527)].links[1u];
+                                let _e980 = (_e976 + select(firstTrailingBit(_e970), 32u, (_e970 == 0u)));
+                                if (_e980 < _e83) {
                                 } else {
                                     return;
                                 }
-                                let _e969 = instances.member[(0u + _e962)].low_world;
-                                let _e971 = instances.member[(0u + _e962)].high_world;
-                                let _e981 = ((_e969.x - _e145.origin.x) * _e291);
-                                let _e982 = ((_e969.y - _e145.origin.y) * _e302);
-                                let _e983 = ((_e969.z - _e145.origin.z) * _e313);
-                                let _e993 = ((_e971.x - _e145.origin.x) * _e291);
-                                let _e994 = ((_e971.y - _e145.origin.y) * _e302);
-                                let _e995 = ((_e971.z - _e145.origin.z) * _e313);
-                                if (_e981 < _e993) {
-                                    phi_1158_ = _e981;
+                                let _e987 = instances.member[(0u + _e980)].low_world;
+                                let _e989 = instances.member[(0u + _e980)].high_world;
+                                let _e999 = ((_e987.x - _e163.origin.x) * _e309);
+                                let _e1000 = ((_e987.y - _e163.origin.y) * _e320);
+                                let _e1001 = ((_e987.z - _e163.origin.z) * _e331);
+                                let _e1011 = ((_e989.x - _e163.origin.x) * _e309);
+                                let _e1012 = ((_e989.y - _e163.origin.y) * _e320);
+                                let _e1013 = ((_e989.z - _e163.origin.z) * _e331);
+                                if (_e999 < _e1011) {
+                                    phi_1177_ = _e999;
                                 } else {
-                                    phi_1158_ = _e993;
+                                    phi_1177_ = _e1011;
                                 }
-                                let _e998 = phi_1158_;
-                                if (_e982 < _e994) {
-                                    phi_1163_ = _e982;
+                                let _e1016 = phi_1177_;
+                                if (_e1000 < _e1012) {
+                                    phi_1182_ = _e1000;
                                 } else {
-                                    phi_1163_ = _e994;
+                                    phi_1182_ = _e1012;
                                 }
-                                let _e1001 = phi_1163_;
-                                if (_e983 < _e995) {
-                                    phi_1168_ = _e983;
+                                let _e1019 = phi_1182_;
+                                if (_e1001 < _e1013) {
+                                    phi_1187_ = _e1001;
                                 } else {
-                                    phi_1168_ = _e995;
+                                    phi_1187_ = _e1013;
                                 }
-                                let _e1004 = phi_1168_;
-                                if (_e981 > _e993) {
-                                    phi_1176_ = _e981;
+                                let _e1022 = phi_1187_;
+                                if (_e999 > _e1011) {
+                                    phi_1195_ = _e999;
                                 } else {
-                                    phi_1176_ = _e993;
+                                    phi_1195_ = _e1011;
                                 }
-                                let _e1010 = phi_1176_;
-                                if (_e982 > _e994) {
-                                    phi_1181_ = _e982;
+                                let _e1028 = phi_1195_;
+                                if (_e1000 > _e1012) {
+                                    phi_1200_ = _e1000;
                                 } else {
-                                    phi_1181_ = _e994;
+                                    phi_1200_ = _e1012;
                                 }
-                                let _e1013 = phi_1181_;
-                                if (_e983 > _e995) {
-                                    phi_1186_ = _e983;
+                                let _e1031 = phi_1200_;
+                                if (_e1001 > _e1013) {
+                                    phi_1205_ = _e1001;
                                 } else {
-                                    phi_1186_ = _e995;
+                                    phi_1205_ = _e1013;
                                 }
-                                let _e1016 = phi_1186_;
-                                let _e1020 = core_intrinsics_maximum_number_nsz_f32_((_e998 - _e358), (_e1001 - _e359));
-                                let _e1021 = core_intrinsics_maximum_number_nsz_f32_(_e1020, (_e1004 - _e360));
-                                let _e1022 = core_intrinsics_minimum_number_nsz_f32_((_e1010 + _e358), (_e1013 + _e359));
-                                let _e1023 = core_intrinsics_minimum_number_nsz_f32_(_e1022, (_e1016 + _e360));
-                                if (_e1021 <= _e1023) {
-                                    if (_e1021 <= _e954.t) {
-                                        if (_e1023 >= _e145.tmin) {
-                                            let _e1035 = instances.member[(0u + _e962)].world_to_object[0u];
-                                            let _e1046 = ((((_e1035.x * _e145.origin.x) + (_e1035.y * _e145.origin.y)) + (_e1035.z * _e145.origin.z)) + (_e1035.w * 1f));
-                                            let _e1048 = instances.member[(0u + _e962)].world_to_object[1u];
-                                            let _e1059 = ((((_e1048.x * _e145.origin.x) + (_e1048.y * _e145.origin.y)) + (_e1048.z * _e145.origin.z)) + (_e1048.w * 1f));
-                                            let _e1061 = instances.member[(0u + _e962)].world_to_object[2u];
-                                            let _e1072 = ((((_e1061.x * _e145.origin.x) + (_e1061.y * _e145.origin.y)) + (_e1061.z * _e145.origin.z)) + (_e1061.w * 1f));
-                                            let _e1079 = instances.member[(0u + _e962)].world_to_object[0u];
-                                            let _e1090 = ((((_e1079.x * _e145.direction.x) + (_e1079.y * _e145.direction.y)) + (_e1079.z * _e145.direction.z)) + (_e1079.w * 0f));
-                                            let _e1092 = instances.member[(0u + _e962)].world_to_object[1u];
-                                            let _e1103 = ((((_e1092.x * _e145.direction.x) + (_e1092.y * _e145.direction.y)) + (_e1092.z * _e145.direction.z)) + (_e1092.w * 0f));
-                                            let _e1105 = instances.member[(0u + _e962)].world_to_object[2u];
-                                            let _e1116 = ((((_e1105.x * _e145.direction.x) + (_e1105.y * _e145.direction.y)) + (_e1105.z * _e145.direction.z)) + (_e1105.w * 0f));
-                                            let _e1121 = instances.member[(0u + _e962)].root;
-                                            let _e1123 = instances.member[(0u + _e962)].first_triangle;
-                                            let _e1124 = abs(_e1090);
-                                            let _e1125 = abs(_e1103);
-                                            let _e1126 = abs(_e1116);
-                                            if (abs(_e1046) < 1000000000000000f) {
-                                                if (abs(_e1059) < 1000000000000000f) {
-                                                    phi_1318_ = (abs(_e1072) < 1000000000000000f);
-                                                    phi_1319_ = false;
+                                let _e1034 = phi_1205_;
+                                let _e1038 = core_intrinsics_maximum_number_nsz_f32_((_e1016 - _e376), (_e1019 - _e377));
+                                let _e1039 = core_intrinsics_maximum_number_nsz_f32_(_e1038, (_e1022 - _e378));
+                                let _e1040 = core_intrinsics_minimum_number_nsz_f32_((_e1028 + _e376), (_e1031 + _e377));
+                                let _e1041 = core_intrinsics_minimum_number_nsz_f32_(_e1040, (_e1034 + _e378));
+                                if (_e1039 <= _e1041) {
+                                    if (_e1039 <= _e972.t) {
+                                        if (_e1041 >= _e163.tmin) {
+                                            let _e1053 = instances.member[(0u + _e980)].world_to_object[0u];
+                                            let _e1064 = ((((_e1053.x * _e163.origin.x) + (_e1053.y * _e163.origin.y)) + (_e1053.z * _e163.origin.z)) + (_e1053.w * 1f));
+                                            let _e1066 = instances.member[(0u + _e980)].world_to_object[1u];
+                                            let _e1077 = ((((_e1066.x * _e163.origin.x) + (_e1066.y * _e163.origin.y)) + (_e1066.z * _e163.origin.z)) + (_e1066.w * 1f));
+                                            let _e1079 = instances.member[(0u + _e980)].world_to_object[2u];
+                                            let _e1090 = ((((_e1079.x * _e163.origin.x) + (_e1079.y * _e163.origin.y)) + (_e1079.z * _e163.origin.z)) + (_e1079.w * 1f));
+                                            let _e1097 = instances.member[(0u + _e980)].world_to_object[0u];
+                                            let _e1108 = ((((_e1097.x * _e163.direction.x) + (_e1097.y * _e163.direction.y)) + (_e1097.z * _e163.direction.z)) + (_e1097.w * 0f));
+                                            let _e1110 = instances.member[(0u + _e980)].world_to_object[1u];
+                                            let _e1121 = ((((_e1110.x * _e163.direction.x) + (_e1110.y * _e163.direction.y)) + (_e1110.z * _e163.direction.z)) + (_e1110.w * 0f));
+                                            let _e1123 = instances.member[(0u + _e980)].world_to_object[2u];
+                                            let _e1134 = ((((_e1123.x * _e163.direction.x) + (_e1123.y * _e163.direction.y)) + (_e1123.z * _e163.direction.z)) + (_e1123.w * 0f));
+                                            let _e1139 = instances.member[(0u + _e980)].root;
+                                            let _e1141 = instances.member[(0u + _e980)].first_triangle;
+                                            let _e1142 = abs(_e1108);
+                                            let _e1143 = abs(_e1121);
+                                            let _e1144 = abs(_e1134);
+                                            if (abs(_e1064) < 1000000000000000f) {
+                                                if (abs(_e1077) < 1000000000000000f) {
+                                                    phi_1337_ = (abs(_e1090) < 1000000000000000f);
+                                                    phi_1338_ = false;
                                                 } else {
-                                                    phi_1318_ = bool();
-                                                    phi_1319_ = true;
+                                                    phi_1337_ = bool();
+                                                    phi_1338_ = true;
                                                 }
-                                                let _e1134 = phi_1318_;
-                                                let _e1136 = phi_1319_;
-                                                phi_1320_ = _e1134;
-                                                phi_1321_ = _e1136;
+                                                let _e1152 = phi_1337_;
+                                                let _e1154 = phi_1338_;
+                                                phi_1339_ = _e1152;
+                                                phi_1340_ = _e1154;
                                             } else {
-                                                phi_1320_ = bool();
-                                                phi_1321_ = true;
+                                                phi_1339_ = bool();
+                                                phi_1340_ = true;
                                             }
-                                            let _e1138 = phi_1320_;
-                                            let _e1140 = phi_1321_;
-                                            if _e1140 {
-                                                phi_1325_ = false;
+                                            let _e1156 = phi_1339_;
+                                            let _e1158 = phi_1340_;
+                                            if _e1158 {
+                                                phi_1344_ = false;
                                             } else {
-                                                phi_1325_ = _e1138;
+                                                phi_1344_ = _e1156;
                                             }
-                                            let _e1142 = phi_1325_;
-                                            if _e1142 {
-                                                if (_e1124 < 1000000000000000f) {
-                                                    if (_e1125 < 1000000000000000f) {
-                                                        phi_1338_ = (_e1126 < 1000000000000000f);
-                                                        phi_1339_ = false;
+                                            let _e1160 = phi_1344_;
+                                            if _e1160 {
+                                                if (_e1142 < 1000000000000000f) {
+                                                    if (_e1143 < 1000000000000000f) {
+                                                        phi_1357_ = (_e1144 < 1000000000000000f);
+                                                        phi_1358_ = false;
                                                     } else {
-                                                        phi_1338_ = bool();
-                                                        phi_1339_ = true;
+                                                        phi_1357_ = bool();
+                                                        phi_1358_ = true;
                                                     }
-                                                    let _e1147 = phi_1338_;
-                                                    let _e1149 = phi_1339_;
-                                                    phi_1340_ = _e1147;
-                                                    phi_1341_ = _e1149;
+                                                    let _e1165 = phi_1357_;
+                                                    let _e1167 = phi_1358_;
+                                                    phi_1359_ = _e1165;
+                                                    phi_1360_ = _e1167;
                                                 } else {
-                                                    phi_1340_ = bool();
-                                                    phi_1341_ = true;
+                                                    phi_1359_ = bool();
+                                                    phi_1360_ = true;
                                                 }
-                                                let _e1151 = phi_1340_;
-                                                let _e1153 = phi_1341_;
-                                                if _e1153 {
-                                                    phi_1345_ = false;
+                                                let _e1169 = phi_1359_;
+                                                let _e1171 = phi_1360_;
+                                                if _e1171 {
+                                                    phi_1364_ = false;
                                                 } else {
-                                                    phi_1345_ = _e1151;
+                                                    phi_1364_ = _e1169;
                                                 }
-                                                let _e1155 = phi_1345_;
-                                                if _e1155 {
-                                                    if (_e1124 > 0f) {
-                                                        phi_1359_ = bool();
-                                                        phi_1360_ = true;
+                                                let _e1173 = phi_1364_;
+                                                if _e1173 {
+                                                    if (_e1142 > 0f) {
+                                                        phi_1378_ = bool();
+                                                        phi_1379_ = true;
                                                     } else {
-                                                        let _e1157 = (_e1125 > 0f);
-                                                        if _e1157 {
-                                                            phi_1358_ = bool();
+                                                        let _e1175 = (_e1143 > 0f);
+                                                        if _e1175 {
+                                                            phi_1377_ = bool();
                                                         } else {
-                                                            phi_1358_ = (_e1126 > 0f);
+                                                            phi_1377_ = (_e1144 > 0f);
                                                         }
-                                                        let _e1160 = phi_1358_;
-                                                        phi_1359_ = _e1160;
-                                                        phi_1360_ = _e1157;
+                                                        let _e1178 = phi_1377_;
+                                                        phi_1378_ = _e1178;
+                                                        phi_1379_ = _e1175;
                                                     }
-                                                    let _e1162 = phi_1359_;
-                                                    let _e1164 = phi_1360_;
-                                                    if _e1164 {
-                                                        phi_1364_ = true;
+                                                    let _e1180 = phi_1378_;
+                                                    let _e1182 = phi_1379_;
+                                                    if _e1182 {
+                                                        phi_1383_ = true;
                                                     } else {
-                                                        phi_1364_ = _e1162;
+                                                        phi_1383_ = _e1180;
                                                     }
-                                                    let _e1166 = phi_1364_;
-                                                    phi_1365_ = _e1166;
-                                                    phi_1366_ = false;
+                                                    let _e1184 = phi_1383_;
+                                                    phi_1384_ = _e1184;
+                                                    phi_1385_ = false;
                                                 } else {
-                                                    phi_1365_ = bool();
-                                                    phi_1366_ = true;
+                                                    phi_1384_ = bool();
+                                                    phi_1385_ = true;
                                                 }
-                                                let _e1168 = phi_1365_;
-                                                let _e1170 = phi_1366_;
-                                                phi_1367_ = _e1168;
-                                                phi_1368_ = _e1170;
+                                                let _e1186 = phi_1384_;
+                                                let _e1188 = phi_1385_;
+                                                phi_1386_ = _e1186;
+                                                phi_1387_ = _e1188;
                                             } else {
-                                                phi_1367_ = bool();
-                                                phi_1368_ = true;
+                                                phi_1386_ = bool();
+                                                phi_1387_ = true;
                                             }
-                                            let _e1172 = phi_1367_;
-                                            let _e1174 = phi_1368_;
-                                            if _e1174 {
-                                                phi_1372_ = false;
+                                            let _e1190 = phi_1386_;
+                                            let _e1192 = phi_1387_;
+                                            if _e1192 {
+                                                phi_1391_ = false;
                                             } else {
-                                                phi_1372_ = _e1172;
+                                                phi_1391_ = _e1190;
                                             }
-                                            let _e1176 = phi_1372_;
-                                            if _e1176 {
-                                                let _e1177 = (_e1121 >= _e67);
-                                                if _e1177 {
-                                                    phi_2783_ = lt_bvh_Hit();
+                                            let _e1194 = phi_1391_;
+                                            if _e1194 {
+                                                let _e1195 = (_e1139 >= _e68);
+                                                if _e1195 {
+                                                    phi_2802_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1121 < _e67) {
+                                                    if (_e1139 < _e68) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1183 = nodes.member[(0u + _e1121)].frame[0u];
-                                                    let _e1187 = nodes.member[(0u + _e1121)].frame[1u];
-                                                    let _e1191 = nodes.member[(0u + _e1121)].frame[2u];
-                                                    let _e1195 = nodes.member[(0u + _e1121)].frame[0u];
-                                                    let _e1199 = nodes.member[(0u + _e1121)].frame[1u];
-                                                    let _e1203 = nodes.member[(0u + _e1121)].frame[2u];
-                                                    let _e1207 = nodes.member[(0u + _e1121)].frame[3u];
-                                                    let _e1241 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1090), abs(_e1103));
-                                                    let _e1242 = core_intrinsics_maximum_number_nsz_f32_(_e1241, abs(_e1116));
-                                                    let _e1243 = (_e1242 * 0.0000000000009094947f);
-                                                    if (abs(_e1090) < _e1243) {
-                                                        phi_1442_ = _e1243;
+                                                    let _e1201 = nodes.member[(0u + _e1139)].frame[0u];
+                                                    let _e1205 = nodes.member[(0u + _e1139)].frame[1u];
+                                                    let _e1209 = nodes.member[(0u + _e1139)].frame[2u];
+                                                    let _e1213 = nodes.member[(0u + _e1139)].frame[0u];
+                                                    let _e1217 = nodes.member[(0u + _e1139)].frame[1u];
+                                                    let _e1221 = nodes.member[(0u + _e1139)].frame[2u];
+                                                    let _e1225 = nodes.member[(0u + _e1139)].frame[3u];
+                                                    let _e1259 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1108), abs(_e1121));
+                                                    let _e1260 = core_intrinsics_maximum_number_nsz_f32_(_e1259, abs(_e1134));
+                                                    let _e1261 = (_e1260 * 0.0000000000009094947f);
+                                                    if (abs(_e1108) < _e1261) {
+                                                        phi_1461_ = _e1261;
                                                     } else {
-                                                        phi_1442_ = abs(_e1090);
+                                                        phi_1461_ = abs(_e1108);
                                                     }
-                                                    let _e1248 = phi_1442_;
-                                                    if (_e1090 < 0f) {
-                                                        phi_1449_ = (-1f / _e1248);
+                                                    let _e1266 = phi_1461_;
+                                                    if (_e1108 < 0f) {
+                                                        phi_1468_ = (-1f / _e1266);
                                                     } else {
-                                                        phi_1449_ = (1f / _e1248);
+                                                        phi_1468_ = (1f / _e1266);
                                                     }
-                                                    let _e1253 = phi_1449_;
-                                                    if (abs(_e1103) < _e1243) {
-                                                        phi_1456_ = _e1243;
+                                                    let _e1271 = phi_1468_;
+                                                    if (abs(_e1121) < _e1261) {
+                                                        phi_1475_ = _e1261;
                                                     } else {
-                                                        phi_1456_ = abs(_e1103);
+                                                        phi_1475_ = abs(_e1121);
                                                     }
-                                                    let _e1258 = phi_1456_;
-                                                    if (_e1103 < 0f) {
-                                                        phi_1463_ = (-1f / _e1258);
+                                                    let _e1276 = phi_1475_;
+                                                    if (_e1121 < 0f) {
+                                                        phi_1482_ = (-1f / _e1276);
                                                     } else {
-                                                        phi_1463_ = (1f / _e1258);
+                                                        phi_1482_ = (1f / _e1276);
                                                     }
-                                                    let _e1263 = phi_1463_;
-                                                    if (abs(_e1116) < _e1243) {
-                                                        phi_1470_ = _e1243;
+                                                    let _e1281 = phi_1482_;
+                                                    if (abs(_e1134) < _e1261) {
+                                                        phi_1489_ = _e1261;
                                                     } else {
-                                                        phi_1470_ = abs(_e1116);
+                                                        phi_1489_ = abs(_e1134);
                                                     }
-                                                    let _e1268 = phi_1470_;
-                                                    if (_e1116 < 0f) {
-                                                        phi_1477_ = (-1f / _e1268);
+                                                    let _e1286 = phi_1489_;
+                                                    if (_e1134 < 0f) {
+                                                        phi_1496_ = (-1f / _e1286);
                                                     } else {
-                                                        phi_1477_ = (1f / _e1268);
+                                                        phi_1496_ = (1f / _e1286);
                                                     }
-                                                    let _e1273 = phi_1477_;
-                                                    let _e1277 = abs((bitcast<f32>(_e1183) - _e1046));
-                                                    let _e1278 = abs((bitcast<f32>(_e1187) - _e1059));
-                                                    let _e1279 = abs((bitcast<f32>(_e1191) - _e1072));
-                                                    let _e1283 = abs(((bitcast<f32>(_e1195) + (bitcast<f32>((((_e1207 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1046));
-                                                    let _e1284 = abs(((bitcast<f32>(_e1199) + (bitcast<f32>((((_e1207 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1059));
-                                                    let _e1285 = abs(((bitcast<f32>(_e1203) + (bitcast<f32>((((_e1207 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1072));
-                                                    if (_e1277 > _e1283) {
-                                                        phi_1494_ = _e1277;
+                                                    let _e1291 = phi_1496_;
+                                                    let _e1295 = abs((bitcast<f32>(_e1201) - _e1064));
+                                                    let _e1296 = abs((bitcast<f32>(_e1205) - _e1077));
+                                                    let _e1297 = abs((bitcast<f32>(_e1209) - _e1090));
+                                                    let _e1301 = abs(((bitcast<f32>(_e1213) + (bitcast<f32>((((_e1225 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1064));
+                                                    let _e1302 = abs(((bitcast<f32>(_e1217) + (bitcast<f32>((((_e1225 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1077));
+                                                    let _e1303 = abs(((bitcast<f32>(_e1221) + (bitcast<f32>((((_e1225 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1090));
+                                                    if (_e1295 > _e1301) {
+                                                        phi_1513_ = _e1295;
                                                     } else {
-                                                        phi_1494_ = _e1283;
+                                                        phi_1513_ = _e1301;
                                                     }
-                                                    let _e1288 = phi_1494_;
-                                                    if (_e1278 > _e1284) {
-                                                        phi_1499_ = _e1278;
+                                                    let _e1306 = phi_1513_;
+                                                    if (_e1296 > _e1302) {
+                                                        phi_1518_ = _e1296;
                                                     } else {
-                                                        phi_1499_ = _e1284;
+                                                        phi_1518_ = _e1302;
                                                     }
-                                                    let _e1291 = phi_1499_;
-                                                    if (_e1279 > _e1285) {
-                                                        phi_1504_ = _e1279;
+                                                    let _e1309 = phi_1518_;
+                                                    if (_e1297 > _e1303) {
+                                                        phi_1523_ = _e1297;
                                                     } else {
-                                                        phi_1504_ = _e1285;
+                                                        phi_1523_ = _e1303;
                                                     }
-                                                    let _e1294 = phi_1504_;
-                                                    if (_e1288 > _e1291) {
-                                                        phi_1509_ = _e1288;
+                                                    let _e1312 = phi_1523_;
+                                                    if (_e1306 > _e1309) {
+                                                        phi_1528_ = _e1306;
                                                     } else {
-                                                        phi_1509_ = _e1291;
+                                                        phi_1528_ = _e1309;
                                                     }
-                                                    let _e1297 = phi_1509_;
-                                                    if (_e1297 > _e1294) {
-                                                        phi_1514_ = _e1297;
+                                                    let _e1315 = phi_1528_;
+                                                    if (_e1315 > _e1312) {
+                                                        phi_1533_ = _e1315;
                                                     } else {
-                                                        phi_1514_ = _e1294;
+                                                        phi_1533_ = _e1312;
                                                     }
-                                                    let _e1300 = phi_1514_;
-                                                    let _e1304 = (_e1300 * 0.0000019073486f);
-                                                    let _e1305 = (abs(_e1253) * _e1304);
-                                                    let _e1306 = (abs(_e1263) * _e1304);
-                                                    let _e1307 = (abs(_e1273) * _e1304);
-                                                    let _e1311 = (_e1300 * 0.0000009536743f);
-                                                    let _e1312 = (abs(_e1253) * _e1311);
-                                                    let _e1313 = (abs(_e1263) * _e1311);
-                                                    let _e1314 = (abs(_e1273) * _e1311);
-                                                    let _e1315 = abs(_e1090);
-                                                    let _e1316 = abs(_e1103);
-                                                    let _e1317 = abs(_e1116);
-                                                    if (_e1315 >= _e1316) {
-                                                        if (_e1315 >= _e1317) {
-                                                            phi_1540_ = false;
+                                                    let _e1318 = phi_1533_;
+                                                    let _e1322 = (_e1318 * 0.0000019073486f);
+                                                    let _e1323 = (abs(_e1271) * _e1322);
+                                                    let _e1324 = (abs(_e1281) * _e1322);
+                                                    let _e1325 = (abs(_e1291) * _e1322);
+                                                    let _e1329 = (_e1318 * 0.0000009536743f);
+                                                    let _e1330 = (abs(_e1271) * _e1329);
+                                                    let _e1331 = (abs(_e1281) * _e1329);
+                                                    let _e1332 = (abs(_e1291) * _e1329);
+                                                    let _e1333 = abs(_e1108);
+                                                    let _e1334 = abs(_e1121);
+                                                    let _e1335 = abs(_e1134);
+                                                    if (_e1333 >= _e1334) {
+                                                        if (_e1333 >= _e1335) {
+                                                            phi_1559_ = false;
                                                         } else {
-                                                            phi_1540_ = true;
+                                                            phi_1559_ = true;
                                                         }
-                                                        let _e1321 = phi_1540_;
-                                                        phi_1541_ = _e1321;
+                                                        let _e1339 = phi_1559_;
+                                                        phi_1560_ = _e1339;
                                                     } else {
-                                                        phi_1541_ = true;
+                                                        phi_1560_ = true;
                                                     }
-                                                    let _e1323 = phi_1541_;
-                                                    if _e1323 {
-                                                        if (_e1316 >= _e1317) {
-                                                            phi_1549_ = 1u;
+                                                    let _e1341 = phi_1560_;
+                                                    if _e1341 {
+                                                        if (_e1334 >= _e1335) {
+                                                            phi_1568_ = 1u;
                                                         } else {
-                                                            phi_1549_ = 2u;
+                                                            phi_1568_ = 2u;
                                                         }
-                                                        let _e1326 = phi_1549_;
-                                                        phi_1550_ = _e1326;
+                                                        let _e1344 = phi_1568_;
+                                                        phi_1569_ = _e1344;
                                                     } else {
-                                                        phi_1550_ = 0u;
+                                                        phi_1569_ = 0u;
                                                     }
-                                                    let _e1328 = phi_1550_;
-                                                    if (_e1328 == 0u) {
-                                                        phi_1562_ = vec3<f32>(_e1103, _e1116, _e1090);
+                                                    let _e1346 = phi_1569_;
+                                                    if (_e1346 == 0u) {
+                                                        phi_1581_ = vec3<f32>(_e1121, _e1134, _e1108);
                                                     } else {
-                                                        if (_e1328 == 1u) {
-                                                            phi_1561_ = vec3<f32>(_e1116, _e1090, _e1103);
+                                                        if (_e1346 == 1u) {
+                                                            phi_1580_ = vec3<f32>(_e1134, _e1108, _e1121);
                                                         } else {
-                                                            phi_1561_ = vec3<f32>(_e1090, _e1103, _e1116);
+                                                            phi_1580_ = vec3<f32>(_e1108, _e1121, _e1134);
                                                         }
-                                                        let _e1334 = phi_1561_;
-                                                        phi_1562_ = _e1334;
+                                                        let _e1352 = phi_1580_;
+                                                        phi_1581_ = _e1352;
                                                     }
-                                                    let _e1336 = phi_1562_;
-                                                    let _e1339 = (_e1336.x / _e1336.z);
-                                                    let _e1342 = (_e1336.y / _e1336.z);
-                                                    if (_e1253 < 0f) {
-                                                        phi_1575_ = 0u;
+                                                    let _e1354 = phi_1581_;
+                                                    let _e1357 = (_e1354.x / _e1354.z);
+                                                    let _e1360 = (_e1354.y / _e1354.z);
+                                                    if (_e1271 < 0f) {
+                                                        phi_1594_ = 0u;
                                                     } else {
-                                                        phi_1575_ = 1u;
+                                                        phi_1594_ = 1u;
                                                     }
-                                                    let _e1347 = phi_1575_;
-                                                    if (_e1263 < 0f) {
-                                                        phi_1580_ = 0u;
+                                                    let _e1365 = phi_1594_;
+                                                    if (_e1281 < 0f) {
+                                                        phi_1599_ = 0u;
                                                     } else {
-                                                        phi_1580_ = 2u;
+                                                        phi_1599_ = 2u;
                                                     }
-                                                    let _e1350 = phi_1580_;
-                                                    if (_e1273 < 0f) {
-                                                        phi_1585_ = 0u;
+                                                    let _e1368 = phi_1599_;
+                                                    if (_e1291 < 0f) {
+                                                        phi_1604_ = 0u;
                                                     } else {
-                                                        phi_1585_ = 4u;
+                                                        phi_1604_ = 4u;
                                                     }
-                                                    let _e1353 = phi_1585_;
-                                                    let _e1355 = ((_e1347 | _e1350) | _e1353);
-                                                    let _e1356 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1121, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1356.first[0], _e1356.first[1], _e1356.first[2], _e1356.first[3], _e1356.first[4], _e1356.first[5], _e1356.first[6], _e1356.first[7], _e1356.first[8], _e1356.first[9], _e1356.first[10], _e1356.first[11], _e1356.first[12], _e1356.first[13], _e1356.first[14], _e1356.first[15], _e1356.first[16], _e1356.first[17], _e1356.first[18], _e1356.first[19], _e1356.first[20], _e1356.first[21], _e1356.first[22], _e1356.first[23], _e1356.first[24], _e1356.first[25], _e1356.first[26], _e1356.first[27], _e1356.first[28], _e1356.first[29], _e1356.first[30], _e1356.first[31]), array<u32, 32>(_e1356.mask[0], _e1356.mask[1], _e1356.mask[2], _e1356.mask[3], _e1356.mask[4], _e1356.mask[5], _e1356.mask[6], _e1356.mask[7], _e1356.mask[8], _e1356.mask[9], _e1356.mask[10], _e1356.mask[11], _e1356.mask[12], _e1356.mask[13], _e1356.mask[14], _e1356.mask[15], _e1356.mask[16], _e1356.mask[17], _e1356.mask[18], _e1356.mask[19], _e1356.mask[20], _e1356.mask[21], _e1356.mask[22], _e1356.mask[23], _e1356.mask[24], _e1356.mask[25], _e1356.mask[26], _e1356.mask[27], _e1356.mask[28], _e1356.mask[29], _e1356.mask[30], _e1356.mask[31]), _e1356.len, _e1356.group, _e1356.group_mask);
-                                                    let _e1430 = local.group_mask;
-                                                    if ((_e1430 & 4278190080u) == 0u) {
-                                                        let _e1434 = local.len;
-                                                        if (_e1434 == 0u) {
-                                                            phi_1699_ = false;
+                                                    let _e1371 = phi_1604_;
+                                                    let _e1373 = ((_e1365 | _e1368) | _e1371);
+                                                    let _e1374 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1139, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1374.first[0], _e1374.first[1], _e1374.first[2], _e1374.first[3], _e1374.first[4], _e1374.first[5], _e1374.first[6], _e1374.first[7], _e1374.first[8], _e1374.first[9], _e1374.first[10], _e1374.first[11], _e1374.first[12], _e1374.first[13], _e1374.first[14], _e1374.first[15], _e1374.first[16], _e1374.first[17], _e1374.first[18], _e1374.first[19], _e1374.first[20], _e1374.first[21], _e1374.first[22], _e1374.first[23], _e1374.first[24], _e1374.first[25], _e1374.first[26], _e1374.first[27], _e1374.first[28], _e1374.first[29], _e1374.first[30], _e1374.first[31]), array<u32, 32>(_e1374.mask[0], _e1374.mask[1], _e1374.mask[2], _e1374.mask[3], _e1374.mask[4], _e1374.mask[5], _e1374.mask[6], _e1374.mask[7], _e1374.mask[8], _e1374.mask[9], _e1374.mask[10], _e1374.mask[11], _e1374.mask[12], _e1374.mask[13], _e1374.mask[14], _e1374.mask[15], _e1374.mask[16], _e1374.mask[17], _e1374.mask[18], _e1374.mask[19], _e1374.mask[20], _e1374.mask[21], _e1374.mask[22], _e1374.mask[23], _e1374.mask[24], _e1374.mask[25], _e1374.mask[26], _e1374.mask[27], _e1374.mask[28], _e1374.mask[29], _e1374.mask[30], _e1374.mask[31]), _e1374.len, _e1374.group, _e1374.group_mask);
+                                                    let _e1448 = local.group_mask;
+                                                    if ((_e1448 & 4278190080u) == 0u) {
+                                                        let _e1452 = local.len;
+                                                        if (_e1452 == 0u) {
+                                                            phi_1718_ = false;
                                                         } else {
-                                                            let _e1438 = local.len;
-                                                            local.len = (_e1438 - 1u);
-                                                            let _e1441 = local.len;
-                                                            if (_e1441 < 32u) {
+                                                            let _e1456 = local.len;
+                                                            local.len = (_e1456 - 1u);
+                                                            let _e1459 = local.len;
+                                                            if (_e1459 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1446 = local.first[(0u + _e1441)];
-                                                            local.group = _e1446;
-                                                            let _e1449 = local.len;
-                                                            if (_e1449 < 32u) {
+                                                            let _e1464 = local.first[(0u + _e1459)];
+                                                            local.group = _e1464;
+                                                            let _e1467 = local.len;
+                                                            if (_e1467 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1454 = local.mask[(0u + _e1449)];
-                                                            local.group_mask = _e1454;
-                                                            phi_1699_ = true;
+                                                            let _e1472 = local.mask[(0u + _e1467)];
+                                                            local.group_mask = _e1472;
+                                                            phi_1718_ = true;
                                                         }
-                                                        let _e1457 = phi_1699_;
-                                                        phi_1700_ = _e1457;
+                                                        let _e1475 = phi_1718_;
+                                                        phi_1719_ = _e1475;
                                                     } else {
-                                                        phi_1700_ = true;
+                                                        phi_1719_ = true;
                                                     }
-                                                    let _e1459 = phi_1700_;
-                                                    if _e1459 {
-                                                        let _e1461 = local.group_mask;
-                                                        let _e1467 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1461)), 32u, (_e1461 == 0u)));
-                                                        let _e1471 = local.group_mask;
-                                                        let _e1485 = local.group_mask;
-                                                        local.group_mask = (_e1485 & ~((1u << bitcast<u32>((_e1467 & 31u)))));
-                                                        let _e1488 = local.group;
-                                                        phi_1731_ = (_e1488 + countOneBits(((_e1471 & ~((4294967295u << bitcast<u32>((((_e1467 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1477 = phi_1719_;
+                                                    if _e1477 {
+                                                        let _e1479 = local.group_mask;
+                                                        let _e1485 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1479)), 32u, (_e1479 == 0u)));
+                                                        let _e1489 = local.group_mask;
+                                                        let _e1503 = local.group_mask;
+                                                        local.group_mask = (_e1503 & ~((1u << bitcast<u32>((_e1485 & 31u)))));
+                                                        let _e1506 = local.group;
+                                                        phi_1750_ = (_e1506 + countOneBits(((_e1489 & ~((4294967295u << bitcast<u32>((((_e1485 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1731_ = 4294967295u;
+                                                        phi_1750_ = 4294967295u;
                                                     }
-                                                    let _e1491 = phi_1731_;
-                                                    phi_1733_ = _e954;
-                                                    phi_1736_ = _e1491;
+                                                    let _e1509 = phi_1750_;
+                                                    phi_1752_ = _e972;
+                                                    phi_1755_ = _e1509;
                                                     loop {
-                                                        let _e1493 = phi_1733_;
-                                                        let _e1495 = phi_1736_;
-                                                        local_9 = _e1493;
-                                                        let _e1496 = (_e1495 != 4294967295u);
-                                                        if _e1496 {
-                                                            if (_e1495 < _e67) {
+                                                        let _e1511 = phi_1752_;
+                                                        let _e1513 = phi_1755_;
+                                                        local_9 = _e1511;
+                                                        let _e1514 = (_e1513 != 4294967295u);
+                                                        if _e1514 {
+                                                            if (_e1513 < _e68) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1503 = nodes.member[(0u + _e1495)].frame[3u];
-                                                            let _e1528 = (bitcast<f32>((((_e1503 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1253);
-                                                            let _e1529 = (bitcast<f32>((((_e1503 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1263);
-                                                            let _e1530 = (bitcast<f32>((((_e1503 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1273);
-                                                            let _e1533 = nodes.member[(0u + _e1495)].frame[0u];
-                                                            let _e1537 = nodes.member[(0u + _e1495)].frame[1u];
-                                                            let _e1541 = nodes.member[(0u + _e1495)].frame[2u];
-                                                            let _e1546 = ((bitcast<f32>(_e1533) - _e1046) * _e1253);
-                                                            let _e1547 = ((bitcast<f32>(_e1537) - _e1059) * _e1263);
-                                                            let _e1548 = ((bitcast<f32>(_e1541) - _e1072) * _e1273);
-                                                            let _e1556 = nodes.member[(0u + _e1495)].x;
-                                                            if (_e1253 < 0f) {
-                                                                let _e1567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1556.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1567.unnamed.word, _e1556.w), _e1567.unnamed_1);
-                                                                let _e1579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1573.unnamed, lt_mask_LightPlace(_e1556.x, _e1573.unnamed_1.shift));
-                                                                phi_1817_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1579.unnamed, lt_mask_LightPlace(_e1579.unnamed_1.word, _e1556.y));
+                                                            let _e1521 = nodes.member[(0u + _e1513)].frame[3u];
+                                                            let _e1546 = (bitcast<f32>((((_e1521 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1271);
+                                                            let _e1547 = (bitcast<f32>((((_e1521 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1281);
+                                                            let _e1548 = (bitcast<f32>((((_e1521 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1291);
+                                                            let _e1551 = nodes.member[(0u + _e1513)].frame[0u];
+                                                            let _e1555 = nodes.member[(0u + _e1513)].frame[1u];
+                                                            let _e1559 = nodes.member[(0u + _e1513)].frame[2u];
+                                                            let _e1564 = ((bitcast<f32>(_e1551) - _e1064) * _e1271);
+                                                            let _e1565 = ((bitcast<f32>(_e1555) - _e1077) * _e1281);
+                                                            let _e1566 = ((bitcast<f32>(_e1559) - _e1090) * _e1291);
+                                                            let _e1574 = nodes.member[(0u + _e1513)].x;
+                                                            if (_e1271 < 0f) {
+                                                                let _e1585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1574.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1585.unnamed.word, _e1574.w), _e1585.unnamed_1);
+                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1591.unnamed, lt_mask_LightPlace(_e1574.x, _e1591.unnamed_1.shift));
+                                                                phi_1836_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1597.unnamed, lt_mask_LightPlace(_e1597.unnamed_1.word, _e1574.y));
                                                             } else {
-                                                                let _e1595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1556.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1595.unnamed.word, _e1556.y), _e1595.unnamed_1);
-                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1601.unnamed, lt_mask_LightPlace(_e1556.z, _e1601.unnamed_1.shift));
-                                                                phi_1817_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1607.unnamed, lt_mask_LightPlace(_e1607.unnamed_1.word, _e1556.w));
+                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1574.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1613.unnamed.word, _e1574.y), _e1613.unnamed_1);
+                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_mask_LightPlace(_e1574.z, _e1619.unnamed_1.shift));
+                                                                phi_1836_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1625.unnamed, lt_mask_LightPlace(_e1625.unnamed_1.word, _e1574.w));
                                                             }
-                                                            let _e1615 = phi_1817_;
-                                                            let _e1625 = nodes.member[(0u + _e1495)].y;
-                                                            if (_e1263 < 0f) {
-                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1625.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1636.unnamed.word, _e1625.w), _e1636.unnamed_1);
-                                                                let _e1648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_mask_LightPlace(_e1625.x, _e1642.unnamed_1.shift));
-                                                                phi_1844_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1648.unnamed, lt_mask_LightPlace(_e1648.unnamed_1.word, _e1625.y));
+                                                            let _e1633 = phi_1836_;
+                                                            let _e1643 = nodes.member[(0u + _e1513)].y;
+                                                            if (_e1281 < 0f) {
+                                                                let _e1654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1643.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1654.unnamed.word, _e1643.w), _e1654.unnamed_1);
+                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1660.unnamed, lt_mask_LightPlace(_e1643.x, _e1660.unnamed_1.shift));
+                                                                phi_1863_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1666.unnamed, lt_mask_LightPlace(_e1666.unnamed_1.word, _e1643.y));
                                                             } else {
-                                                                let _e1664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1625.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1664.unnamed.word, _e1625.y), _e1664.unnamed_1);
-                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1670.unnamed, lt_mask_LightPlace(_e1625.z, _e1670.unnamed_1.shift));
-                                                                phi_1844_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1676.unnamed, lt_mask_LightPlace(_e1676.unnamed_1.word, _e1625.w));
+                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1643.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1682.unnamed.word, _e1643.y), _e1682.unnamed_1);
+                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_mask_LightPlace(_e1643.z, _e1688.unnamed_1.shift));
+                                                                phi_1863_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1694.unnamed, lt_mask_LightPlace(_e1694.unnamed_1.word, _e1643.w));
                                                             }
-                                                            let _e1684 = phi_1844_;
-                                                            let _e1694 = nodes.member[(0u + _e1495)].z;
-                                                            if (_e1273 < 0f) {
-                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1694.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1705.unnamed.word, _e1694.w), _e1705.unnamed_1);
-                                                                let _e1717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_mask_LightPlace(_e1694.x, _e1711.unnamed_1.shift));
-                                                                phi_1871_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1717.unnamed, lt_mask_LightPlace(_e1717.unnamed_1.word, _e1694.y));
+                                                            let _e1702 = phi_1863_;
+                                                            let _e1712 = nodes.member[(0u + _e1513)].z;
+                                                            if (_e1291 < 0f) {
+                                                                let _e1723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1723.unnamed.word, _e1712.w), _e1723.unnamed_1);
+                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1729.unnamed, lt_mask_LightPlace(_e1712.x, _e1729.unnamed_1.shift));
+                                                                phi_1890_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1735.unnamed, lt_mask_LightPlace(_e1735.unnamed_1.word, _e1712.y));
                                                             } else {
-                                                                let _e1733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1694.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1733.unnamed.word, _e1694.y), _e1733.unnamed_1);
-                                                                let _e1745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1739.unnamed, lt_mask_LightPlace(_e1694.z, _e1739.unnamed_1.shift));
-                                                                phi_1871_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1745.unnamed, lt_mask_LightPlace(_e1745.unnamed_1.word, _e1694.w));
+                                                                let _e1751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1751.unnamed.word, _e1712.y), _e1751.unnamed_1);
+                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1757.unnamed, lt_mask_LightPlace(_e1712.z, _e1757.unnamed_1.shift));
+                                                                phi_1890_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1763.unnamed, lt_mask_LightPlace(_e1763.unnamed_1.word, _e1712.w));
                                                             }
-                                                            let _e1753 = phi_1871_;
-                                                            phi_1877_ = 0u;
-                                                            phi_1880_ = 0u;
+                                                            let _e1771 = phi_1890_;
+                                                            phi_1896_ = 0u;
+                                                            phi_1899_ = 0u;
                                                             loop {
-                                                                let _e1763 = phi_1877_;
-                                                                let _e1765 = phi_1880_;
-                                                                local_5 = _e1765;
-                                                                local_6 = _e1765;
-                                                                local_7 = _e1765;
-                                                                let _e1766 = (_e1763 < 8u);
-                                                                if _e1766 {
-                                                                    let _e1768 = (_e1763 >> bitcast<u32>(2i));
-                                                                    let _e1769 = (_e1763 & 3u);
-                                                                    if (_e1768 == 0u) {
-                                                                        phi_1894_ = _e1615.unnamed.word;
+                                                                let _e1781 = phi_1896_;
+                                                                let _e1783 = phi_1899_;
+                                                                local_5 = _e1783;
+                                                                local_6 = _e1783;
+                                                                local_7 = _e1783;
+                                                                let _e1784 = (_e1781 < 8u);
+                                                                if _e1784 {
+                                                                    let _e1786 = (_e1781 >> bitcast<u32>(2i));
+                                                                    let _e1787 = (_e1781 & 3u);
+                                                                    if (_e1786 == 0u) {
+                                                                        phi_1913_ = _e1633.unnamed.word;
                                                                     } else {
-                                                                        phi_1894_ = _e1615.unnamed.shift;
+                                                                        phi_1913_ = _e1633.unnamed.shift;
                                                                     }
-                                                                    let _e1772 = phi_1894_;
-                                                                    if (_e1768 == 0u) {
-                                                                        phi_1904_ = _e1684.unnamed.word;
+                                                                    let _e1790 = phi_1913_;
+                                                                    if (_e1786 == 0u) {
+                                                                        phi_1923_ = _e1702.unnamed.word;
                                                                     } else {
-                                                                        phi_1904_ = _e1684.unnamed.shift;
+                                                                        phi_1923_ = _e1702.unnamed.shift;
                                                                     }
-                                                                    let _e1781 = phi_1904_;
-                                                                    if (_e1768 == 0u) {
-                                                                        phi_1914_ = _e1753.unnamed.word;
+                                                                    let _e1799 = phi_1923_;
+                                                                    if (_e1786 == 0u) {
+                                                                        phi_1933_ = _e1771.unnamed.word;
                                                                     } else {
-                                                                        phi_1914_ = _e1753.unnamed.shift;
+                                                                        phi_1933_ = _e1771.unnamed.shift;
                                                                     }
-                                                                    let _e1790 = phi_1914_;
-                                                                    let _e1803 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1772 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1528) + (_e1546 - _e1305)), ((f32(((_e1781 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1529) + (_e1547 - _e1306)));
-                                                                    let _e1804 = core_intrinsics_maximum_number_nsz_f32_(_e1803, ((f32(((_e1790 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1530) + (_e1548 - _e1307)));
-                                                                    if (_e1768 == 0u) {
-                                                                        phi_1932_ = _e1615.unnamed_1.word;
+                                                                    let _e1808 = phi_1933_;
+                                                                    let _e1821 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1790 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1546) + (_e1564 - _e1323)), ((f32(((_e1799 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1547) + (_e1565 - _e1324)));
+                                                                    let _e1822 = core_intrinsics_maximum_number_nsz_f32_(_e1821, ((f32(((_e1808 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 - _e1325)));
+                                                                    if (_e1786 == 0u) {
+                                                                        phi_1951_ = _e1633.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1932_ = _e1615.unnamed_1.shift;
+                                                                        phi_1951_ = _e1633.unnamed_1.shift;
                                                                     }
-                                                                    let _e1807 = phi_1932_;
-                                                                    if (_e1768 == 0u) {
-                                                                        phi_1942_ = _e1684.unnamed_1.word;
+                                                                    let _e1825 = phi_1951_;
+                                                                    if (_e1786 == 0u) {
+                                                                        phi_1961_ = _e1702.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1942_ = _e1684.unnamed_1.shift;
+                                                                        phi_1961_ = _e1702.unnamed_1.shift;
                                                                     }
-                                                                    let _e1816 = phi_1942_;
-                                                                    if (_e1768 == 0u) {
-                                                                        phi_1952_ = _e1753.unnamed_1.word;
+                                                                    let _e1834 = phi_1961_;
+                                                                    if (_e1786 == 0u) {
+                                                                        phi_1971_ = _e1771.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1952_ = _e1753.unnamed_1.shift;
+                                                                        phi_1971_ = _e1771.unnamed_1.shift;
                                                                     }
-                                                                    let _e1825 = phi_1952_;
-                                                                    let _e1838 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1807 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1528) + (_e1546 + _e1305)), ((f32(((_e1816 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1529) + (_e1547 + _e1306)));
-                                                                    let _e1839 = core_intrinsics_minimum_number_nsz_f32_(_e1838, ((f32(((_e1825 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1530) + (_e1548 + _e1307)));
-                                                                    if (_e1804 <= _e1839) {
-                                                                        if (_e1804 <= _e1493.t) {
-                                                                            if (_e1839 >= _e145.tmin) {
-                                                                                if (_e1768 == 0u) {
-                                                                                    let _e1846 = nodes.member[(0u + _e1495)].links[2u];
-                                                                                    phi_1988_ = _e1846;
+                                                                    let _e1843 = phi_1971_;
+                                                                    let _e1856 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1825 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1546) + (_e1564 + _e1323)), ((f32(((_e1834 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1547) + (_e1565 + _e1324)));
+                                                                    let _e1857 = core_intrinsics_minimum_number_nsz_f32_(_e1856, ((f32(((_e1843 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 + _e1325)));
+                                                                    if (_e1822 <= _e1857) {
+                                                                        if (_e1822 <= _e1511.t) {
+                                                                            if (_e1857 >= _e163.tmin) {
+                                                                                if (_e1786 == 0u) {
+                                                                                    let _e1864 = nodes.member[(0u + _e1513)].links[2u];
+                                                                                    phi_2007_ = _e1864;
                                                                                 } else {
-                                                                                    let _e1849 = nodes.member[(0u + _e1495)].links[3u];
-                                                                                    phi_1988_ = _e1849;
+                                                                                    let _e1867 = nodes.member[(0u + _e1513)].links[3u];
+                                                                                    phi_2007_ = _e1867;
                                                                                 }
-                                                                                let _e1851 = phi_1988_;
-                                                                                let _e1856 = ((_e1851 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u);
-                                                                                let _e1857 = (_e1856 & 31u);
-                                                                                if (_e1857 >= 24u) {
-                                                                                    phi_2001_ = (24u + ((_e1857 - 24u) ^ _e1355));
+                                                                                let _e1869 = phi_2007_;
+                                                                                let _e1874 = ((_e1869 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u);
+                                                                                let _e1875 = (_e1874 & 31u);
+                                                                                if (_e1875 >= 24u) {
+                                                                                    phi_2020_ = (24u + ((_e1875 - 24u) ^ _e1373));
                                                                                 } else {
-                                                                                    phi_2001_ = _e1857;
+                                                                                    phi_2020_ = _e1875;
                                                                                 }
-                                                                                let _e1863 = phi_2001_;
-                                                                                phi_2006_ = (_e1765 | ((_e1856 >> bitcast<u32>(5i)) << bitcast<u32>((_e1863 & 31u))));
+                                                                                let _e1881 = phi_2020_;
+                                                                                phi_2025_ = (_e1783 | ((_e1874 >> bitcast<u32>(5i)) << bitcast<u32>((_e1881 & 31u))));
                                                                             } else {
-                                                                                phi_2006_ = _e1765;
+                                                                                phi_2025_ = _e1783;
                                                                             }
-                                                                            let _e1871 = phi_2006_;
-                                                                            phi_2007_ = _e1871;
+                                                                            let _e1889 = phi_2025_;
+                                                                            phi_2026_ = _e1889;
                                                                         } else {
-                                                                            phi_2007_ = _e1765;
+                                                                            phi_2026_ = _e1783;
                                                                         }
-                                                                        let _e1873 = phi_2007_;
-                                                                        phi_2008_ = _e1873;
+                                                                        let _e1891 = phi_2026_;
+                                                                        phi_2027_ = _e1891;
                                                                     } else {
-                                                                        phi_2008_ = _e1765;
+                                                                        phi_2027_ = _e1783;
                                                                     }
-                                                                    let _e1875 = phi_2008_;
-                                                                    phi_1878_ = (_e1763 + 1u);
-                                                                    phi_1881_ = _e1875;
+                                                                    let _e1893 = phi_2027_;
+                                                                    phi_1897_ = (_e1781 + 1u);
+                                                                    phi_1900_ = _e1893;
                                                                 } else {
-                                                                    phi_1878_ = u32();
-                                                                    phi_1881_ = u32();
+                                                                    phi_1897_ = u32();
+                                                                    phi_1900_ = u32();
                                                                 }
-                                                                let _e1878 = phi_1878_;
-                                                                let _e1880 = phi_1881_;
+                                                                let _e1896 = phi_1897_;
+                                                                let _e1898 = phi_1900_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1877_ = _e1878;
-                                                                    phi_1880_ = _e1880;
-                                                                    break if !(_e1766);
+                                                                    phi_1896_ = _e1896;
+                                                                    phi_1899_ = _e1898;
+                                                                    break if !(_e1784);
                                                                 }
                                                             }
-                                                            let _e1884 = nodes.member[(0u + _e1495)].links[0u];
-                                                            let _e1888 = nodes.member[(0u + _e1495)].frame[3u];
-                                                            let _e1892 = local_5;
-                                                            if ((_e1892 & 4278190080u) == 0u) {
+                                                            let _e1902 = nodes.member[(0u + _e1513)].links[0u];
+                                                            let _e1906 = nodes.member[(0u + _e1513)].frame[3u];
+                                                            let _e1910 = local_5;
+                                                            if ((_e1910 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1896 = local.group_mask;
-                                                                if ((_e1896 & 4278190080u) == 0u) {
+                                                                let _e1914 = local.group_mask;
+                                                                if ((_e1914 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1900 = local.len;
-                                                                    if (_e1900 < 32u) {
-                                                                        let _e1903 = local.group;
-                                                                        let _e1905 = local.len;
-                                                                        if (_e1905 < 32u) {
+                                                                    let _e1918 = local.len;
+                                                                    if (_e1918 < 32u) {
+                                                                        let _e1921 = local.group;
+                                                                        let _e1923 = local.len;
+                                                                        if (_e1923 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1905)] = _e1903;
-                                                                        let _e1911 = local.group_mask;
-                                                                        let _e1913 = local.len;
-                                                                        if (_e1913 < 32u) {
+                                                                        local.first[(0u + _e1923)] = _e1921;
+                                                                        let _e1929 = local.group_mask;
+                                                                        let _e1931 = local.len;
+                                                                        if (_e1931 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.mask[(0u + _e1913)] = _e1911;
-                                                                        let _e1920 = local.len;
-                                                                        local.len = (_e1920 + 1u);
+                                                                        local.mask[(0u + _e1931)] = _e1929;
+                                                                        let _e1938 = local.len;
+                                                                        local.len = (_e1938 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1121 + _e1884);
-                                                                let _e1924 = local_6;
-                                                                local.group_mask = ((_e1924 & 4278190080u) | (_e1888 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1139 + _e1902);
+                                                                let _e1942 = local_6;
+                                                                local.group_mask = ((_e1942 & 4278190080u) | (_e1906 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1929 = local_7;
-                                                            phi_2066_ = _e1493;
-                                                            phi_2069_ = (_e1929 & 16777215u);
+                                                            let _e1947 = local_7;
+                                                            phi_2085_ = _e1511;
+                                                            phi_2088_ = (_e1947 & 16777215u);
                                                             loop {
-                                                                let _e1932 = phi_2066_;
-                                                                let _e1934 = phi_2069_;
-                                                                local_8 = _e1932;
-                                                                if (_e1934 == 0u) {
-                                                                    phi_2067_ = lt_bvh_Hit();
-                                                                    phi_2070_ = u32();
-                                                                    phi_2711_ = false;
+                                                                let _e1950 = phi_2085_;
+                                                                let _e1952 = phi_2088_;
+                                                                local_8 = _e1950;
+                                                                if (_e1952 == 0u) {
+                                                                    phi_2086_ = lt_bvh_Hit();
+                                                                    phi_2089_ = u32();
+                                                                    phi_2730_ = false;
                                                                 } else {
-                                                                    let _e1938 = nodes.member[(0u + _e1495)].links[1u];
-                                                                    let _e1943 = ((_e1123 + _e1938) + select(firstTrailingBit(_e1934), 32u, (_e1934 == 0u)));
-                                                                    if (_e1943 < _e70) {
+                                                                    let _e1956 = nodes.member[(0u + _e1513)].links[1u];
+                                                                    let _e1961 = ((_e1141 + _e1956) + select(firstTrailingBit(_e1952), 32u, (_e1952 == 0u)));
+                                                                    if (_e1961 < _e71) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1950 = triangles.member[(0u + _e1943)].v0_;
-                                                                    let _e1952 = (_e1950.x - _e1046);
-                                                                    let _e1954 = (_e1950.y - _e1059);
-                                                                    let _e1956 = (_e1950.z - _e1072);
-                                                                    if (_e1328 == 0u) {
-                                                                        phi_2114_ = vec3<f32>(_e1954, _e1956, _e1952);
+                                                                    let _e1968 = triangles.member[(0u + _e1961)].v0_;
+                                                                    let _e1970 = (_e1968.x - _e1064);
+                                                                    let _e1972 = (_e1968.y - _e1077);
+                                                                    let _e1974 = (_e1968.z - _e1090);
+                                                                    if (_e1346 == 0u) {
+                                                                        phi_2133_ = vec3<f32>(_e1972, _e1974, _e1970);
                                                                     } else {
-                                                                        if (_e1328 == 1u) {
-                                                                            phi_2113_ = vec3<f32>(_e1956, _e1952, _e1954);
+                                                                        if (_e1346 == 1u) {
+                                                                            phi_2132_ = vec3<f32>(_e1974, _e1970, _e1972);
                                                                         } else {
-                                                                            phi_2113_ = (_e1950 - vec3<f32>(_e1046, _e1059, _e1072));
+                                                                            phi_2132_ = (_e1968 - vec3<f32>(_e1064, _e1077, _e1090));
                                                                         }
-                                                                        let _e1964 = phi_2113_;
-                                                                        phi_2114_ = _e1964;
+                                                                        let _e1982 = phi_2132_;
+                                                                        phi_2133_ = _e1982;
                                                                     }
-                                                                    let _e1966 = phi_2114_;
-                                                                    let _e1970 = (_e1966.x - (_e1339 * _e1966.z));
-                                                                    let _e1974 = (_e1966.y - (_e1342 * _e1966.z));
-                                                                    let _e1976 = triangles.member[(0u + _e1943)].v1_;
-                                                                    let _e1978 = (_e1976.x - _e1046);
-                                                                    let _e1980 = (_e1976.y - _e1059);
-                                                                    let _e1982 = (_e1976.z - _e1072);
-                                                                    if (_e1328 == 0u) {
-                                                                        phi_2144_ = vec3<f32>(_e1980, _e1982, _e1978);
+                                                                    let _e1984 = phi_2133_;
+                                                                    let _e1988 = (_e1984.x - (_e1357 * _e1984.z));
+                                                                    let _e1992 = (_e1984.y - (_e1360 * _e1984.z));
+                                                                    let _e1994 = triangles.member[(0u + _e1961)].v1_;
+                                                                    let _e1996 = (_e1994.x - _e1064);
+                                                                    let _e1998 = (_e1994.y - _e1077);
+                                                                    let _e2000 = (_e1994.z - _e1090);
+                                                                    if (_e1346 == 0u) {
+                                                                        phi_2163_ = vec3<f32>(_e1998, _e2000, _e1996);
                                                                     } else {
-                                                                        if (_e1328 == 1u) {
-                                                                            phi_2143_ = vec3<f32>(_e1982, _e1978, _e1980);
+                                                                        if (_e1346 == 1u) {
+                                                                            phi_2162_ = vec3<f32>(_e2000, _e1996, _e1998);
                                                                         } else {
-                                                                            phi_2143_ = (_e1976 - vec3<f32>(_e1046, _e1059, _e1072));
+                                                                            phi_2162_ = (_e1994 - vec3<f32>(_e1064, _e1077, _e1090));
                                                                         }
-                                                                        let _e1990 = phi_2143_;
-                                                                        phi_2144_ = _e1990;
+                                                                        let _e2008 = phi_2162_;
+                                                                        phi_2163_ = _e2008;
                                                                     }
-                                                                    let _e1992 = phi_2144_;
-                                                                    let _e1996 = (_e1992.x - (_e1339 * _e1992.z));
-                                                                    let _e2000 = (_e1992.y - (_e1342 * _e1992.z));
-                                                                    let _e2002 = triangles.member[(0u + _e1943)].v2_;
-                                                                    let _e2004 = (_e2002.x - _e1046);
-                                                                    let _e2006 = (_e2002.y - _e1059);
-                                                                    let _e2008 = (_e2002.z - _e1072);
-                                                                    if (_e1328 == 0u) {
-                                                                        phi_2174_ = vec3<f32>(_e2006, _e2008, _e2004);
+                                                                    let _e2010 = phi_2163_;
+                                                                    let _e2014 = (_e2010.x - (_e1357 * _e2010.z));
+                                                                    let _e2018 = (_e2010.y - (_e1360 * _e2010.z));
+                                                                    let _e2020 = triangles.member[(0u + _e1961)].v2_;
+                                                                    let _e2022 = (_e2020.x - _e1064);
+                                                                    let _e2024 = (_e2020.y - _e1077);
+                                                                    let _e2026 = (_e2020.z - _e1090);
+                                                                    if (_e1346 == 0u) {
+                                                                        phi_2193_ = vec3<f32>(_e2024, _e2026, _e2022);
                                                                     } else {
-                                                                        if (_e1328 == 1u) {
-                                                                            phi_2173_ = vec3<f32>(_e2008, _e2004, _e2006);
+                                                                        if (_e1346 == 1u) {
+                                                                            phi_2192_ = vec3<f32>(_e2026, _e2022, _e2024);
                                                                         } else {
-                                                                            phi_2173_ = (_e2002 - vec3<f32>(_e1046, _e1059, _e1072));
+                                                                            phi_2192_ = (_e2020 - vec3<f32>(_e1064, _e1077, _e1090));
                                                                         }
-                                                                        let _e2016 = phi_2173_;
-                                                                        phi_2174_ = _e2016;
+                                                                        let _e2034 = phi_2192_;
+                                                                        phi_2193_ = _e2034;
                                                                     }
-                                                                    let _e2018 = phi_2174_;
-                                                                    let _e2022 = (_e2018.x - (_e1339 * _e2018.z));
-                                                                    let _e2026 = (_e2018.y - (_e1342 * _e2018.z));
-                                                                    if (_e1996 < _e2022) {
-                                                                        phi_2193_ = true;
+                                                                    let _e2036 = phi_2193_;
+                                                                    let _e2040 = (_e2036.x - (_e1357 * _e2036.z));
+                                                                    let _e2044 = (_e2036.y - (_e1360 * _e2036.z));
+                                                                    if (_e2014 < _e2040) {
+                                                                        phi_2212_ = true;
                                                                     } else {
-                                                                        if (_e1996 == _e2022) {
-                                                                            phi_2192_ = (_e2000 < _e2026);
+                                                                        if (_e2014 == _e2040) {
+                                                                            phi_2211_ = (_e2018 < _e2044);
                                                                         } else {
-                                                                            phi_2192_ = false;
+                                                                            phi_2211_ = false;
                                                                         }
-                                                                        let _e2031 = phi_2192_;
-                                                                        phi_2193_ = _e2031;
+                                                                        let _e2049 = phi_2211_;
+                                                                        phi_2212_ = _e2049;
                                                                     }
-                                                                    let _e2033 = phi_2193_;
-                                                                    if _e2033 {
-                                                                        phi_2197_ = _e2026;
-                                                                        phi_2198_ = _e2022;
-                                                                        phi_2199_ = _e2000;
-                                                                        phi_2200_ = _e1996;
+                                                                    let _e2051 = phi_2212_;
+                                                                    if _e2051 {
+                                                                        phi_2216_ = _e2044;
+                                                                        phi_2217_ = _e2040;
+                                                                        phi_2218_ = _e2018;
+                                                                        phi_2219_ = _e2014;
                                                                     } else {
-                                                                        phi_2197_ = _e2000;
-                                                                        phi_2198_ = _e1996;
-                                                                        phi_2199_ = _e2026;
-                                                                        phi_2200_ = _e2022;
+                                                                        phi_2216_ = _e2018;
+                                                                        phi_2217_ = _e2014;
+                                                                        phi_2218_ = _e2044;
+                                                                        phi_2219_ = _e2040;
                                                                     }
-                                                                    let _e2035 = phi_2197_;
-                                                                    let _e2037 = phi_2198_;
-                                                                    let _e2039 = phi_2199_;
-                                                                    let _e2041 = phi_2200_;
-                                                                    let _e2044 = ((_e2041 * _e2035) - (_e2039 * _e2037));
-                                                                    if _e2033 {
-                                                                        phi_2208_ = -(_e2044);
+                                                                    let _e2053 = phi_2216_;
+                                                                    let _e2055 = phi_2217_;
+                                                                    let _e2057 = phi_2218_;
+                                                                    let _e2059 = phi_2219_;
+                                                                    let _e2062 = ((_e2059 * _e2053) - (_e2057 * _e2055));
+                                                                    if _e2051 {
+                                                                        phi_2227_ = -(_e2062);
                                                                     } else {
-                                                                        phi_2208_ = _e2044;
+                                                                        phi_2227_ = _e2062;
                                                                     }
-                                                                    let _e2047 = phi_2208_;
-                                                                    if (_e2022 < _e1970) {
-                                                                        phi_2219_ = true;
+                                                                    let _e2065 = phi_2227_;
+                                                                    if (_e2040 < _e1988) {
+                                                                        phi_2238_ = true;
                                                                     } else {
-                                                                        if (_e2022 == _e1970) {
-                                                                            phi_2218_ = (_e2026 < _e1974);
+                                                                        if (_e2040 == _e1988) {
+                                                                            phi_2237_ = (_e2044 < _e1992);
                                                                         } else {
-                                                                            phi_2218_ = false;
+                                                                            phi_2237_ = false;
                                                                         }
-                                                                        let _e2052 = phi_2218_;
-                                                                        phi_2219_ = _e2052;
+                                                                        let _e2070 = phi_2237_;
+                                                                        phi_2238_ = _e2070;
                                                                     }
-                                                                    let _e2054 = phi_2219_;
-                                                                    if _e2054 {
-                                                                        phi_2223_ = _e1974;
-                                                                        phi_2224_ = _e1970;
-                                                                        phi_2225_ = _e2026;
-                                                                        phi_2226_ = _e2022;
+                                                                    let _e2072 = phi_2238_;
+                                                                    if _e2072 {
+                                                                        phi_2242_ = _e1992;
+                                                                        phi_2243_ = _e1988;
+                                                                        phi_2244_ = _e2044;
+                                                                        phi_2245_ = _e2040;
                                                                     } else {
-                                                                        phi_2223_ = _e2026;
-                                                                        phi_2224_ = _e2022;
-                                                                        phi_2225_ = _e1974;
-                                                                        phi_2226_ = _e1970;
+                                                                        phi_2242_ = _e2044;
+                                                                        phi_2243_ = _e2040;
+                                                                        phi_2244_ = _e1992;
+                                                                        phi_2245_ = _e1988;
                                                                     }
-                                                                    let _e2056 = phi_2223_;
-                                                                    let _e2058 = phi_2224_;
-                                                                    let _e2060 = phi_2225_;
-                                                                    let _e2062 = phi_2226_;
-                                                                    let _e2065 = ((_e2062 * _e2056) - (_e2060 * _e2058));
-                                                                    if _e2054 {
-                                                                        phi_2234_ = -(_e2065);
+                                                                    let _e2074 = phi_2242_;
+                                                                    let _e2076 = phi_2243_;
+                                                                    let _e2078 = phi_2244_;
+                                                                    let _e2080 = phi_2245_;
+                                                                    let _e2083 = ((_e2080 * _e2074) - (_e2078 * _e2076));
+                                                                    if _e2072 {
+                                                                        phi_2253_ = -(_e2083);
                                                                     } else {
-                                                                        phi_2234_ = _e2065;
+                                                                        phi_2253_ = _e2083;
                                                                     }
-                                                                    let _e2068 = phi_2234_;
-                                                                    if (_e1970 < _e1996) {
-                                                                        phi_2245_ = true;
+                                                                    let _e2086 = phi_2253_;
+                                                                    if (_e1988 < _e2014) {
+                                                                        phi_2264_ = true;
                                                                     } else {
-                                                                        if (_e1970 == _e1996) {
-                                                                            phi_2244_ = (_e1974 < _e2000);
+                                                                        if (_e1988 == _e2014) {
+                                                                            phi_2263_ = (_e1992 < _e2018);
                                                                         } else {
-                                                                            phi_2244_ = false;
+                                                                            phi_2263_ = false;
                                                                         }
-                                                                        let _e2073 = phi_2244_;
-                                                                        phi_2245_ = _e2073;
+                                                                        let _e2091 = phi_2263_;
+                                                                        phi_2264_ = _e2091;
                                                                     }
-                                                                    let _e2075 = phi_2245_;
-                                                                    if _e2075 {
-                                                                        phi_2249_ = _e2000;
-                                                                        phi_2250_ = _e1996;
-                                                                        phi_2251_ = _e1974;
-                                                                        phi_2252_ = _e1970;
+                                                                    let _e2093 = phi_2264_;
+                                                                    if _e2093 {
+                                                                        phi_2268_ = _e2018;
+                                                                        phi_2269_ = _e2014;
+                                                                        phi_2270_ = _e1992;
+                                                                        phi_2271_ = _e1988;
                                                                     } else {
-                                                                        phi_2249_ = _e1974;
-                                                                        phi_2250_ = _e1970;
-                                                                        phi_2251_ = _e2000;
-                                                                        phi_2252_ = _e1996;
+                                                                        phi_2268_ = _e1992;
+                                                                        phi_2269_ = _e1988;
+                                                                        phi_2270_ = _e2018;
+                                                                        phi_2271_ = _e2014;
                                                                     }
-                                                                    let _e2077 = phi_2249_;
-                                                                    let _e2079 = phi_2250_;
-                                                                    let _e2081 = phi_2251_;
-                                                                    let _e2083 = phi_2252_;
-                                                                    let _e2086 = ((_e2083 * _e2077) - (_e2081 * _e2079));
-                                                                    if _e2075 {
-                                                                        phi_2260_ = -(_e2086);
+                                                                    let _e2095 = phi_2268_;
+                                                                    let _e2097 = phi_2269_;
+                                                                    let _e2099 = phi_2270_;
+                                                                    let _e2101 = phi_2271_;
+                                                                    let _e2104 = ((_e2101 * _e2095) - (_e2099 * _e2097));
+                                                                    if _e2093 {
+                                                                        phi_2279_ = -(_e2104);
                                                                     } else {
-                                                                        phi_2260_ = _e2086;
+                                                                        phi_2279_ = _e2104;
                                                                     }
-                                                                    let _e2089 = phi_2260_;
-                                                                    if (_e2047 >= 0f) {
-                                                                        if (_e2068 >= 0f) {
-                                                                            if (_e2089 >= 0f) {
-                                                                                phi_2275_ = ((_e2047 + _e2068) + _e2089);
-                                                                                phi_2276_ = false;
+                                                                    let _e2107 = phi_2279_;
+                                                                    if (_e2065 >= 0f) {
+                                                                        if (_e2086 >= 0f) {
+                                                                            if (_e2107 >= 0f) {
+                                                                                phi_2294_ = ((_e2065 + _e2086) + _e2107);
+                                                                                phi_2295_ = false;
                                                                             } else {
-                                                                                phi_2275_ = f32();
-                                                                                phi_2276_ = true;
+                                                                                phi_2294_ = f32();
+                                                                                phi_2295_ = true;
                                                                             }
-                                                                            let _e2096 = phi_2275_;
-                                                                            let _e2098 = phi_2276_;
-                                                                            phi_2277_ = _e2096;
-                                                                            phi_2278_ = _e2098;
+                                                                            let _e2114 = phi_2294_;
+                                                                            let _e2116 = phi_2295_;
+                                                                            phi_2296_ = _e2114;
+                                                                            phi_2297_ = _e2116;
                                                                         } else {
-                                                                            phi_2277_ = f32();
-                                                                            phi_2278_ = true;
+                                                                            phi_2296_ = f32();
+                                                                            phi_2297_ = true;
                                                                         }
-                                                                        let _e2100 = phi_2277_;
-                                                                        let _e2102 = phi_2278_;
-                                                                        phi_2279_ = _e2100;
-                                                                        phi_2280_ = _e2102;
+                                                                        let _e2118 = phi_2296_;
+                                                                        let _e2120 = phi_2297_;
+                                                                        phi_2298_ = _e2118;
+                                                                        phi_2299_ = _e2120;
                                                                     } else {
-                                                                        phi_2279_ = f32();
-                                                                        phi_2280_ = true;
+                                                                        phi_2298_ = f32();
+                                                                        phi_2299_ = true;
                                                                     }
-                                                                    let _e2104 = phi_2279_;
-                                                                    let _e2106 = phi_2280_;
-                                                                    if _e2106 {
-                                                                        if (_e2047 <= 0f) {
-                                                                            if (_e2068 <= 0f) {
-                                                                                let _e2109 = (_e2089 <= 0f);
-                                                                                if _e2109 {
+                                                                    let _e2122 = phi_2298_;
+                                                                    let _e2124 = phi_2299_;
+                                                                    if _e2124 {
+                                                                        if (_e2065 <= 0f) {
+                                                                            if (_e2086 <= 0f) {
+                                                                                let _e2127 = (_e2107 <= 0f);
+                                                                                if _e2127 {
                                                                                 }
-                                                                                phi_2298_ = ((_e2047 + _e2068) + _e2089);
-                                                                                phi_2299_ = false;
-                                                                                phi_2300_ = _e2109;
+                                                                                phi_2317_ = ((_e2065 + _e2086) + _e2107);
+                                                                                phi_2318_ = false;
+                                                                                phi_2319_ = _e2127;
                                                                             } else {
-                                                                                phi_2298_ = f32();
-                                                                                phi_2299_ = true;
-                                                                                phi_2300_ = false;
+                                                                                phi_2317_ = f32();
+                                                                                phi_2318_ = true;
+                                                                                phi_2319_ = false;
                                                                             }
-                                                                            let _e2113 = phi_2298_;
-                                                                            let _e2115 = phi_2299_;
-                                                                            let _e2117 = phi_2300_;
-                                                                            phi_2301_ = _e2113;
-                                                                            phi_2302_ = _e2115;
-                                                                            phi_2303_ = _e2117;
+                                                                            let _e2131 = phi_2317_;
+                                                                            let _e2133 = phi_2318_;
+                                                                            let _e2135 = phi_2319_;
+                                                                            phi_2320_ = _e2131;
+                                                                            phi_2321_ = _e2133;
+                                                                            phi_2322_ = _e2135;
                                                                         } else {
-                                                                            phi_2301_ = f32();
-                                                                            phi_2302_ = true;
-                                                                            phi_2303_ = false;
+                                                                            phi_2320_ = f32();
+                                                                            phi_2321_ = true;
+                                                                            phi_2322_ = false;
                                                                         }
-                                                                        let _e2119 = phi_2301_;
-                                                                        let _e2121 = phi_2302_;
-                                                                        let _e2123 = phi_2303_;
-                                                                        if _e2121 {
-                                                                            phi_2307_ = false;
+                                                                        let _e2137 = phi_2320_;
+                                                                        let _e2139 = phi_2321_;
+                                                                        let _e2141 = phi_2322_;
+                                                                        if _e2139 {
+                                                                            phi_2326_ = false;
                                                                         } else {
-                                                                            phi_2307_ = _e2123;
+                                                                            phi_2326_ = _e2141;
                                                                         }
-                                                                        let _e2125 = phi_2307_;
-                                                                        phi_2308_ = _e2119;
-                                                                        phi_2309_ = _e2125;
+                                                                        let _e2143 = phi_2326_;
+                                                                        phi_2327_ = _e2137;
+                                                                        phi_2328_ = _e2143;
                                                                     } else {
-                                                                        phi_2308_ = _e2104;
-                                                                        phi_2309_ = true;
+                                                                        phi_2327_ = _e2122;
+                                                                        phi_2328_ = true;
                                                                     }
-                                                                    let _e2127 = phi_2308_;
-                                                                    let _e2129 = phi_2309_;
-                                                                    if _e2129 {
-                                                                        let _e2130 = (_e2127 == 0f);
-                                                                        if _e2130 {
-                                                                            phi_2625_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2626_ = false;
+                                                                    let _e2145 = phi_2327_;
+                                                                    let _e2147 = phi_2328_;
+                                                                    if _e2147 {
+                                                                        let _e2148 = (_e2145 == 0f);
+                                                                        if _e2148 {
+                                                                            phi_2644_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2645_ = false;
                                                                         } else {
-                                                                            let _e2132 = triangles.member[(0u + _e1943)].v0_;
-                                                                            let _e2134 = (_e2132.x - _e1046);
-                                                                            let _e2136 = (_e2132.y - _e1059);
-                                                                            let _e2138 = (_e2132.z - _e1072);
-                                                                            if (_e1328 == 0u) {
-                                                                                phi_2338_ = vec3<f32>(_e2136, _e2138, _e2134);
+                                                                            let _e2150 = triangles.member[(0u + _e1961)].v0_;
+                                                                            let _e2152 = (_e2150.x - _e1064);
+                                                                            let _e2154 = (_e2150.y - _e1077);
+                                                                            let _e2156 = (_e2150.z - _e1090);
+                                                                            if (_e1346 == 0u) {
+                                                                                phi_2357_ = vec3<f32>(_e2154, _e2156, _e2152);
                                                                             } else {
-                                                                                if (_e1328 == 1u) {
-                                                                                    phi_2337_ = vec3<f32>(_e2138, _e2134, _e2136);
+                                                                                if (_e1346 == 1u) {
+                                                                                    phi_2356_ = vec3<f32>(_e2156, _e2152, _e2154);
                                                                                 } else {
-                                                                                    phi_2337_ = (_e2132 - vec3<f32>(_e1046, _e1059, _e1072));
+                                                                                    phi_2356_ = (_e2150 - vec3<f32>(_e1064, _e1077, _e1090));
                                                                                 }
-                                                                                let _e2146 = phi_2337_;
-                                                                                phi_2338_ = _e2146;
+                                                                                let _e2164 = phi_2356_;
+                                                                                phi_2357_ = _e2164;
                                                                             }
-                                                                            let _e2148 = phi_2338_;
-                                                                            let _e2150 = triangles.member[(0u + _e1943)].v1_;
-                                                                            let _e2152 = triangles.member[(0u + _e1943)].v0_;
-                                                                            let _e2155 = (_e2150.x - _e2152.x);
-                                                                            let _e2158 = (_e2150.y - _e2152.y);
-                                                                            let _e2161 = (_e2150.z - _e2152.z);
-                                                                            if (_e1328 == 0u) {
-                                                                                phi_2364_ = vec3<f32>(_e2158, _e2161, _e2155);
+                                                                            let _e2166 = phi_2357_;
+                                                                            let _e2168 = triangles.member[(0u + _e1961)].v1_;
+                                                                            let _e2170 = triangles.member[(0u + _e1961)].v0_;
+                                                                            let _e2173 = (_e2168.x - _e2170.x);
+                                                                            let _e2176 = (_e2168.y - _e2170.y);
+                                                                            let _e2179 = (_e2168.z - _e2170.z);
+                                                                            if (_e1346 == 0u) {
+                                                                                phi_2383_ = vec3<f32>(_e2176, _e2179, _e2173);
                                                                             } else {
-                                                                                if (_e1328 == 1u) {
-                                                                                    phi_2363_ = vec3<f32>(_e2161, _e2155, _e2158);
+                                                                                if (_e1346 == 1u) {
+                                                                                    phi_2382_ = vec3<f32>(_e2179, _e2173, _e2176);
                                                                                 } else {
-                                                                                    phi_2363_ = (_e2150 - _e2152);
+                                                                                    phi_2382_ = (_e2168 - _e2170);
                                                                                 }
-                                                                                let _e2168 = phi_2363_;
-                                                                                phi_2364_ = _e2168;
+                                                                                let _e2186 = phi_2382_;
+                                                                                phi_2383_ = _e2186;
                                                                             }
-                                                                            let _e2170 = phi_2364_;
-                                                                            let _e2172 = triangles.member[(0u + _e1943)].v2_;
-                                                                            let _e2174 = triangles.member[(0u + _e1943)].v0_;
-                                                                            let _e2177 = (_e2172.x - _e2174.x);
-                                                                            let _e2180 = (_e2172.y - _e2174.y);
-                                                                            let _e2183 = (_e2172.z - _e2174.z);
-                                                                            if (_e1328 == 0u) {
-                                                                                phi_2390_ = vec3<f32>(_e2180, _e2183, _e2177);
+                                                                            let _e2188 = phi_2383_;
+                                                                            let _e2190 = triangles.member[(0u + _e1961)].v2_;
+                                                                            let _e2192 = triangles.member[(0u + _e1961)].v0_;
+                                                                            let _e2195 = (_e2190.x - _e2192.x);
+                                                                            let _e2198 = (_e2190.y - _e2192.y);
+                                                                            let _e2201 = (_e2190.z - _e2192.z);
+                                                                            if (_e1346 == 0u) {
+                                                                                phi_2409_ = vec3<f32>(_e2198, _e2201, _e2195);
                                                                             } else {
-                                                                                if (_e1328 == 1u) {
-                                                                                    phi_2389_ = vec3<f32>(_e2183, _e2177, _e2180);
+                                                                                if (_e1346 == 1u) {
+                                                                                    phi_2408_ = vec3<f32>(_e2201, _e2195, _e2198);
                                                                                 } else {
-                                                                                    phi_2389_ = (_e2172 - _e2174);
+                                                                                    phi_2408_ = (_e2190 - _e2192);
                                                                                 }
-                                                                                let _e2190 = phi_2389_;
-                                                                                phi_2390_ = _e2190;
+                                                                                let _e2208 = phi_2408_;
+                                                                                phi_2409_ = _e2208;
                                                                             }
-                                                                            let _e2192 = phi_2390_;
-                                                                            let _e2199 = ((_e2170.y * _e2192.z) - (_e2170.z * _e2192.y));
-                                                                            let _e2206 = ((_e2170.z * _e2192.x) - (_e2170.x * _e2192.z));
-                                                                            let _e2213 = ((_e2170.x * _e2192.y) - (_e2170.y * _e2192.x));
-                                                                            let _e2227 = (((1f / _e1336.z) * (((_e2199 * _e2148.x) + (_e2206 * _e2148.y)) + (_e2213 * _e2148.z))) / (((_e2199 * _e1339) + (_e2206 * _e1342)) + _e2213));
-                                                                            if (_e2227 > _e145.tmin) {
-                                                                                if (_e2227 < _e145.tmax) {
-                                                                                    let _e2231 = triangles.member[(0u + _e1943)].v0_;
-                                                                                    let _e2233 = triangles.member[(0u + _e1943)].v1_;
-                                                                                    if (_e2231.x < _e2233.x) {
-                                                                                        phi_2446_ = _e2231.x;
+                                                                            let _e2210 = phi_2409_;
+                                                                            let _e2217 = ((_e2188.y * _e2210.z) - (_e2188.z * _e2210.y));
+                                                                            let _e2224 = ((_e2188.z * _e2210.x) - (_e2188.x * _e2210.z));
+                                                                            let _e2231 = ((_e2188.x * _e2210.y) - (_e2188.y * _e2210.x));
+                                                                            let _e2245 = (((1f / _e1354.z) * (((_e2217 * _e2166.x) + (_e2224 * _e2166.y)) + (_e2231 * _e2166.z))) / (((_e2217 * _e1357) + (_e2224 * _e1360)) + _e2231));
+                                                                            if (_e2245 > _e163.tmin) {
+                                                                                if (_e2245 < _e163.tmax) {
+                                                                                    let _e2249 = triangles.member[(0u + _e1961)].v0_;
+                                                                                    let _e2251 = triangles.member[(0u + _e1961)].v1_;
+                                                                                    if (_e2249.x < _e2251.x) {
+                                                                                        phi_2465_ = _e2249.x;
                                                                                     } else {
-                                                                                        phi_2446_ = _e2233.x;
+                                                                                        phi_2465_ = _e2251.x;
                                                                                     }
-                                                                                    let _e2240 = phi_2446_;
-                                                                                    if (_e2231.y < _e2233.y) {
-                                                                                        phi_2455_ = _e2231.y;
+                                                                                    let _e2258 = phi_2465_;
+                                                                                    if (_e2249.y < _e2251.y) {
+                                                                                        phi_2474_ = _e2249.y;
                                                                                     } else {
-                                                                                        phi_2455_ = _e2233.y;
+                                                                                        phi_2474_ = _e2251.y;
                                                                                     }
-                                                                                    let _e2247 = phi_2455_;
-                                                                                    if (_e2231.z < _e2233.z) {
-                                                                                        phi_2464_ = _e2231.z;
+                                                                                    let _e2265 = phi_2474_;
+                                                                                    if (_e2249.z < _e2251.z) {
+                                                                                        phi_2483_ = _e2249.z;
                                                                                     } else {
-                                                                                        phi_2464_ = _e2233.z;
+                                                                                        phi_2483_ = _e2251.z;
                                                                                     }
-                                                                                    let _e2254 = phi_2464_;
-                                                                                    let _e2256 = triangles.member[(0u + _e1943)].v2_;
-                                                                                    if (_e2240 < _e2256.x) {
-                                                                                        phi_2473_ = _e2240;
+                                                                                    let _e2272 = phi_2483_;
+                                                                                    let _e2274 = triangles.member[(0u + _e1961)].v2_;
+                                                                                    if (_e2258 < _e2274.x) {
+                                                                                        phi_2492_ = _e2258;
                                                                                     } else {
-                                                                                        phi_2473_ = _e2256.x;
+                                                                                        phi_2492_ = _e2274.x;
                                                                                     }
-                                                                                    let _e2261 = phi_2473_;
-                                                                                    if (_e2247 < _e2256.y) {
-                                                                                        phi_2480_ = _e2247;
+                                                                                    let _e2279 = phi_2492_;
+                                                                                    if (_e2265 < _e2274.y) {
+                                                                                        phi_2499_ = _e2265;
                                                                                     } else {
-                                                                                        phi_2480_ = _e2256.y;
+                                                                                        phi_2499_ = _e2274.y;
                                                                                     }
-                                                                                    let _e2266 = phi_2480_;
-                                                                                    if (_e2254 < _e2256.z) {
-                                                                                        phi_2487_ = _e2254;
+                                                                                    let _e2284 = phi_2499_;
+                                                                                    if (_e2272 < _e2274.z) {
+                                                                                        phi_2506_ = _e2272;
                                                                                     } else {
-                                                                                        phi_2487_ = _e2256.z;
+                                                                                        phi_2506_ = _e2274.z;
                                                                                     }
-                                                                                    let _e2271 = phi_2487_;
-                                                                                    let _e2273 = triangles.member[(0u + _e1943)].v0_;
-                                                                                    let _e2275 = triangles.member[(0u + _e1943)].v1_;
-                                                                                    if (_e2273.x > _e2275.x) {
-                                                                                        phi_2500_ = _e2273.x;
+                                                                                    let _e2289 = phi_2506_;
+                                                                                    let _e2291 = triangles.member[(0u + _e1961)].v0_;
+                                                                                    let _e2293 = triangles.member[(0u + _e1961)].v1_;
+                                                                                    if (_e2291.x > _e2293.x) {
+                                                                                        phi_2519_ = _e2291.x;
                                                                                     } else {
-                                                                                        phi_2500_ = _e2275.x;
+                                                                                        phi_2519_ = _e2293.x;
                                                                                     }
-                                                                                    let _e2282 = phi_2500_;
-                                                                                    if (_e2273.y > _e2275.y) {
-                                                                                        phi_2509_ = _e2273.y;
+                                                                                    let _e2300 = phi_2519_;
+                                                                                    if (_e2291.y > _e2293.y) {
+                                                                                        phi_2528_ = _e2291.y;
                                                                                     } else {
-                                                                                        phi_2509_ = _e2275.y;
+                                                                                        phi_2528_ = _e2293.y;
                                                                                     }
-                                                                                    let _e2289 = phi_2509_;
-                                                                                    if (_e2273.z > _e2275.z) {
-                                                                                        phi_2518_ = _e2273.z;
+                                                                                    let _e2307 = phi_2528_;
+                                                                                    if (_e2291.z > _e2293.z) {
+                                                                                        phi_2537_ = _e2291.z;
                                                                                     } else {
-                                                                                        phi_2518_ = _e2275.z;
+                                                                                        phi_2537_ = _e2293.z;
                                                                                     }
-                                                                                    let _e2296 = phi_2518_;
-                                                                                    let _e2298 = triangles.member[(0u + _e1943)].v2_;
-                                                                                    if (_e2282 > _e2298.x) {
-                                                                                        phi_2527_ = _e2282;
+                                                                                    let _e2314 = phi_2537_;
+                                                                                    let _e2316 = triangles.member[(0u + _e1961)].v2_;
+                                                                                    if (_e2300 > _e2316.x) {
+                                                                                        phi_2546_ = _e2300;
                                                                                     } else {
-                                                                                        phi_2527_ = _e2298.x;
+                                                                                        phi_2546_ = _e2316.x;
                                                                                     }
-                                                                                    let _e2303 = phi_2527_;
-                                                                                    if (_e2289 > _e2298.y) {
-                                                                                        phi_2534_ = _e2289;
+                                                                                    let _e2321 = phi_2546_;
+                                                                                    if (_e2307 > _e2316.y) {
+                                                                                        phi_2553_ = _e2307;
                                                                                     } else {
-                                                                                        phi_2534_ = _e2298.y;
+                                                                                        phi_2553_ = _e2316.y;
                                                                                     }
-                                                                                    let _e2308 = phi_2534_;
-                                                                                    if (_e2296 > _e2298.z) {
-                                                                                        phi_2541_ = _e2296;
+                                                                                    let _e2326 = phi_2553_;
+                                                                                    if (_e2314 > _e2316.z) {
+                                                                                        phi_2560_ = _e2314;
                                                                                     } else {
-                                                                                        phi_2541_ = _e2298.z;
+                                                                                        phi_2560_ = _e2316.z;
                                                                                     }
-                                                                                    let _e2313 = phi_2541_;
-                                                                                    let _e2317 = ((_e2261 - _e1046) * _e1253);
-                                                                                    let _e2318 = ((_e2266 - _e1059) * _e1263);
-                                                                                    let _e2319 = ((_e2271 - _e1072) * _e1273);
-                                                                                    let _e2323 = ((_e2303 - _e1046) * _e1253);
-                                                                                    let _e2324 = ((_e2308 - _e1059) * _e1263);
-                                                                                    let _e2325 = ((_e2313 - _e1072) * _e1273);
-                                                                                    if (_e2317 < _e2323) {
-                                                                                        phi_2558_ = _e2317;
+                                                                                    let _e2331 = phi_2560_;
+                                                                                    let _e2335 = ((_e2279 - _e1064) * _e1271);
+                                                                                    let _e2336 = ((_e2284 - _e1077) * _e1281);
+                                                                                    let _e2337 = ((_e2289 - _e1090) * _e1291);
+                                                                                    let _e2341 = ((_e2321 - _e1064) * _e1271);
+                                                                                    let _e2342 = ((_e2326 - _e1077) * _e1281);
+                                                                                    let _e2343 = ((_e2331 - _e1090) * _e1291);
+                                                                                    if (_e2335 < _e2341) {
+                                                                                        phi_2577_ = _e2335;
                                                                                     } else {
-                                                                                        phi_2558_ = _e2323;
+                                                                                        phi_2577_ = _e2341;
                                                                                     }
-                                                                                    let _e2328 = phi_2558_;
-                                                                                    if (_e2318 < _e2324) {
-                                                                                        phi_2563_ = _e2318;
+                                                                                    let _e2346 = phi_2577_;
+                                                                                    if (_e2336 < _e2342) {
+                                                                                        phi_2582_ = _e2336;
                                                                                     } else {
-                                                                                        phi_2563_ = _e2324;
+                                                                                        phi_2582_ = _e2342;
                                                                                     }
-                                                                                    let _e2331 = phi_2563_;
-                                                                                    if (_e2319 < _e2325) {
-                                                                                        phi_2568_ = _e2319;
+                                                                                    let _e2349 = phi_2582_;
+                                                                                    if (_e2337 < _e2343) {
+                                                                                        phi_2587_ = _e2337;
                                                                                     } else {
-                                                                                        phi_2568_ = _e2325;
+                                                                                        phi_2587_ = _e2343;
                                                                                     }
-                                                                                    let _e2334 = phi_2568_;
-                                                                                    if (_e2317 > _e2323) {
-                                                                                        phi_2576_ = _e2317;
+                                                                                    let _e2352 = phi_2587_;
+                                                                                    if (_e2335 > _e2341) {
+                                                                                        phi_2595_ = _e2335;
                                                                                     } else {
-                                                                                        phi_2576_ = _e2323;
+                                                                                        phi_2595_ = _e2341;
                                                                                     }
-                                                                                    let _e2340 = phi_2576_;
-                                                                                    if (_e2318 > _e2324) {
-                                                                                        phi_2581_ = _e2318;
+                                                                                    let _e2358 = phi_2595_;
+                                                                                    if (_e2336 > _e2342) {
+                                                                                        phi_2600_ = _e2336;
                                                                                     } else {
-                                                                                        phi_2581_ = _e2324;
+                                                                                        phi_2600_ = _e2342;
                                                                                     }
-                                                                                    let _e2343 = phi_2581_;
-                                                                                    if (_e2319 > _e2325) {
-                                                                                        phi_2586_ = _e2319;
+                                                                                    let _e2361 = phi_2600_;
+                                                                                    if (_e2337 > _e2343) {
+                                                                                        phi_2605_ = _e2337;
                                                                                     } else {
-                                                                                        phi_2586_ = _e2325;
+                                                                                        phi_2605_ = _e2343;
                                                                                     }
-                                                                                    let _e2346 = phi_2586_;
-                                                                                    let _e2350 = core_intrinsics_maximum_number_nsz_f32_((_e2328 - _e1312), (_e2331 - _e1313));
-                                                                                    let _e2351 = core_intrinsics_maximum_number_nsz_f32_(_e2350, (_e2334 - _e1314));
-                                                                                    let _e2352 = core_intrinsics_minimum_number_nsz_f32_((_e2340 + _e1312), (_e2343 + _e1313));
-                                                                                    let _e2353 = core_intrinsics_minimum_number_nsz_f32_(_e2352, (_e2346 + _e1314));
-                                                                                    if (_e2351 > _e1021) {
-                                                                                        phi_2598_ = _e2351;
+                                                                                    let _e2364 = phi_2605_;
+                                                                                    let _e2368 = core_intrinsics_maximum_number_nsz_f32_((_e2346 - _e1330), (_e2349 - _e1331));
+                                                                                    let _e2369 = core_intrinsics_maximum_number_nsz_f32_(_e2368, (_e2352 - _e1332));
+                                                                                    let _e2370 = core_intrinsics_minimum_number_nsz_f32_((_e2358 + _e1330), (_e2361 + _e1331));
+                                                                                    let _e2371 = core_intrinsics_minimum_number_nsz_f32_(_e2370, (_e2364 + _e1332));
+                                                                                    if (_e2369 > _e1039) {
+                                                                                        phi_2617_ = _e2369;
                                                                                     } else {
-                                                                                        phi_2598_ = _e1021;
+                                                                                        phi_2617_ = _e1039;
                                                                                     }
-                                                                                    let _e2356 = phi_2598_;
-                                                                                    if (_e2353 < _e1023) {
-                                                                                        phi_2603_ = _e2353;
+                                                                                    let _e2374 = phi_2617_;
+                                                                                    if (_e2371 < _e1041) {
+                                                                                        phi_2622_ = _e2371;
                                                                                     } else {
-                                                                                        phi_2603_ = _e1023;
+                                                                                        phi_2622_ = _e1041;
                                                                                     }
-                                                                                    let _e2359 = phi_2603_;
-                                                                                    if (_e2227 < _e2356) {
-                                                                                        phi_2608_ = _e2356;
+                                                                                    let _e2377 = phi_2622_;
+                                                                                    if (_e2245 < _e2374) {
+                                                                                        phi_2627_ = _e2374;
                                                                                     } else {
-                                                                                        phi_2608_ = _e2227;
+                                                                                        phi_2627_ = _e2245;
                                                                                     }
-                                                                                    let _e2362 = phi_2608_;
-                                                                                    if (_e2362 > _e2359) {
-                                                                                        phi_2613_ = _e2359;
+                                                                                    let _e2380 = phi_2627_;
+                                                                                    if (_e2380 > _e2377) {
+                                                                                        phi_2632_ = _e2377;
                                                                                     } else {
-                                                                                        phi_2613_ = _e2362;
+                                                                                        phi_2632_ = _e2380;
                                                                                     }
-                                                                                    let _e2365 = phi_2613_;
-                                                                                    phi_2618_ = lt_bvh_triangle_Intersection(_e2365, (_e2068 / _e2127), (_e2089 / _e2127), (_e2356 <= _e2359));
-                                                                                    phi_2619_ = false;
+                                                                                    let _e2383 = phi_2632_;
+                                                                                    phi_2637_ = lt_bvh_triangle_Intersection(_e2383, (_e2086 / _e2145), (_e2107 / _e2145), (_e2374 <= _e2377));
+                                                                                    phi_2638_ = false;
                                                                                 } else {
-                                                                                    phi_2618_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2619_ = true;
+                                                                                    phi_2637_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2638_ = true;
                                                                                 }
-                                                                                let _e2371 = phi_2618_;
-                                                                                let _e2373 = phi_2619_;
-                                                                                phi_2620_ = _e2371;
-                                                                                phi_2621_ = _e2373;
+                                                                                let _e2389 = phi_2637_;
+                                                                                let _e2391 = phi_2638_;
+                                                                                phi_2639_ = _e2389;
+                                                                                phi_2640_ = _e2391;
                                                                             } else {
-                                                                                phi_2620_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2621_ = true;
+                                                                                phi_2639_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2640_ = true;
                                                                             }
-                                                                            let _e2375 = phi_2620_;
-                                                                            let _e2377 = phi_2621_;
-                                                                            if _e2377 {
+                                                                            let _e2393 = phi_2639_;
+                                                                            let _e2395 = phi_2640_;
+                                                                            if _e2395 {
                                                                             }
-                                                                            phi_2625_ = _e2375;
-                                                                            phi_2626_ = _e2377;
+                                                                            phi_2644_ = _e2393;
+                                                                            phi_2645_ = _e2395;
                                                                         }
-                                                                        let _e2379 = phi_2625_;
-                                                                        let _e2381 = phi_2626_;
-                                                                        phi_2627_ = _e2379;
-                                                                        phi_2628_ = _e2130;
-                                                                        phi_2629_ = _e2381;
+                                                                        let _e2397 = phi_2644_;
+                                                                        let _e2399 = phi_2645_;
+                                                                        phi_2646_ = _e2397;
+                                                                        phi_2647_ = _e2148;
+                                                                        phi_2648_ = _e2399;
                                                                     } else {
-                                                                        phi_2627_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2628_ = true;
-                                                                        phi_2629_ = false;
+                                                                        phi_2646_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2647_ = true;
+                                                                        phi_2648_ = false;
                                                                     }
-                                                                    let _e2383 = phi_2627_;
-                                                                    let _e2385 = phi_2628_;
-                                                                    let _e2387 = phi_2629_;
-                                                                    if _e2385 {
-                                                                        phi_2633_ = true;
+                                                                    let _e2401 = phi_2646_;
+                                                                    let _e2403 = phi_2647_;
+                                                                    let _e2405 = phi_2648_;
+                                                                    if _e2403 {
+                                                                        phi_2652_ = true;
                                                                     } else {
-                                                                        phi_2633_ = _e2387;
+                                                                        phi_2652_ = _e2405;
                                                                     }
-                                                                    let _e2389 = phi_2633_;
-                                                                    if _e2389 {
-                                                                        phi_2637_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2407 = phi_2652_;
+                                                                    if _e2407 {
+                                                                        phi_2656_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2637_ = _e2383;
+                                                                        phi_2656_ = _e2401;
                                                                     }
-                                                                    let _e2391 = phi_2637_;
-                                                                    if _e2391.is_hit {
-                                                                        if (_e2391.t > _e145.tmin) {
-                                                                            if (_e2391.t < _e1932.t) {
-                                                                                phi_2685_ = true;
+                                                                    let _e2409 = phi_2656_;
+                                                                    if _e2409.is_hit {
+                                                                        if (_e2409.t > _e163.tmin) {
+                                                                            if (_e2409.t < _e1950.t) {
+                                                                                phi_2704_ = true;
                                                                             } else {
-                                                                                if (_e2391.t == _e1932.t) {
-                                                                                    if (_e1932.triangle != 4294967295u) {
-                                                                                        if (_e1943 < _e1932.triangle) {
-                                                                                            phi_2676_ = true;
+                                                                                if (_e2409.t == _e1950.t) {
+                                                                                    if (_e1950.triangle != 4294967295u) {
+                                                                                        if (_e1961 < _e1950.triangle) {
+                                                                                            phi_2695_ = true;
                                                                                         } else {
-                                                                                            if (_e1943 == _e1932.triangle) {
-                                                                                                phi_2675_ = (_e962 < _e1932.instance);
+                                                                                            if (_e1961 == _e1950.triangle) {
+                                                                                                phi_2694_ = (_e980 < _e1950.instance);
                                                                                             } else {
-                                                                                                phi_2675_ = false;
+                                                                                                phi_2694_ = false;
                                                                                             }
-                                                                                            let _e2409 = phi_2675_;
-                                                                                            phi_2676_ = _e2409;
+                                                                                            let _e2427 = phi_2694_;
+                                                                                            phi_2695_ = _e2427;
                                                                                         }
-                                                                                        let _e2411 = phi_2676_;
-                                                                                        phi_2677_ = _e2411;
-                                                                                        phi_2678_ = false;
+                                                                                        let _e2429 = phi_2695_;
+                                                                                        phi_2696_ = _e2429;
+                                                                                        phi_2697_ = false;
                                                                                     } else {
-                                                                                        phi_2677_ = bool();
-                                                                                        phi_2678_ = true;
+                                                                                        phi_2696_ = bool();
+                                                                                        phi_2697_ = true;
                                                                                     }
-                                                                                    let _e2413 = phi_2677_;
-                                                                                    let _e2415 = phi_2678_;
-                                                                                    phi_2679_ = _e2413;
-                                                                                    phi_2680_ = _e2415;
+                                                                                    let _e2431 = phi_2696_;
+                                                                                    let _e2433 = phi_2697_;
+                                                                                    phi_2698_ = _e2431;
+                                                                                    phi_2699_ = _e2433;
                                                                                 } else {
-                                                                                    phi_2679_ = bool();
-                                                                                    phi_2680_ = true;
-                                                                                }
-                                                                                let _e2417 = phi_2679_;
-                                                                                let _e2419 = phi_2680_;
-                                                                                if _e2419 {
-                                                                                    phi_2684_ = false;
-                                                                                } else {
-                                                                                    phi_2684_ = _e2417;
-                                                                                }
-                                                                                let _e2421 = phi_2684_;
-                                                                                phi_2685_ = _e2421;
-                                                                            }
-                                                                            let _e2423 = phi_2685_;
-                                                                            if _e2423 {
-                                                                                let _e2425 = triangles.member[(0u + _e1943)].i0_;
-                                                                                if ((_e2425 & 2147483648u) == 0u) {
+                                                                                    phi_2698_ = bool();
                                                                                     phi_2699_ = true;
+                                                                                }
+                                                                                let _e2435 = phi_2698_;
+                                                                                let _e2437 = phi_2699_;
+                                                                                if _e2437 {
+                                                                                    phi_2703_ = false;
+                                                                                } else {
+                                                                                    phi_2703_ = _e2435;
+                                                                                }
+                                                                                let _e2439 = phi_2703_;
+                                                                                phi_2704_ = _e2439;
+                                                                            }
+                                                                            let _e2441 = phi_2704_;
+                                                                            if _e2441 {
+                                                                                let _e2443 = triangles.member[(0u + _e1961)].i0_;
+                                                                                if ((_e2443 & 2147483648u) == 0u) {
+                                                                                    phi_2718_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_2699_ = true;
+                                                                                    phi_2718_ = true;
                                                                                 }
-                                                                                let _e2429 = phi_2699_;
-                                                                                if _e2429 {
-                                                                                    phi_2707_ = lt_bvh_Hit(_e2391.t, _e2391.u, _e2391.v, _e1943, _e962);
+                                                                                let _e2447 = phi_2718_;
+                                                                                if _e2447 {
+                                                                                    phi_2726_ = lt_bvh_Hit(_e2409.t, _e2409.u, _e2409.v, _e1961, _e980);
                                                                                 } else {
-                                                                                    phi_2707_ = _e1932;
+                                                                                    phi_2726_ = _e1950;
                                                                                 }
-                                                                                let _e2435 = phi_2707_;
-                                                                                phi_2708_ = _e2435;
+                                                                                let _e2453 = phi_2726_;
+                                                                                phi_2727_ = _e2453;
                                                                             } else {
-                                                                                phi_2708_ = _e1932;
+                                                                                phi_2727_ = _e1950;
                                                                             }
-                                                                            let _e2437 = phi_2708_;
-                                                                            phi_2709_ = _e2437;
+                                                                            let _e2455 = phi_2727_;
+                                                                            phi_2728_ = _e2455;
                                                                         } else {
-                                                                            phi_2709_ = _e1932;
+                                                                            phi_2728_ = _e1950;
                                                                         }
-                                                                        let _e2439 = phi_2709_;
-                                                                        phi_2710_ = _e2439;
+                                                                        let _e2457 = phi_2728_;
+                                                                        phi_2729_ = _e2457;
                                                                     } else {
-                                                                        phi_2710_ = _e1932;
+                                                                        phi_2729_ = _e1950;
                                                                     }
-                                                                    let _e2441 = phi_2710_;
-                                                                    phi_2067_ = _e2441;
-                                                                    phi_2070_ = (_e1934 & (_e1934 - 1u));
-                                                                    phi_2711_ = true;
+                                                                    let _e2459 = phi_2729_;
+                                                                    phi_2086_ = _e2459;
+                                                                    phi_2089_ = (_e1952 & (_e1952 - 1u));
+                                                                    phi_2730_ = true;
                                                                 }
-                                                                let _e2443 = phi_2067_;
-                                                                let _e2445 = phi_2070_;
-                                                                let _e2447 = phi_2711_;
+                                                                let _e2461 = phi_2086_;
+                                                                let _e2463 = phi_2089_;
+                                                                let _e2465 = phi_2730_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2066_ = _e2443;
-                                                                    phi_2069_ = _e2445;
-                                                                    break if !(_e2447);
+                                                                    phi_2085_ = _e2461;
+                                                                    phi_2088_ = _e2463;
+                                                                    break if !(_e2465);
                                                                 }
                                                             }
-                                                            let _e2450 = local.group_mask;
-                                                            if ((_e2450 & 4278190080u) == 0u) {
-                                                                let _e2454 = local.len;
-                                                                if (_e2454 == 0u) {
-                                                                    phi_2750_ = false;
+                                                            let _e2468 = local.group_mask;
+                                                            if ((_e2468 & 4278190080u) == 0u) {
+                                                                let _e2472 = local.len;
+                                                                if (_e2472 == 0u) {
+                                                                    phi_2769_ = false;
                                                                 } else {
-                                                                    let _e2458 = local.len;
-                                                                    local.len = (_e2458 - 1u);
-                                                                    let _e2461 = local.len;
-                                                                    if (_e2461 < 32u) {
+                                                                    let _e2476 = local.len;
+                                                                    local.len = (_e2476 - 1u);
+                                                                    let _e2479 = local.len;
+                                                                    if (_e2479 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2466 = local.first[(0u + _e2461)];
-                                                                    local.group = _e2466;
-                                                                    let _e2469 = local.len;
-                                                                    if (_e2469 < 32u) {
+                                                                    let _e2484 = local.first[(0u + _e2479)];
+                                                                    local.group = _e2484;
+                                                                    let _e2487 = local.len;
+                                                                    if (_e2487 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2474 = local.mask[(0u + _e2469)];
-                                                                    local.group_mask = _e2474;
-                                                                    phi_2750_ = true;
+                                                                    let _e2492 = local.mask[(0u + _e2487)];
+                                                                    local.group_mask = _e2492;
+                                                                    phi_2769_ = true;
                                                                 }
-                                                                let _e2477 = phi_2750_;
-                                                                phi_2751_ = _e2477;
+                                                                let _e2495 = phi_2769_;
+                                                                phi_2770_ = _e2495;
                                                             } else {
-                                                                phi_2751_ = true;
+                                                                phi_2770_ = true;
                                                             }
-                                                            let _e2479 = phi_2751_;
-                                                            if _e2479 {
-                                                                let _e2481 = local.group_mask;
-                                                                let _e2487 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2481)), 32u, (_e2481 == 0u)));
-                                                                let _e2491 = local.group_mask;
-                                                                let _e2505 = local.group_mask;
-                                                                local.group_mask = (_e2505 & ~((1u << bitcast<u32>((_e2487 & 31u)))));
-                                                                let _e2508 = local.group;
-                                                                phi_2782_ = (_e2508 + countOneBits(((_e2491 & ~((4294967295u << bitcast<u32>((((_e2487 - 24u) ^ _e1355) & 31u))))) & 255u)));
+                                                            let _e2497 = phi_2770_;
+                                                            if _e2497 {
+                                                                let _e2499 = local.group_mask;
+                                                                let _e2505 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2499)), 32u, (_e2499 == 0u)));
+                                                                let _e2509 = local.group_mask;
+                                                                let _e2523 = local.group_mask;
+                                                                local.group_mask = (_e2523 & ~((1u << bitcast<u32>((_e2505 & 31u)))));
+                                                                let _e2526 = local.group;
+                                                                phi_2801_ = (_e2526 + countOneBits(((_e2509 & ~((4294967295u << bitcast<u32>((((_e2505 - 24u) ^ _e1373) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_2782_ = 4294967295u;
+                                                                phi_2801_ = 4294967295u;
                                                             }
-                                                            let _e2511 = phi_2782_;
-                                                            let _e3493 = local_8;
-                                                            phi_1734_ = _e3493;
-                                                            phi_1737_ = _e2511;
+                                                            let _e2529 = phi_2801_;
+                                                            let _e3511 = local_8;
+                                                            phi_1753_ = _e3511;
+                                                            phi_1756_ = _e2529;
                                                         } else {
-                                                            phi_1734_ = lt_bvh_Hit();
-                                                            phi_1737_ = u32();
+                                                            phi_1753_ = lt_bvh_Hit();
+                                                            phi_1756_ = u32();
                                                         }
-                                                        let _e2513 = phi_1734_;
-                                                        let _e2515 = phi_1737_;
+                                                        let _e2531 = phi_1753_;
+                                                        let _e2533 = phi_1756_;
                                                         continue;
                                                         continuing {
-                                                            phi_1733_ = _e2513;
-                                                            phi_1736_ = _e2515;
-                                                            break if !(_e1496);
+                                                            phi_1752_ = _e2531;
+                                                            phi_1755_ = _e2533;
+                                                            break if !(_e1514);
                                                         }
                                                     }
-                                                    let _e3497 = local_9;
-                                                    phi_2783_ = _e3497;
+                                                    let _e3515 = local_9;
+                                                    phi_2802_ = _e3515;
                                                 }
-                                                let _e2518 = phi_2783_;
-                                                phi_2784_ = _e2518;
-                                                phi_2785_ = _e1177;
+                                                let _e2536 = phi_2802_;
+                                                phi_2803_ = _e2536;
+                                                phi_2804_ = _e1195;
                                             } else {
-                                                phi_2784_ = lt_bvh_Hit();
-                                                phi_2785_ = true;
+                                                phi_2803_ = lt_bvh_Hit();
+                                                phi_2804_ = true;
                                             }
-                                            let _e2520 = phi_2784_;
-                                            let _e2522 = phi_2785_;
-                                            if _e2522 {
-                                                phi_2789_ = _e954;
+                                            let _e2538 = phi_2803_;
+                                            let _e2540 = phi_2804_;
+                                            if _e2540 {
+                                                phi_2808_ = _e972;
                                             } else {
-                                                phi_2789_ = _e2520;
+                                                phi_2808_ = _e2538;
                                             }
-                                            let _e2524 = phi_2789_;
-                                            phi_2790_ = _e2524;
+                                            let _e2542 = phi_2808_;
+                                            phi_2809_ = _e2542;
                                         } else {
-                                            phi_2790_ = _e954;
+                                            phi_2809_ = _e972;
                                         }
-                                        let _e2526 = phi_2790_;
-                                        phi_2791_ = _e2526;
+                                        let _e2544 = phi_2809_;
+                                        phi_2810_ = _e2544;
                                     } else {
-                                        phi_2791_ = _e954;
+                                        phi_2810_ = _e972;
                                     }
-                                    let _e2528 = phi_2791_;
-                                    phi_2792_ = _e2528;
+                                    let _e2546 = phi_2810_;
+                                    phi_2811_ = _e2546;
                                 } else {
-                                    phi_2792_ = _e954;
+                                    phi_2811_ = _e972;
                                 }
-                                let _e2530 = phi_2792_;
-                                phi_1101_ = (_e952 & (_e952 - 1u));
-                                phi_1104_ = _e2530;
-                                phi_2793_ = true;
+                                let _e2548 = phi_2811_;
+                                phi_1120_ = (_e970 & (_e970 - 1u));
+                                phi_1123_ = _e2548;
+                                phi_2812_ = true;
                             }
-                            let _e2532 = phi_1101_;
-                            let _e2534 = phi_1104_;
-                            let _e2536 = phi_2793_;
+                            let _e2550 = phi_1120_;
+                            let _e2552 = phi_1123_;
+                            let _e2554 = phi_2812_;
                             continue;
                             continuing {
-                                phi_1100_ = _e2532;
-                                phi_1103_ = _e2534;
-                                break if !(_e2536);
+                                phi_1119_ = _e2550;
+                                phi_1122_ = _e2552;
+                                break if !(_e2554);
                             }
                         }
-                        let _e2539 = local_1.group_mask;
-                        if ((_e2539 & 4278190080u) == 0u) {
-                            let _e2543 = local_1.len;
-                            if (_e2543 == 0u) {
-                                phi_2832_ = false;
+                        let _e2557 = local_1.group_mask;
+                        if ((_e2557 & 4278190080u) == 0u) {
+                            let _e2561 = local_1.len;
+                            if (_e2561 == 0u) {
+                                phi_2851_ = false;
                             } else {
-                                let _e2547 = local_1.len;
-                                local_1.len = (_e2547 - 1u);
-                                let _e2550 = local_1.len;
-                                if (_e2550 < 32u) {
+                                let _e2565 = local_1.len;
+                                local_1.len = (_e2565 - 1u);
+                                let _e2568 = local_1.len;
+                                if (_e2568 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2555 = local_1.first[(0u + _e2550)];
-                                local_1.group = _e2555;
-                                let _e2558 = local_1.len;
-                                if (_e2558 < 32u) {
+                                let _e2573 = local_1.first[(0u + _e2568)];
+                                local_1.group = _e2573;
+                                let _e2576 = local_1.len;
+                                if (_e2576 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2563 = local_1.mask[(0u + _e2558)];
-                                local_1.group_mask = _e2563;
-                                phi_2832_ = true;
+                                let _e2581 = local_1.mask[(0u + _e2576)];
+                                local_1.group_mask = _e2581;
+                                phi_2851_ = true;
                             }
-                            let _e2566 = phi_2832_;
-                            phi_2833_ = _e2566;
+                            let _e2584 = phi_2851_;
+                            phi_2852_ = _e2584;
                         } else {
-                            phi_2833_ = true;
+                            phi_2852_ = true;
                         }
-                        let _e2568 = phi_2833_;
-                        if _e2568 {
-                            let _e2570 = local_1.group_mask;
-                            let _e2576 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2570)), 32u, (_e2570 == 0u)));
-                            let _e2580 = local_1.group_mask;
-                            let _e2594 = local_1.group_mask;
-                            local_1.group_mask = (_e2594 & ~((1u << bitcast<u32>((_e2576 & 31u)))));
-                            let _e2597 = local_1.group;
-                            phi_2864_ = (_e2597 + countOneBits(((_e2580 & ~((4294967295u << bitcast<u32>((((_e2576 - 24u) ^ _e371) & 31u))))) & 255u)));
+                        let _e2586 = phi_2852_;
+                        if _e2586 {
+                            let _e2588 = local_1.group_mask;
+                            let _e2594 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2588)), 32u, (_e2588 == 0u)));
+                            let _e2598 = local_1.group_mask;
+                            let _e2612 = local_1.group_mask;
+                            local_1.group_mask = (_e2612 & ~((1u << bitcast<u32>((_e2594 & 31u)))));
+                            let _e2615 = local_1.group;
+                            phi_2883_ = (_e2615 + countOneBits(((_e2598 & ~((4294967295u << bitcast<u32>((((_e2594 - 24u) ^ _e389) & 31u))))) & 255u)));
                         } else {
-                            phi_2864_ = 4294967295u;
+                            phi_2883_ = 4294967295u;
                         }
-                        let _e2600 = phi_2864_;
-                        phi_764_ = _e2600;
-                        let _e3513 = local_10;
-                        phi_767_ = _e3513;
+                        let _e2618 = phi_2883_;
+                        phi_783_ = _e2618;
+                        let _e3531 = local_10;
+                        phi_786_ = _e3531;
                     } else {
-                        phi_764_ = u32();
-                        phi_767_ = lt_bvh_Hit();
+                        phi_783_ = u32();
+                        phi_786_ = lt_bvh_Hit();
                     }
-                    let _e2602 = phi_764_;
-                    let _e2604 = phi_767_;
+                    let _e2620 = phi_783_;
+                    let _e2622 = phi_786_;
                     continue;
                     continuing {
-                        phi_763_ = _e2602;
-                        phi_766_ = _e2604;
-                        break if !(_e512);
+                        phi_782_ = _e2620;
+                        phi_785_ = _e2622;
+                        break if !(_e530);
                     }
                 }
-                let _e3516 = local_11;
-                phi_2865_ = _e3516;
+                let _e3534 = local_11;
+                phi_2884_ = _e3534;
             }
-            let _e2607 = phi_2865_;
-            phi_2866_ = _e2607;
-            phi_2867_ = _e209;
+            let _e2625 = phi_2884_;
+            phi_2885_ = _e2625;
+            phi_2886_ = _e227;
         } else {
-            phi_2866_ = lt_bvh_Hit();
-            phi_2867_ = true;
+            phi_2885_ = lt_bvh_Hit();
+            phi_2886_ = true;
         }
-        let _e2609 = phi_2866_;
-        let _e2611 = phi_2867_;
-        if _e2611 {
-            phi_2871_ = _e147;
+        let _e2627 = phi_2885_;
+        let _e2629 = phi_2886_;
+        if _e2629 {
+            phi_2890_ = _e165;
         } else {
-            phi_2871_ = _e2609;
+            phi_2890_ = _e2627;
         }
-        let _e2613 = phi_2871_;
-        if (_e2613.triangle != 4294967295u) {
-            let _e2619 = ((1f - _e2613.u) - _e2613.v);
-            if (_e2613.triangle < _e70) {
+        let _e2631 = phi_2890_;
+        if (_e2631.triangle != 4294967295u) {
+            let _e2637 = ((1f - _e2631.u) - _e2631.v);
+            if (_e2631.triangle < _e71) {
             } else {
                 return;
             }
-            let _e2625 = triangles.member[(0u + _e2613.triangle)];
-            if (_e2613.instance < _e82) {
+            let _e2643 = triangles.member[(0u + _e2631.triangle)];
+            if (_e2631.instance < _e83) {
             } else {
                 return;
             }
-            let _e2636 = instances.member[(0u + _e2613.instance)].object_to_world[0u];
-            let _e2647 = ((((_e2636.x * _e2625.v0_.x) + (_e2636.y * _e2625.v0_.y)) + (_e2636.z * _e2625.v0_.z)) + (_e2636.w * 1f));
-            let _e2649 = instances.member[(0u + _e2613.instance)].object_to_world[1u];
-            let _e2660 = ((((_e2649.x * _e2625.v0_.x) + (_e2649.y * _e2625.v0_.y)) + (_e2649.z * _e2625.v0_.z)) + (_e2649.w * 1f));
-            let _e2662 = instances.member[(0u + _e2613.instance)].object_to_world[2u];
-            let _e2673 = ((((_e2662.x * _e2625.v0_.x) + (_e2662.y * _e2625.v0_.y)) + (_e2662.z * _e2625.v0_.z)) + (_e2662.w * 1f));
-            let _e2680 = instances.member[(0u + _e2613.instance)].object_to_world[0u];
-            let _e2691 = ((((_e2680.x * _e2625.v1_.x) + (_e2680.y * _e2625.v1_.y)) + (_e2680.z * _e2625.v1_.z)) + (_e2680.w * 1f));
-            let _e2693 = instances.member[(0u + _e2613.instance)].object_to_world[1u];
-            let _e2704 = ((((_e2693.x * _e2625.v1_.x) + (_e2693.y * _e2625.v1_.y)) + (_e2693.z * _e2625.v1_.z)) + (_e2693.w * 1f));
-            let _e2706 = instances.member[(0u + _e2613.instance)].object_to_world[2u];
-            let _e2717 = ((((_e2706.x * _e2625.v1_.x) + (_e2706.y * _e2625.v1_.y)) + (_e2706.z * _e2625.v1_.z)) + (_e2706.w * 1f));
-            let _e2724 = instances.member[(0u + _e2613.instance)].object_to_world[0u];
-            let _e2735 = ((((_e2724.x * _e2625.v2_.x) + (_e2724.y * _e2625.v2_.y)) + (_e2724.z * _e2625.v2_.z)) + (_e2724.w * 1f));
-            let _e2737 = instances.member[(0u + _e2613.instance)].object_to_world[1u];
-            let _e2748 = ((((_e2737.x * _e2625.v2_.x) + (_e2737.y * _e2625.v2_.y)) + (_e2737.z * _e2625.v2_.z)) + (_e2737.w * 1f));
-            let _e2750 = instances.member[(0u + _e2613.instance)].object_to_world[2u];
-            let _e2761 = ((((_e2750.x * _e2625.v2_.x) + (_e2750.y * _e2625.v2_.y)) + (_e2750.z * _e2625.v2_.z)) + (_e2750.w * 1f));
-            let _e2774 = (((_e2647 * _e2619) + (_e2691 * _e2613.u)) + (_e2735 * _e2613.v));
-            let _e2775 = (((_e2660 * _e2619) + (_e2704 * _e2613.u)) + (_e2748 * _e2613.v));
-            let _e2776 = (((_e2673 * _e2619) + (_e2717 * _e2613.u)) + (_e2761 * _e2613.v));
-            let _e2778 = abs(_e2647);
-            let _e2779 = abs(_e2660);
-            let _e2780 = abs(_e2673);
-            let _e2781 = abs(_e2691);
-            let _e2782 = abs(_e2704);
-            let _e2783 = abs(_e2717);
-            if (_e2778 > _e2781) {
-                phi_3059_ = _e2778;
+            let _e2654 = instances.member[(0u + _e2631.instance)].object_to_world[0u];
+            let _e2665 = ((((_e2654.x * _e2643.v0_.x) + (_e2654.y * _e2643.v0_.y)) + (_e2654.z * _e2643.v0_.z)) + (_e2654.w * 1f));
+            let _e2667 = instances.member[(0u + _e2631.instance)].object_to_world[1u];
+            let _e2678 = ((((_e2667.x * _e2643.v0_.x) + (_e2667.y * _e2643.v0_.y)) + (_e2667.z * _e2643.v0_.z)) + (_e2667.w * 1f));
+            let _e2680 = instances.member[(0u + _e2631.instance)].object_to_world[2u];
+            let _e2691 = ((((_e2680.x * _e2643.v0_.x) + (_e2680.y * _e2643.v0_.y)) + (_e2680.z * _e2643.v0_.z)) + (_e2680.w * 1f));
+            let _e2698 = instances.member[(0u + _e2631.instance)].object_to_world[0u];
+            let _e2709 = ((((_e2698.x * _e2643.v1_.x) + (_e2698.y * _e2643.v1_.y)) + (_e2698.z * _e2643.v1_.z)) + (_e2698.w * 1f));
+            let _e2711 = instances.member[(0u + _e2631.instance)].object_to_world[1u];
+            let _e2722 = ((((_e2711.x * _e2643.v1_.x) + (_e2711.y * _e2643.v1_.y)) + (_e2711.z * _e2643.v1_.z)) + (_e2711.w * 1f));
+            let _e2724 = instances.member[(0u + _e2631.instance)].object_to_world[2u];
+            let _e2735 = ((((_e2724.x * _e2643.v1_.x) + (_e2724.y * _e2643.v1_.y)) + (_e2724.z * _e2643.v1_.z)) + (_e2724.w * 1f));
+            let _e2742 = instances.member[(0u + _e2631.instance)].object_to_world[0u];
+            let _e2753 = ((((_e2742.x * _e2643.v2_.x) + (_e2742.y * _e2643.v2_.y)) + (_e2742.z * _e2643.v2_.z)) + (_e2742.w * 1f));
+            let _e2755 = instances.member[(0u + _e2631.instance)].object_to_world[1u];
+            let _e2766 = ((((_e2755.x * _e2643.v2_.x) + (_e2755.y * _e2643.v2_.y)) + (_e2755.z * _e2643.v2_.z)) + (_e2755.w * 1f));
+            let _e2768 = instances.member[(0u + _e2631.instance)].object_to_world[2u];
+            let _e2779 = ((((_e2768.x * _e2643.v2_.x) + (_e2768.y * _e2643.v2_.y)) + (_e2768.z * _e2643.v2_.z)) + (_e2768.w * 1f));
+            let _e2792 = (((_e2665 * _e2637) + (_e2709 * _e2631.u)) + (_e2753 * _e2631.v));
+            let _e2793 = (((_e2678 * _e2637) + (_e2722 * _e2631.u)) + (_e2766 * _e2631.v));
+            let _e2794 = (((_e2691 * _e2637) + (_e2735 * _e2631.u)) + (_e2779 * _e2631.v));
+            let _e2796 = abs(_e2665);
+            let _e2797 = abs(_e2678);
+            let _e2798 = abs(_e2691);
+            let _e2799 = abs(_e2709);
+            let _e2800 = abs(_e2722);
+            let _e2801 = abs(_e2735);
+            if (_e2796 > _e2799) {
+                phi_3078_ = _e2796;
             } else {
-                phi_3059_ = _e2781;
+                phi_3078_ = _e2799;
             }
-            let _e2786 = phi_3059_;
-            if (_e2779 > _e2782) {
-                phi_3064_ = _e2779;
+            let _e2804 = phi_3078_;
+            if (_e2797 > _e2800) {
+                phi_3083_ = _e2797;
             } else {
-                phi_3064_ = _e2782;
+                phi_3083_ = _e2800;
             }
-            let _e2789 = phi_3064_;
-            if (_e2780 > _e2783) {
-                phi_3069_ = _e2780;
+            let _e2807 = phi_3083_;
+            if (_e2798 > _e2801) {
+                phi_3088_ = _e2798;
             } else {
-                phi_3069_ = _e2783;
+                phi_3088_ = _e2801;
             }
-            let _e2792 = phi_3069_;
-            let _e2793 = abs(_e2735);
-            let _e2794 = abs(_e2748);
-            let _e2795 = abs(_e2761);
-            if (_e2786 > _e2793) {
-                phi_3077_ = _e2786;
+            let _e2810 = phi_3088_;
+            let _e2811 = abs(_e2753);
+            let _e2812 = abs(_e2766);
+            let _e2813 = abs(_e2779);
+            if (_e2804 > _e2811) {
+                phi_3096_ = _e2804;
             } else {
-                phi_3077_ = _e2793;
+                phi_3096_ = _e2811;
             }
-            let _e2798 = phi_3077_;
-            if (_e2789 > _e2794) {
-                phi_3082_ = _e2789;
+            let _e2816 = phi_3096_;
+            if (_e2807 > _e2812) {
+                phi_3101_ = _e2807;
             } else {
-                phi_3082_ = _e2794;
+                phi_3101_ = _e2812;
             }
-            let _e2801 = phi_3082_;
-            if (_e2792 > _e2795) {
-                phi_3087_ = _e2792;
+            let _e2819 = phi_3101_;
+            if (_e2810 > _e2813) {
+                phi_3106_ = _e2810;
             } else {
-                phi_3087_ = _e2795;
+                phi_3106_ = _e2813;
             }
-            let _e2804 = phi_3087_;
-            let _e2805 = (_e2691 - _e2647);
-            let _e2806 = (_e2704 - _e2660);
-            let _e2807 = (_e2717 - _e2673);
-            let _e2808 = (_e2735 - _e2647);
-            let _e2809 = (_e2748 - _e2660);
-            let _e2810 = (_e2761 - _e2673);
-            let _e2814 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2806), abs(_e2807));
-            let _e2815 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2805), _e2814);
-            let _e2816 = (_e2805 / _e2815);
-            let _e2817 = (_e2806 / _e2815);
-            let _e2818 = (_e2807 / _e2815);
-            let _e2822 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2809), abs(_e2810));
-            let _e2823 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2808), _e2822);
-            let _e2824 = (_e2808 / _e2823);
-            let _e2825 = (_e2809 / _e2823);
-            let _e2826 = (_e2810 / _e2823);
-            let _e2829 = ((_e2817 * _e2826) - (_e2825 * _e2818));
-            let _e2832 = ((_e2818 * _e2824) - (_e2826 * _e2816));
-            let _e2835 = ((_e2816 * _e2825) - (_e2824 * _e2817));
-            let _e2837 = p.member.eye;
-            let _e2850 = (1f / sqrt((((_e2829 * _e2829) + (_e2832 * _e2832)) + (_e2835 * _e2835))));
-            let _e2851 = (_e2829 * _e2850);
-            let _e2852 = (_e2832 * _e2850);
-            let _e2853 = (_e2835 * _e2850);
-            if ((((_e2851 * (_e2837.x - _e2774)) + (_e2852 * (_e2837.y - _e2775))) + (_e2853 * (_e2837.z - _e2776))) < 0f) {
-                phi_3151_ = vec3<f32>(-(_e2851), -(_e2852), -(_e2853));
+            let _e2822 = phi_3106_;
+            let _e2823 = (_e2709 - _e2665);
+            let _e2824 = (_e2722 - _e2678);
+            let _e2825 = (_e2735 - _e2691);
+            let _e2826 = (_e2753 - _e2665);
+            let _e2827 = (_e2766 - _e2678);
+            let _e2828 = (_e2779 - _e2691);
+            let _e2832 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2824), abs(_e2825));
+            let _e2833 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2823), _e2832);
+            let _e2834 = (_e2823 / _e2833);
+            let _e2835 = (_e2824 / _e2833);
+            let _e2836 = (_e2825 / _e2833);
+            let _e2840 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2827), abs(_e2828));
+            let _e2841 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2826), _e2840);
+            let _e2842 = (_e2826 / _e2841);
+            let _e2843 = (_e2827 / _e2841);
+            let _e2844 = (_e2828 / _e2841);
+            let _e2847 = ((_e2835 * _e2844) - (_e2843 * _e2836));
+            let _e2850 = ((_e2836 * _e2842) - (_e2844 * _e2834));
+            let _e2853 = ((_e2834 * _e2843) - (_e2842 * _e2835));
+            let _e2855 = p.member.eye;
+            let _e2868 = (1f / sqrt((((_e2847 * _e2847) + (_e2850 * _e2850)) + (_e2853 * _e2853))));
+            let _e2869 = (_e2847 * _e2868);
+            let _e2870 = (_e2850 * _e2868);
+            let _e2871 = (_e2853 * _e2868);
+            if ((((_e2869 * (_e2855.x - _e2792)) + (_e2870 * (_e2855.y - _e2793))) + (_e2871 * (_e2855.z - _e2794))) < 0f) {
+                phi_3170_ = vec3<f32>(-(_e2869), -(_e2870), -(_e2871));
             } else {
-                phi_3151_ = vec3<f32>(_e2851, _e2852, _e2853);
+                phi_3170_ = vec3<f32>(_e2869, _e2870, _e2871);
             }
-            let _e2866 = phi_3151_;
-            if (_e2613.triangle < _e70) {
+            let _e2884 = phi_3170_;
+            if (_e2631.triangle < _e71) {
             } else {
                 return;
             }
-            let _e2871 = triangles.member[(0u + _e2613.triangle)];
-            let _e2873 = (_e2871.i0_ & 2147483647u);
-            if (_e2873 < _e73) {
+            let _e2889 = triangles.member[(0u + _e2631.triangle)];
+            let _e2891 = (_e2889.i0_ & 2147483647u);
+            if (_e2891 < _e74) {
             } else {
                 return;
             }
-            let _e2879 = vertices.member[(0u + _e2873)];
-            if (_e2871.i1_ < _e73) {
+            let _e2897 = vertices.member[(0u + _e2891)];
+            if (_e2889.i1_ < _e74) {
             } else {
                 return;
             }
-            let _e2883 = vertices.member[(0u + _e2871.i1_)];
-            if (_e2871.i2_ < _e73) {
+            let _e2901 = vertices.member[(0u + _e2889.i1_)];
+            if (_e2889.i2_ < _e74) {
             } else {
                 return;
             }
-            let _e2887 = vertices.member[(0u + _e2871.i2_)];
-            let _e2888 = array<abi_Vertex, 3>(_e2879, _e2883, _e2887);
-            if (_e2888[0].material < arrayLength((&materials.member))) {
+            let _e2905 = vertices.member[(0u + _e2889.i2_)];
+            let _e2906 = array<abi_Vertex, 3>(_e2897, _e2901, _e2905);
+            if (_e2906[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2894 = materials.member[(0u + _e2888[0].material)];
-            let _e2911 = (1f / 255f);
-            let _e2930 = (1f / 255f);
-            let _e2952 = (1f / 255f);
-            let _e2965 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2619, _e2613.u, _e2613.v));
-            let _e2967 = ((_e2894.base_color.x * ((((f32((_e2888[0].color & 255u)) * _e2911) * _e2619) + ((f32((_e2888[1].color & 255u)) * _e2930) * _e2613.u)) + ((f32((_e2888[2].color & 255u)) * _e2952) * _e2613.v))) * _e2965.x);
-            let _e2969 = ((_e2894.base_color.y * ((((f32(((_e2888[0].color >> bitcast<u32>(8i)) & 255u)) * _e2911) * _e2619) + ((f32(((_e2888[1].color >> bitcast<u32>(8i)) & 255u)) * _e2930) * _e2613.u)) + ((f32(((_e2888[2].color >> bitcast<u32>(8i)) & 255u)) * _e2952) * _e2613.v))) * _e2965.y);
-            let _e2971 = ((_e2894.base_color.z * ((((f32(((_e2888[0].color >> bitcast<u32>(16i)) & 255u)) * _e2911) * _e2619) + ((f32(((_e2888[1].color >> bitcast<u32>(16i)) & 255u)) * _e2930) * _e2613.u)) + ((f32(((_e2888[2].color >> bitcast<u32>(16i)) & 255u)) * _e2952) * _e2613.v))) * _e2965.z);
-            let _e2972 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2801, _e2804);
-            let _e2973 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2798, _e2972);
-            if ((_e2894.flags & 2u) == 0u) {
-                phi_3272_ = 0u;
+            let _e2912 = materials.member[(0u + _e2906[0].material)];
+            let _e2929 = (1f / 255f);
+            let _e2948 = (1f / 255f);
+            let _e2970 = (1f / 255f);
+            let _e2983 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2637, _e2631.u, _e2631.v));
+            let _e2985 = ((_e2912.base_color.x * ((((f32((_e2906[0].color & 255u)) * _e2929) * _e2637) + ((f32((_e2906[1].color & 255u)) * _e2948) * _e2631.u)) + ((f32((_e2906[2].color & 255u)) * _e2970) * _e2631.v))) * _e2983.x);
+            let _e2987 = ((_e2912.base_color.y * ((((f32(((_e2906[0].color >> bitcast<u32>(8i)) & 255u)) * _e2929) * _e2637) + ((f32(((_e2906[1].color >> bitcast<u32>(8i)) & 255u)) * _e2948) * _e2631.u)) + ((f32(((_e2906[2].color >> bitcast<u32>(8i)) & 255u)) * _e2970) * _e2631.v))) * _e2983.y);
+            let _e2989 = ((_e2912.base_color.z * ((((f32(((_e2906[0].color >> bitcast<u32>(16i)) & 255u)) * _e2929) * _e2637) + ((f32(((_e2906[1].color >> bitcast<u32>(16i)) & 255u)) * _e2948) * _e2631.u)) + ((f32(((_e2906[2].color >> bitcast<u32>(16i)) & 255u)) * _e2970) * _e2631.v))) * _e2983.z);
+            let _e2990 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2819, _e2822);
+            let _e2991 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2816, _e2990);
+            if ((_e2912.flags & 2u) == 0u) {
+                phi_3291_ = 0u;
             } else {
-                phi_3272_ = 1u;
+                phi_3291_ = 1u;
             }
-            let _e2978 = phi_3272_;
-            if (_e2888[0].normal == 2147516416u) {
-                phi_3502_ = _e2866;
+            let _e2996 = phi_3291_;
+            if (_e2906[0].normal == 2147516416u) {
+                phi_3521_ = _e2884;
             } else {
-                let _e2991 = (f32((bitcast<i32>((_e2888[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2997 = (f32((bitcast<i32>(_e2888[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3001 = ((1f - abs(_e2991)) - abs(_e2997));
-                if (_e3001 < 0f) {
-                    phi_3299_ = -(_e3001);
+                let _e3009 = (f32((bitcast<i32>((_e2906[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3015 = (f32((bitcast<i32>(_e2906[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3019 = ((1f - abs(_e3009)) - abs(_e3015));
+                if (_e3019 < 0f) {
+                    phi_3318_ = -(_e3019);
                 } else {
-                    phi_3299_ = 0f;
+                    phi_3318_ = 0f;
                 }
-                let _e3005 = phi_3299_;
-                if (_e2991 < 0f) {
-                    phi_3306_ = (_e2991 + _e3005);
+                let _e3023 = phi_3318_;
+                if (_e3009 < 0f) {
+                    phi_3325_ = (_e3009 + _e3023);
                 } else {
-                    phi_3306_ = (_e2991 - _e3005);
+                    phi_3325_ = (_e3009 - _e3023);
                 }
-                let _e3010 = phi_3306_;
-                if (_e2997 < 0f) {
-                    phi_3313_ = (_e2997 + _e3005);
+                let _e3028 = phi_3325_;
+                if (_e3015 < 0f) {
+                    phi_3332_ = (_e3015 + _e3023);
                 } else {
-                    phi_3313_ = (_e2997 - _e3005);
+                    phi_3332_ = (_e3015 - _e3023);
                 }
-                let _e3015 = phi_3313_;
-                let _e3022 = (1f / sqrt((((_e3010 * _e3010) + (_e3015 * _e3015)) + (_e3001 * _e3001))));
-                let _e3038 = (f32((bitcast<i32>((_e2888[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3044 = (f32((bitcast<i32>(_e2888[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3048 = ((1f - abs(_e3038)) - abs(_e3044));
-                if (_e3048 < 0f) {
-                    phi_3348_ = -(_e3048);
+                let _e3033 = phi_3332_;
+                let _e3040 = (1f / sqrt((((_e3028 * _e3028) + (_e3033 * _e3033)) + (_e3019 * _e3019))));
+                let _e3056 = (f32((bitcast<i32>((_e2906[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3062 = (f32((bitcast<i32>(_e2906[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3066 = ((1f - abs(_e3056)) - abs(_e3062));
+                if (_e3066 < 0f) {
+                    phi_3367_ = -(_e3066);
                 } else {
-                    phi_3348_ = 0f;
+                    phi_3367_ = 0f;
                 }
-                let _e3052 = phi_3348_;
-                if (_e3038 < 0f) {
-                    phi_3355_ = (_e3038 + _e3052);
+                let _e3070 = phi_3367_;
+                if (_e3056 < 0f) {
+                    phi_3374_ = (_e3056 + _e3070);
                 } else {
-                    phi_3355_ = (_e3038 - _e3052);
+                    phi_3374_ = (_e3056 - _e3070);
                 }
-                let _e3057 = phi_3355_;
-                if (_e3044 < 0f) {
-                    phi_3362_ = (_e3044 + _e3052);
+                let _e3075 = phi_3374_;
+                if (_e3062 < 0f) {
+                    phi_3381_ = (_e3062 + _e3070);
                 } else {
-                    phi_3362_ = (_e3044 - _e3052);
+                    phi_3381_ = (_e3062 - _e3070);
                 }
-                let _e3062 = phi_3362_;
-                let _e3069 = (1f / sqrt((((_e3057 * _e3057) + (_e3062 * _e3062)) + (_e3048 * _e3048))));
-                let _e3088 = (f32((bitcast<i32>((_e2888[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3094 = (f32((bitcast<i32>(_e2888[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3098 = ((1f - abs(_e3088)) - abs(_e3094));
-                if (_e3098 < 0f) {
-                    phi_3400_ = -(_e3098);
+                let _e3080 = phi_3381_;
+                let _e3087 = (1f / sqrt((((_e3075 * _e3075) + (_e3080 * _e3080)) + (_e3066 * _e3066))));
+                let _e3106 = (f32((bitcast<i32>((_e2906[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3112 = (f32((bitcast<i32>(_e2906[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3116 = ((1f - abs(_e3106)) - abs(_e3112));
+                if (_e3116 < 0f) {
+                    phi_3419_ = -(_e3116);
                 } else {
-                    phi_3400_ = 0f;
+                    phi_3419_ = 0f;
                 }
-                let _e3102 = phi_3400_;
-                if (_e3088 < 0f) {
-                    phi_3407_ = (_e3088 + _e3102);
+                let _e3120 = phi_3419_;
+                if (_e3106 < 0f) {
+                    phi_3426_ = (_e3106 + _e3120);
                 } else {
-                    phi_3407_ = (_e3088 - _e3102);
+                    phi_3426_ = (_e3106 - _e3120);
                 }
-                let _e3107 = phi_3407_;
-                if (_e3094 < 0f) {
-                    phi_3414_ = (_e3094 + _e3102);
+                let _e3125 = phi_3426_;
+                if (_e3112 < 0f) {
+                    phi_3433_ = (_e3112 + _e3120);
                 } else {
-                    phi_3414_ = (_e3094 - _e3102);
+                    phi_3433_ = (_e3112 - _e3120);
                 }
-                let _e3112 = phi_3414_;
-                let _e3119 = (1f / sqrt((((_e3107 * _e3107) + (_e3112 * _e3112)) + (_e3098 * _e3098))));
-                let _e3126 = ((((_e3010 * _e3022) * _e2619) + ((_e3057 * _e3069) * _e2613.u)) + ((_e3107 * _e3119) * _e2613.v));
-                let _e3127 = ((((_e3015 * _e3022) * _e2619) + ((_e3062 * _e3069) * _e2613.u)) + ((_e3112 * _e3119) * _e2613.v));
-                let _e3128 = ((((_e3001 * _e3022) * _e2619) + ((_e3048 * _e3069) * _e2613.u)) + ((_e3098 * _e3119) * _e2613.v));
-                if (_e2613.instance < _e82) {
+                let _e3130 = phi_3433_;
+                let _e3137 = (1f / sqrt((((_e3125 * _e3125) + (_e3130 * _e3130)) + (_e3116 * _e3116))));
+                let _e3144 = ((((_e3028 * _e3040) * _e2637) + ((_e3075 * _e3087) * _e2631.u)) + ((_e3125 * _e3137) * _e2631.v));
+                let _e3145 = ((((_e3033 * _e3040) * _e2637) + ((_e3080 * _e3087) * _e2631.u)) + ((_e3130 * _e3137) * _e2631.v));
+                let _e3146 = ((((_e3019 * _e3040) * _e2637) + ((_e3066 * _e3087) * _e2631.u)) + ((_e3116 * _e3137) * _e2631.v));
+                if (_e2631.instance < _e83) {
                 } else {
                     return;
                 }
-                let _e3135 = instances.member[(0u + _e2613.instance)].world_to_object[0u];
-                let _e3144 = instances.member[(0u + _e2613.instance)].world_to_object[1u];
-                let _e3156 = instances.member[(0u + _e2613.instance)].world_to_object[2u];
-                let _e3163 = (((_e3135.x * _e3126) + (_e3144.x * _e3127)) + (_e3156.x * _e3128));
-                let _e3164 = (((_e3135.y * _e3126) + (_e3144.y * _e3127)) + (_e3156.y * _e3128));
-                let _e3165 = (((_e3135.z * _e3126) + (_e3144.z * _e3127)) + (_e3156.z * _e3128));
-                let _e3171 = sqrt((((_e3163 * _e3163) + (_e3164 * _e3164)) + (_e3165 * _e3165)));
-                if (_e3171 > 0f) {
-                    let _e3173 = (_e3163 / _e3171);
-                    let _e3174 = (_e3164 / _e3171);
-                    let _e3175 = (_e3165 / _e3171);
-                    if ((((_e3173 * _e2866.x) + (_e3174 * _e2866.y)) + (_e3175 * _e2866.z)) < 0f) {
-                        phi_3500_ = vec3<f32>(-(_e3173), -(_e3174), -(_e3175));
+                let _e3153 = instances.member[(0u + _e2631.instance)].world_to_object[0u];
+                let _e3162 = instances.member[(0u + _e2631.instance)].world_to_object[1u];
+                let _e3174 = instances.member[(0u + _e2631.instance)].world_to_object[2u];
+                let _e3181 = (((_e3153.x * _e3144) + (_e3162.x * _e3145)) + (_e3174.x * _e3146));
+                let _e3182 = (((_e3153.y * _e3144) + (_e3162.y * _e3145)) + (_e3174.y * _e3146));
+                let _e3183 = (((_e3153.z * _e3144) + (_e3162.z * _e3145)) + (_e3174.z * _e3146));
+                let _e3189 = sqrt((((_e3181 * _e3181) + (_e3182 * _e3182)) + (_e3183 * _e3183)));
+                if (_e3189 > 0f) {
+                    let _e3191 = (_e3181 / _e3189);
+                    let _e3192 = (_e3182 / _e3189);
+                    let _e3193 = (_e3183 / _e3189);
+                    if ((((_e3191 * _e2884.x) + (_e3192 * _e2884.y)) + (_e3193 * _e2884.z)) < 0f) {
+                        phi_3519_ = vec3<f32>(-(_e3191), -(_e3192), -(_e3193));
                     } else {
-                        phi_3500_ = vec3<f32>(_e3173, _e3174, _e3175);
+                        phi_3519_ = vec3<f32>(_e3191, _e3192, _e3193);
                     }
-                    let _e3191 = phi_3500_;
-                    phi_3501_ = _e3191;
+                    let _e3209 = phi_3519_;
+                    phi_3520_ = _e3209;
                 } else {
-                    phi_3501_ = _e2866;
+                    phi_3520_ = _e2884;
                 }
-                let _e3193 = phi_3501_;
-                phi_3502_ = _e3193;
+                let _e3211 = phi_3520_;
+                phi_3521_ = _e3211;
             }
-            let _e3195 = phi_3502_;
-            if (_e2967 > 0f) {
-                if (_e2967 < 1f) {
-                    phi_3511_ = _e2967;
+            let _e3213 = phi_3521_;
+            if (_e2985 > 0f) {
+                if (_e2985 < 1f) {
+                    phi_3530_ = _e2985;
                 } else {
-                    phi_3511_ = 1f;
+                    phi_3530_ = 1f;
                 }
-                let _e3199 = phi_3511_;
-                phi_3512_ = _e3199;
+                let _e3217 = phi_3530_;
+                phi_3531_ = _e3217;
             } else {
-                phi_3512_ = 0f;
+                phi_3531_ = 0f;
             }
-            let _e3201 = phi_3512_;
-            if (_e2969 > 0f) {
-                if (_e2969 < 1f) {
-                    phi_3522_ = _e2969;
+            let _e3219 = phi_3531_;
+            if (_e2987 > 0f) {
+                if (_e2987 < 1f) {
+                    phi_3541_ = _e2987;
                 } else {
-                    phi_3522_ = 1f;
+                    phi_3541_ = 1f;
                 }
-                let _e3206 = phi_3522_;
-                phi_3523_ = _e3206;
+                let _e3224 = phi_3541_;
+                phi_3542_ = _e3224;
             } else {
-                phi_3523_ = 0f;
+                phi_3542_ = 0f;
             }
-            let _e3208 = phi_3523_;
-            if (_e2971 > 0f) {
-                if (_e2971 < 1f) {
-                    phi_3533_ = _e2971;
+            let _e3226 = phi_3542_;
+            if (_e2989 > 0f) {
+                if (_e2989 < 1f) {
+                    phi_3552_ = _e2989;
                 } else {
-                    phi_3533_ = 1f;
+                    phi_3552_ = 1f;
                 }
-                let _e3213 = phi_3533_;
-                phi_3534_ = _e3213;
+                let _e3231 = phi_3552_;
+                phi_3553_ = _e3231;
             } else {
-                phi_3534_ = 0f;
+                phi_3553_ = 0f;
             }
-            let _e3215 = phi_3534_;
-            let _e3218 = ((sqrt(_e3201) * 255f) + 0.5f);
-            let _e3227 = ((sqrt(_e3208) * 255f) + 0.5f);
-            let _e3239 = ((sqrt(_e3215) * 255f) + 0.5f);
-            phi_3569_ = abi_Sample(vec3<f32>(_e2774, _e2775, _e2776), _e2973, _e2866, _e2978, _e3195, ((select(select(u32(_e3218), 0u, (_e3218 < bitcast<f32>(0u))), 4294967295u, (_e3218 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3227), 0u, (_e3227 < bitcast<f32>(0u))), 4294967295u, (_e3227 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3239), 0u, (_e3239 < bitcast<f32>(0u))), 4294967295u, (_e3239 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3233 = phi_3553_;
+            let _e3236 = ((sqrt(_e3219) * 255f) + 0.5f);
+            let _e3245 = ((sqrt(_e3226) * 255f) + 0.5f);
+            let _e3257 = ((sqrt(_e3233) * 255f) + 0.5f);
+            phi_3588_ = abi_Sample(vec3<f32>(_e2792, _e2793, _e2794), _e2991, _e2884, _e2996, _e3213, ((select(select(u32(_e3236), 0u, (_e3236 < bitcast<f32>(0u))), 4294967295u, (_e3236 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3245), 0u, (_e3245 < bitcast<f32>(0u))), 4294967295u, (_e3245 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3257), 0u, (_e3257 < bitcast<f32>(0u))), 4294967295u, (_e3257 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3569_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3588_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3253 = phi_3569_;
-        if (_e88.shift < arrayLength((&samples.member))) {
+        let _e3271 = phi_3588_;
+        if (_e89.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e88.shift)] = _e3253;
+        samples.member[(0u + _e89.shift)] = _e3271;
     }
     return;
 }

@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_LightParams {
@@ -123,283 +123,283 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_176_: lt_mask_LightPlace;
-    var phi_177_: bool;
-    var phi_178_: lt_mask_LightPlace;
-    var phi_179_: bool;
-    var phi_184_: lt_mask_LightPlace;
+    var phi_177_: lt_mask_LightPlace;
+    var phi_178_: bool;
+    var phi_179_: lt_mask_LightPlace;
+    var phi_180_: bool;
+    var phi_185_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_176_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_177_ = false;
+            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_178_ = false;
         } else {
-            phi_176_ = lt_mask_LightPlace();
-            phi_177_ = true;
+            phi_177_ = lt_mask_LightPlace();
+            phi_178_ = true;
         }
-        let _e72 = phi_176_;
-        let _e74 = phi_177_;
-        phi_178_ = _e72;
-        phi_179_ = _e74;
+        let _e72 = phi_177_;
+        let _e74 = phi_178_;
+        phi_179_ = _e72;
+        phi_180_ = _e74;
     } else {
-        phi_178_ = lt_mask_LightPlace();
-        phi_179_ = true;
+        phi_179_ = lt_mask_LightPlace();
+        phi_180_ = true;
     }
-    let _e76 = phi_178_;
-    let _e78 = phi_179_;
+    let _e76 = phi_179_;
+    let _e78 = phi_180_;
     if _e78 {
-        phi_184_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_184_ = _e76;
+        phi_185_ = _e76;
     }
-    let _e83 = phi_184_;
+    let _e83 = phi_185_;
     return lt_mask_LightPlace(_e83.word, _e83.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_202_: vec2<i32>;
+    var phi_203_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_202_ = vec2(0i);
+            phi_203_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_202_ = vec2<i32>(0i, -1i);
+            phi_203_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_202_ = vec2<i32>(-1i, 0i);
+            phi_203_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_202_ = vec2<i32>(1i, 0i);
+            phi_203_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_202_ = vec2<i32>(0i, 1i);
+            phi_203_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e68 = phi_202_;
+    let _e68 = phi_203_;
     return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_220_: vec2<i32>;
+    var phi_221_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_220_ = vec2(0i);
+            phi_221_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_220_ = vec2(-1i);
+            phi_221_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_220_ = vec2<i32>(1i, -1i);
+            phi_221_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_220_ = vec2<i32>(-1i, 1i);
+            phi_221_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_220_ = vec2(1i);
+            phi_221_ = vec2(1i);
             break;
         }
     }
-    let _e68 = phi_220_;
+    let _e68 = phi_221_;
     return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_239_: vec2<i32>;
+    var phi_240_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e62 = lt_mask_pattern_plus(param_5);
-        phi_239_ = vec2<i32>(_e62.x, _e62.y);
+        phi_240_ = vec2<i32>(_e62.x, _e62.y);
     } else {
         let _e66 = lt_mask_pattern_cross(param_5);
-        phi_239_ = vec2<i32>(_e66.x, _e66.y);
+        phi_240_ = vec2<i32>(_e66.x, _e66.y);
     }
-    let _e71 = phi_239_;
+    let _e71 = phi_240_;
     return vec2<i32>(_e71.x, _e71.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_264_: vec2<i32>;
+    var phi_265_: vec2<i32>;
 
     let _e60 = (param_7 % 13u);
     switch bitcast<i32>(_e60) {
         case 9: {
-            phi_264_ = vec2<i32>(0i, -2i);
+            phi_265_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_264_ = vec2<i32>(-2i, 0i);
+            phi_265_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_264_ = vec2<i32>(2i, 0i);
+            phi_265_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_264_ = vec2<i32>(0i, 2i);
+            phi_265_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_264_ = vec2<i32>((bitcast<i32>((_e60 % 3u)) - 1i), (bitcast<i32>(((_e60 / 3u) % 3u)) - 1i));
+            phi_265_ = vec2<i32>((bitcast<i32>((_e60 % 3u)) - 1i), (bitcast<i32>(((_e60 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e75 = phi_264_;
+    let _e75 = phi_265_;
     return vec2<i32>(_e75.x, _e75.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_285_: u32;
     var phi_286_: u32;
+    var phi_287_: u32;
 
     let _e63 = (bitcast<i32>(param_8) + param_9);
     if (_e63 < 0i) {
-        phi_286_ = 0u;
+        phi_287_ = 0u;
     } else {
         if (_e63 >= bitcast<i32>(param_10)) {
-            phi_285_ = (param_10 - 1u);
+            phi_286_ = (param_10 - 1u);
         } else {
-            phi_285_ = bitcast<u32>(_e63);
+            phi_286_ = bitcast<u32>(_e63);
         }
-        let _e70 = phi_285_;
-        phi_286_ = _e70;
+        let _e70 = phi_286_;
+        phi_287_ = _e70;
     }
-    let _e72 = phi_286_;
+    let _e72 = phi_287_;
     return _e72;
 }
 
 fn function_() {
-    var phi_363_: bool;
     var phi_364_: bool;
     var phi_365_: bool;
     var phi_366_: bool;
-    var phi_370_: bool;
-    var phi_440_: bool;
+    var phi_367_: bool;
+    var phi_371_: bool;
     var phi_441_: bool;
-    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_453_: bool;
-    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: bool;
-    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_479_: bool;
-    var phi_668_: f32;
-    var phi_673_: f32;
-    var phi_674_: bool;
-    var phi_675_: f32;
-    var phi_676_: bool;
-    var phi_680_: f32;
-    var phi_703_: f32;
-    var phi_708_: f32;
-    var phi_709_: bool;
-    var phi_710_: f32;
-    var phi_711_: bool;
-    var phi_715_: f32;
-    var phi_736_: bool;
-    var phi_755_: vec2<u32>;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: vec2<u32>;
-    var phi_760_: bool;
-    var phi_761_: bool;
-    var phi_762_: bool;
-    var phi_763_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: vec2<u32>;
-    var phi_767_: bool;
-    var phi_768_: bool;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
+    var phi_442_: bool;
+    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: bool;
+    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_456_: bool;
+    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_480_: bool;
+    var phi_688_: f32;
+    var phi_693_: f32;
+    var phi_694_: bool;
+    var phi_695_: f32;
+    var phi_696_: bool;
+    var phi_700_: f32;
+    var phi_721_: f32;
+    var phi_726_: f32;
+    var phi_727_: bool;
+    var phi_728_: f32;
+    var phi_729_: bool;
+    var phi_733_: f32;
+    var phi_754_: bool;
     var phi_773_: vec2<u32>;
     var phi_774_: bool;
     var phi_775_: bool;
     var phi_776_: bool;
-    var phi_777_: bool;
+    var phi_777_: vec2<u32>;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: bool;
+    var phi_781_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: vec2<u32>;
+    var phi_785_: bool;
     var phi_786_: bool;
     var phi_787_: bool;
     var phi_788_: bool;
     var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_791_: vec2<u32>;
+    var phi_792_: bool;
     var phi_793_: bool;
     var phi_794_: bool;
-    var phi_795_: vec2<u32>;
-    var phi_884_: bool;
-    var phi_888_: f32;
-    var phi_892_: lt_mask_Reprojection;
-    var phi_901_: bool;
+    var phi_795_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: vec2<u32>;
     var phi_902_: bool;
-    var phi_904_: bool;
-    var phi_905_: lt_mask_Reprojection;
-    var phi_906_: lt_mask_Reprojection;
-    var phi_907_: bool;
-    var phi_911_: bool;
-    var phi_912_: lt_mask_Reprojection;
-    var phi_940_: u32;
-    var phi_942_: u32;
-    var phi_945_: lt_mask_Neighbourhood;
-    var phi_957_: bool;
-    var phi_958_: bool;
-    var phi_967_: u32;
-    var phi_968_: u32;
-    var phi_1028_: vec2<i32>;
-    var phi_1048_: vec2<i32>;
-    var phi_1075_: u32;
-    var phi_1094_: u32;
-    var phi_1102_: u32;
-    var phi_1119_: bool;
-    var phi_1120_: bool;
-    var phi_1127_: bool;
-    var phi_1128_: bool;
+    var phi_906_: f32;
+    var phi_910_: lt_mask_Reprojection;
+    var phi_919_: bool;
+    var phi_920_: bool;
+    var phi_922_: bool;
+    var phi_923_: lt_mask_Reprojection;
+    var phi_924_: lt_mask_Reprojection;
+    var phi_925_: bool;
+    var phi_929_: bool;
+    var phi_930_: lt_mask_Reprojection;
+    var phi_958_: u32;
+    var phi_960_: u32;
+    var phi_963_: lt_mask_Neighbourhood;
+    var phi_975_: bool;
+    var phi_976_: bool;
+    var phi_985_: u32;
+    var phi_986_: u32;
+    var phi_1046_: vec2<i32>;
+    var phi_1066_: vec2<i32>;
+    var phi_1093_: u32;
+    var phi_1112_: u32;
+    var phi_1120_: u32;
+    var phi_1137_: bool;
+    var phi_1138_: bool;
+    var phi_1145_: bool;
     var phi_1146_: bool;
-    var phi_1147_: bool;
-    var phi_1148_: bool;
-    var phi_943_: u32;
-    var phi_946_: lt_mask_Neighbourhood;
-    var phi_1151_: lt_mask_Neighbourhood;
-    var phi_1152_: lt_mask_Neighbourhood;
-    var phi_1153_: lt_mask_Neighbourhood;
-    var phi_1185_: bool;
-    var phi_1186_: bool;
-    var phi_1215_: bool;
-    var phi_1216_: bool;
-    var phi_1229_: bool;
-    var phi_1230_: bool;
-    var phi_1231_: bool;
-    var phi_1238_: u32;
-    var phi_1239_: u32;
-    var phi_1240_: u32;
-    var phi_1241_: u32;
-    var phi_1242_: u32;
-    var phi_1243_: u32;
-    var phi_1251_: bool;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
+    var phi_1166_: bool;
+    var phi_961_: u32;
+    var phi_964_: lt_mask_Neighbourhood;
+    var phi_1169_: lt_mask_Neighbourhood;
+    var phi_1170_: lt_mask_Neighbourhood;
+    var phi_1171_: lt_mask_Neighbourhood;
+    var phi_1203_: bool;
+    var phi_1204_: bool;
+    var phi_1233_: bool;
+    var phi_1234_: bool;
+    var phi_1247_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1256_: u32;
+    var phi_1257_: u32;
+    var phi_1258_: u32;
     var phi_1259_: u32;
-    var phi_1264_: u32;
-    var phi_1268_: u32;
-    var phi_1269_: u32;
-    var phi_1273_: f32;
-    var phi_1275_: mask_Masked;
-    var phi_1347_: bool;
-    var phi_1348_: bool;
-    var phi_1349_: bool;
-    var phi_1350_: bool;
-    var phi_1354_: bool;
-    var phi_1382_: f32;
-    var phi_1385_: bool;
-    var phi_1386_: u32;
-    var phi_1397_: u32;
+    var phi_1260_: u32;
+    var phi_1261_: u32;
+    var phi_1269_: bool;
+    var phi_1277_: u32;
+    var phi_1282_: u32;
+    var phi_1286_: u32;
+    var phi_1287_: u32;
+    var phi_1291_: f32;
+    var phi_1293_: mask_Masked;
+    var phi_1365_: bool;
+    var phi_1366_: bool;
+    var phi_1367_: bool;
+    var phi_1368_: bool;
+    var phi_1372_: bool;
+    var phi_1400_: f32;
+    var phi_1403_: bool;
+    var phi_1404_: u32;
+    var phi_1415_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e59 = id_1;
@@ -426,28 +426,28 @@ fn function_() {
             if (_e126 == _e128) {
                 let _e131 = samples.member[_e79.shift].normal[2u];
                 let _e133 = global[2u];
-                phi_363_ = (_e131 == _e133);
-                phi_364_ = false;
+                phi_364_ = (_e131 == _e133);
+                phi_365_ = false;
             } else {
-                phi_363_ = bool();
-                phi_364_ = true;
+                phi_364_ = bool();
+                phi_365_ = true;
             }
-            let _e136 = phi_363_;
-            let _e138 = phi_364_;
-            phi_365_ = _e136;
-            phi_366_ = _e138;
+            let _e136 = phi_364_;
+            let _e138 = phi_365_;
+            phi_366_ = _e136;
+            phi_367_ = _e138;
         } else {
-            phi_365_ = bool();
-            phi_366_ = true;
+            phi_366_ = bool();
+            phi_367_ = true;
         }
-        let _e140 = phi_365_;
-        let _e142 = phi_366_;
+        let _e140 = phi_366_;
+        let _e142 = phi_367_;
         if _e142 {
-            phi_370_ = false;
+            phi_371_ = false;
         } else {
-            phi_370_ = _e140;
+            phi_371_ = _e140;
         }
-        let _e144 = phi_370_;
+        let _e144 = phi_371_;
         if !(_e144) {
             let _e147 = samples.member[_e79.shift].position;
             let _e149 = p.member.light.place;
@@ -461,64 +461,64 @@ fn function_() {
                 let _e182 = p.member.light.axis;
                 let _e194 = p.member.light.place[3u];
                 if (_e194 == 0f) {
-                    phi_441_ = true;
+                    phi_442_ = true;
                 } else {
                     let _e197 = p.member.light.range_squared;
                     if (_e180 <= _e197) {
                         let _e200 = p.member.light.cos_outer;
-                        phi_440_ = (-((((_e162 * _e182.x) + (_e163 * _e182.y)) + (_e164 * _e182.z))) >= (_e200 * sqrt(_e180)));
+                        phi_441_ = (-((((_e162 * _e182.x) + (_e163 * _e182.y)) + (_e164 * _e182.z))) >= (_e200 * sqrt(_e180)));
                     } else {
-                        phi_440_ = false;
+                        phi_441_ = false;
                     }
-                    let _e205 = phi_440_;
-                    phi_441_ = _e205;
+                    let _e205 = phi_441_;
+                    phi_442_ = _e205;
                 }
-                let _e207 = phi_441_;
+                let _e207 = phi_442_;
                 if _e207 {
                     let _e209 = samples.member[_e79.shift].flags;
                     let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
-                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, ((_e209 & 1u) == 0u));
-                    phi_453_ = false;
+                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, ((_e209 & 1u) == 0u));
+                    phi_454_ = false;
                 } else {
-                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_453_ = true;
+                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_454_ = true;
                 }
-                let _e228 = phi_452_;
-                let _e230 = phi_453_;
-                phi_454_ = _e228;
-                phi_455_ = _e230;
+                let _e228 = phi_453_;
+                let _e230 = phi_454_;
+                phi_455_ = _e228;
+                phi_456_ = _e230;
             } else {
-                phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_455_ = true;
+                phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_456_ = true;
             }
-            let _e232 = phi_454_;
-            let _e234 = phi_455_;
+            let _e232 = phi_455_;
+            let _e234 = phi_456_;
             if _e234 {
                 let _e240 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e240.unnamed.visibility, false), _e240.unnamed_1);
-                phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e246.unnamed, true);
+                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e246.unnamed, true);
             } else {
-                phi_462_ = _e232;
+                phi_463_ = _e232;
             }
-            let _e251 = phi_462_;
-            phi_466_ = _e251;
+            let _e251 = phi_463_;
+            phi_467_ = _e251;
         } else {
             let _e257 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e263 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e257.unnamed.visibility, false), _e257.unnamed_1);
-            phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e263.unnamed, true);
+            phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e263.unnamed, true);
         }
-        let _e268 = phi_466_;
+        let _e268 = phi_467_;
         if _e268.unnamed_1 {
-            phi_1275_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
+            phi_1293_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
         } else {
             let _e273 = (_e115 < 0.5f);
             if (_e115 > 0f) {
-                phi_479_ = (_e115 < 1f);
+                phi_480_ = (_e115 < 1f);
             } else {
-                phi_479_ = false;
+                phi_480_ = false;
             }
-            let _e277 = phi_479_;
+            let _e277 = phi_480_;
             let _e279 = samples.member[_e79.shift].position;
             let _e283 = p.member.previous.eye;
             let _e286 = (_e113.x - _e283.x);
@@ -544,701 +544,703 @@ fn function_() {
             let _e431 = (((((((_e286 * _e304.x) + (_e289 * _e304.y)) + (_e292 * _e304.z)) / ((((_e314.x * _e314.x) + (_e314.y * _e314.y)) + (_e314.z * _e314.z)) * _e302)) - ((((_e357 * _e375.x) + (_e360 * _e375.y)) + (_e363 * _e375.z)) / ((((_e385.x * _e385.x) + (_e385.y * _e385.y)) + (_e385.z * _e385.z)) * _e373))) * 0.5f) * f32(_e429));
             let _e435 = p.member.current.size[1u];
             let _e437 = (((((((_e286 * _e329.x) + (_e289 * _e329.y)) + (_e292 * _e329.z)) / ((((_e339.x * _e339.x) + (_e339.y * _e339.y)) + (_e339.z * _e339.z)) * _e302)) - ((((_e357 * _e400.x) + (_e360 * _e400.y)) + (_e363 * _e400.z)) / ((((_e410.x * _e410.x) + (_e410.y * _e410.y)) + (_e410.z * _e410.z)) * _e373))) * -0.5f) * f32(_e435));
-            let _e441 = p.member.current.size[0u];
-            let _e443 = p.member.current.size[1u];
-            let _e447 = ((f32(_e59.x) + 0.5f) + _e431);
-            if (_e447 > -8388608f) {
-                let _e459 = f32(select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447)));
-                if (_e459 > _e447) {
-                    phi_668_ = 1f;
+            let _e441 = p.member.current.grid[0u];
+            let _e443 = p.member.current.grid[1u];
+            let _e463 = p.member.current.size[0u];
+            let _e465 = p.member.current.size[1u];
+            let _e467 = ((f32(_e59.x) + ((f32((_e59.y & (_e443 - 1u))) + 0.5f) / f32(_e443))) + _e431);
+            if (_e467 > -8388608f) {
+                let _e479 = f32(select(0i, select(select(i32(_e467), i32(-2147483648), (_e467 < bitcast<f32>(3472883712u))), 2147483647i, (_e467 > bitcast<f32>(1325400063u))), (_e467 == _e467)));
+                if (_e479 > _e467) {
+                    phi_688_ = 1f;
                 } else {
-                    phi_668_ = 0f;
+                    phi_688_ = 0f;
                 }
-                let _e462 = phi_668_;
-                if (_e447 < 8388608f) {
-                    phi_673_ = (_e459 - _e462);
-                    phi_674_ = false;
+                let _e482 = phi_688_;
+                if (_e467 < 8388608f) {
+                    phi_693_ = (_e479 - _e482);
+                    phi_694_ = false;
                 } else {
-                    phi_673_ = f32();
-                    phi_674_ = true;
+                    phi_693_ = f32();
+                    phi_694_ = true;
                 }
-                let _e465 = phi_673_;
-                let _e467 = phi_674_;
-                phi_675_ = _e465;
-                phi_676_ = _e467;
+                let _e485 = phi_693_;
+                let _e487 = phi_694_;
+                phi_695_ = _e485;
+                phi_696_ = _e487;
             } else {
-                phi_675_ = f32();
-                phi_676_ = true;
+                phi_695_ = f32();
+                phi_696_ = true;
             }
-            let _e469 = phi_675_;
-            let _e471 = phi_676_;
-            if _e471 {
-                phi_680_ = _e447;
+            let _e489 = phi_695_;
+            let _e491 = phi_696_;
+            if _e491 {
+                phi_700_ = _e467;
             } else {
-                phi_680_ = _e469;
+                phi_700_ = _e489;
             }
-            let _e473 = phi_680_;
-            let _e476 = ((f32(_e59.y) + 0.5f) + _e437);
-            if (_e476 > -8388608f) {
-                let _e488 = f32(select(0i, select(select(i32(_e476), i32(-2147483648), (_e476 < bitcast<f32>(3472883712u))), 2147483647i, (_e476 > bitcast<f32>(1325400063u))), (_e476 == _e476)));
-                if (_e488 > _e476) {
-                    phi_703_ = 1f;
+            let _e493 = phi_700_;
+            let _e494 = ((f32(_e59.y) + ((f32((_e59.x & (_e441 - 1u))) + 0.5f) / f32(_e441))) + _e437);
+            if (_e494 > -8388608f) {
+                let _e506 = f32(select(0i, select(select(i32(_e494), i32(-2147483648), (_e494 < bitcast<f32>(3472883712u))), 2147483647i, (_e494 > bitcast<f32>(1325400063u))), (_e494 == _e494)));
+                if (_e506 > _e494) {
+                    phi_721_ = 1f;
                 } else {
-                    phi_703_ = 0f;
+                    phi_721_ = 0f;
                 }
-                let _e491 = phi_703_;
-                if (_e476 < 8388608f) {
-                    phi_708_ = (_e488 - _e491);
-                    phi_709_ = false;
+                let _e509 = phi_721_;
+                if (_e494 < 8388608f) {
+                    phi_726_ = (_e506 - _e509);
+                    phi_727_ = false;
                 } else {
-                    phi_708_ = f32();
-                    phi_709_ = true;
+                    phi_726_ = f32();
+                    phi_727_ = true;
                 }
-                let _e494 = phi_708_;
-                let _e496 = phi_709_;
-                phi_710_ = _e494;
-                phi_711_ = _e496;
+                let _e512 = phi_726_;
+                let _e514 = phi_727_;
+                phi_728_ = _e512;
+                phi_729_ = _e514;
             } else {
-                phi_710_ = f32();
-                phi_711_ = true;
+                phi_728_ = f32();
+                phi_729_ = true;
             }
-            let _e498 = phi_710_;
-            let _e500 = phi_711_;
-            if _e500 {
-                phi_715_ = _e476;
+            let _e516 = phi_728_;
+            let _e518 = phi_729_;
+            if _e518 {
+                phi_733_ = _e494;
             } else {
-                phi_715_ = _e498;
+                phi_733_ = _e516;
             }
-            let _e502 = phi_715_;
-            if (_e473 >= 0f) {
-                if (_e502 >= 0f) {
-                    if (_e473 < f32(_e441)) {
-                        let _e508 = (_e502 < f32(_e443));
+            let _e520 = phi_733_;
+            if (_e493 >= 0f) {
+                if (_e520 >= 0f) {
+                    if (_e493 < f32(_e463)) {
+                        let _e526 = (_e520 < f32(_e465));
                         if (_e431 == 0f) {
-                            phi_736_ = (_e437 == 0f);
+                            phi_754_ = (_e437 == 0f);
                         } else {
-                            phi_736_ = false;
+                            phi_754_ = false;
                         }
-                        let _e512 = phi_736_;
-                        if _e508 {
-                            phi_755_ = vec2<u32>(select(select(u32(_e473), 0u, (_e473 < bitcast<f32>(0u))), 4294967295u, (_e473 > bitcast<f32>(1333788671u))), select(select(u32(_e502), 0u, (_e502 < bitcast<f32>(0u))), 4294967295u, (_e502 > bitcast<f32>(1333788671u))));
-                            phi_756_ = false;
+                        let _e530 = phi_754_;
+                        if _e526 {
+                            phi_773_ = vec2<u32>(select(select(u32(_e493), 0u, (_e493 < bitcast<f32>(0u))), 4294967295u, (_e493 > bitcast<f32>(1333788671u))), select(select(u32(_e520), 0u, (_e520 < bitcast<f32>(0u))), 4294967295u, (_e520 > bitcast<f32>(1333788671u))));
+                            phi_774_ = false;
                         } else {
-                            phi_755_ = vec2<u32>();
-                            phi_756_ = true;
+                            phi_773_ = vec2<u32>();
+                            phi_774_ = true;
                         }
-                        let _e529 = phi_755_;
-                        let _e531 = phi_756_;
-                        phi_757_ = _e512;
-                        phi_758_ = _e508;
-                        phi_759_ = _e529;
-                        phi_760_ = _e512;
-                        phi_761_ = _e508;
-                        phi_762_ = false;
-                        phi_763_ = _e531;
+                        let _e547 = phi_773_;
+                        let _e549 = phi_774_;
+                        phi_775_ = _e530;
+                        phi_776_ = _e526;
+                        phi_777_ = _e547;
+                        phi_778_ = _e530;
+                        phi_779_ = _e526;
+                        phi_780_ = false;
+                        phi_781_ = _e549;
                     } else {
-                        phi_757_ = bool();
-                        phi_758_ = bool();
-                        phi_759_ = vec2<u32>();
-                        phi_760_ = bool();
-                        phi_761_ = bool();
-                        phi_762_ = true;
-                        phi_763_ = false;
+                        phi_775_ = bool();
+                        phi_776_ = bool();
+                        phi_777_ = vec2<u32>();
+                        phi_778_ = bool();
+                        phi_779_ = bool();
+                        phi_780_ = true;
+                        phi_781_ = false;
                     }
-                    let _e533 = phi_757_;
-                    let _e535 = phi_758_;
-                    let _e537 = phi_759_;
-                    let _e539 = phi_760_;
-                    let _e541 = phi_761_;
-                    let _e543 = phi_762_;
-                    let _e545 = phi_763_;
-                    phi_764_ = _e533;
-                    phi_765_ = _e535;
-                    phi_766_ = _e537;
-                    phi_767_ = _e539;
-                    phi_768_ = _e541;
-                    phi_769_ = _e543;
-                    phi_770_ = _e545;
+                    let _e551 = phi_775_;
+                    let _e553 = phi_776_;
+                    let _e555 = phi_777_;
+                    let _e557 = phi_778_;
+                    let _e559 = phi_779_;
+                    let _e561 = phi_780_;
+                    let _e563 = phi_781_;
+                    phi_782_ = _e551;
+                    phi_783_ = _e553;
+                    phi_784_ = _e555;
+                    phi_785_ = _e557;
+                    phi_786_ = _e559;
+                    phi_787_ = _e561;
+                    phi_788_ = _e563;
                 } else {
-                    phi_764_ = bool();
-                    phi_765_ = bool();
-                    phi_766_ = vec2<u32>();
-                    phi_767_ = bool();
-                    phi_768_ = bool();
-                    phi_769_ = true;
-                    phi_770_ = false;
+                    phi_782_ = bool();
+                    phi_783_ = bool();
+                    phi_784_ = vec2<u32>();
+                    phi_785_ = bool();
+                    phi_786_ = bool();
+                    phi_787_ = true;
+                    phi_788_ = false;
                 }
-                let _e547 = phi_764_;
-                let _e549 = phi_765_;
-                let _e551 = phi_766_;
-                let _e553 = phi_767_;
-                let _e555 = phi_768_;
-                let _e557 = phi_769_;
-                let _e559 = phi_770_;
-                phi_771_ = _e547;
-                phi_772_ = _e549;
-                phi_773_ = _e551;
-                phi_774_ = _e553;
-                phi_775_ = _e555;
-                phi_776_ = _e557;
-                phi_777_ = _e559;
+                let _e565 = phi_782_;
+                let _e567 = phi_783_;
+                let _e569 = phi_784_;
+                let _e571 = phi_785_;
+                let _e573 = phi_786_;
+                let _e575 = phi_787_;
+                let _e577 = phi_788_;
+                phi_789_ = _e565;
+                phi_790_ = _e567;
+                phi_791_ = _e569;
+                phi_792_ = _e571;
+                phi_793_ = _e573;
+                phi_794_ = _e575;
+                phi_795_ = _e577;
             } else {
-                phi_771_ = bool();
-                phi_772_ = bool();
-                phi_773_ = vec2<u32>();
-                phi_774_ = bool();
-                phi_775_ = bool();
-                phi_776_ = true;
-                phi_777_ = false;
+                phi_789_ = bool();
+                phi_790_ = bool();
+                phi_791_ = vec2<u32>();
+                phi_792_ = bool();
+                phi_793_ = bool();
+                phi_794_ = true;
+                phi_795_ = false;
             }
-            let _e561 = phi_771_;
-            let _e563 = phi_772_;
-            let _e565 = phi_773_;
-            let _e567 = phi_774_;
-            let _e569 = phi_775_;
-            let _e571 = phi_776_;
-            let _e573 = phi_777_;
-            if _e571 {
+            let _e579 = phi_789_;
+            let _e581 = phi_790_;
+            let _e583 = phi_791_;
+            let _e585 = phi_792_;
+            let _e587 = phi_793_;
+            let _e589 = phi_794_;
+            let _e591 = phi_795_;
+            if _e589 {
                 if (_e431 == 0f) {
-                    phi_786_ = (_e437 == 0f);
+                    phi_804_ = (_e437 == 0f);
                 } else {
-                    phi_786_ = false;
+                    phi_804_ = false;
                 }
-                let _e577 = phi_786_;
-                phi_787_ = _e577;
-                phi_788_ = false;
-                phi_789_ = true;
+                let _e595 = phi_804_;
+                phi_805_ = _e595;
+                phi_806_ = false;
+                phi_807_ = true;
             } else {
-                phi_787_ = _e567;
-                phi_788_ = _e569;
-                phi_789_ = _e573;
+                phi_805_ = _e585;
+                phi_806_ = _e587;
+                phi_807_ = _e591;
             }
-            let _e579 = phi_787_;
-            let _e581 = phi_788_;
-            let _e583 = phi_789_;
-            if _e583 {
-                phi_793_ = _e579;
-                phi_794_ = _e581;
-                phi_795_ = vec2<u32>(_e59.x, _e59.y);
+            let _e597 = phi_805_;
+            let _e599 = phi_806_;
+            let _e601 = phi_807_;
+            if _e601 {
+                phi_811_ = _e597;
+                phi_812_ = _e599;
+                phi_813_ = vec2<u32>(_e59.x, _e59.y);
             } else {
-                phi_793_ = _e561;
-                phi_794_ = _e563;
-                phi_795_ = _e565;
+                phi_811_ = _e579;
+                phi_812_ = _e581;
+                phi_813_ = _e583;
             }
-            let _e585 = phi_793_;
-            let _e587 = phi_794_;
-            let _e589 = phi_795_;
-            let _e599 = lt_mask_Reprojection(vec2<u32>(_e589.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e606 = lt_mask_Reprojection(vec2<u32>(_e599.pixel.x, _e589.y), _e599.is_valid, _e599.has_moved);
-            let _e610 = lt_mask_Reprojection(_e606.pixel, _e587, _e606.has_moved);
-            let _e614 = lt_mask_Reprojection(_e610.pixel, _e610.is_valid, !(_e585));
-            if _e587 {
-                let _e617 = p.member.previous.eye;
-                let _e628 = p.member.previous.forward;
-                let _e637 = (((((_e113.x - _e617.x) * _e628.x) + ((_e113.y - _e617.y) * _e628.y)) + ((_e113.z - _e617.z) * _e628.z)) > 0f);
-                let _e641 = lt_mask_Reprojection(_e614.pixel, _e637, _e614.has_moved);
-                if _e637 {
-                    let _e644 = p.member.previous.eye;
-                    let _e655 = p.member.previous.forward;
-                    let _e663 = ((((_e113.x - _e644.x) * _e655.x) + ((_e113.y - _e644.y) * _e655.y)) + ((_e113.z - _e644.z) * _e655.z));
-                    let _e665 = ((_e589.y * _e110) + _e589.x);
-                    if (_e665 < arrayLength((&last_depths.member))) {
+            let _e603 = phi_811_;
+            let _e605 = phi_812_;
+            let _e607 = phi_813_;
+            let _e617 = lt_mask_Reprojection(vec2<u32>(_e607.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e624 = lt_mask_Reprojection(vec2<u32>(_e617.pixel.x, _e607.y), _e617.is_valid, _e617.has_moved);
+            let _e628 = lt_mask_Reprojection(_e624.pixel, _e605, _e624.has_moved);
+            let _e632 = lt_mask_Reprojection(_e628.pixel, _e628.is_valid, !(_e603));
+            if _e605 {
+                let _e635 = p.member.previous.eye;
+                let _e646 = p.member.previous.forward;
+                let _e655 = (((((_e113.x - _e635.x) * _e646.x) + ((_e113.y - _e635.y) * _e646.y)) + ((_e113.z - _e635.z) * _e646.z)) > 0f);
+                let _e659 = lt_mask_Reprojection(_e632.pixel, _e655, _e632.has_moved);
+                if _e655 {
+                    let _e662 = p.member.previous.eye;
+                    let _e673 = p.member.previous.forward;
+                    let _e681 = ((((_e113.x - _e662.x) * _e673.x) + ((_e113.y - _e662.y) * _e673.y)) + ((_e113.z - _e662.z) * _e673.z));
+                    let _e683 = ((_e607.y * _e110) + _e607.x);
+                    if (_e683 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e669 = last_depths.member[(0u + _e665)];
-                    let _e671 = p.member.depth_tolerance;
-                    let _e674 = abs(_e663);
-                    let _e675 = abs(_e669);
-                    if ((bitcast<u32>(_e675) & 2147483647u) > 2139095040u) {
-                        phi_884_ = true;
+                    let _e687 = last_depths.member[(0u + _e683)];
+                    let _e689 = p.member.depth_tolerance;
+                    let _e692 = abs(_e681);
+                    let _e693 = abs(_e687);
+                    if ((bitcast<u32>(_e693) & 2147483647u) > 2139095040u) {
+                        phi_902_ = true;
                     } else {
-                        let _e679 = (_e675 > _e674);
-                        if _e679 {
+                        let _e697 = (_e693 > _e692);
+                        if _e697 {
                         }
-                        phi_884_ = _e679;
+                        phi_902_ = _e697;
                     }
-                    let _e681 = phi_884_;
-                    if _e681 {
-                        phi_888_ = _e675;
+                    let _e699 = phi_902_;
+                    if _e699 {
+                        phi_906_ = _e693;
                     } else {
-                        phi_888_ = _e674;
+                        phi_906_ = _e692;
                     }
-                    let _e683 = phi_888_;
-                    phi_892_ = lt_mask_Reprojection(_e641.pixel, (abs((_e663 - _e669)) <= (_e671 * _e683)), _e641.has_moved);
+                    let _e701 = phi_906_;
+                    phi_910_ = lt_mask_Reprojection(_e659.pixel, (abs((_e681 - _e687)) <= (_e689 * _e701)), _e659.has_moved);
                 } else {
-                    phi_892_ = _e641;
+                    phi_910_ = _e659;
                 }
-                let _e691 = phi_892_;
-                if _e691.is_valid {
-                    let _e694 = p.member.flags;
-                    phi_901_ = ((_e694 & 1u) != 0u);
-                    phi_902_ = false;
+                let _e709 = phi_910_;
+                if _e709.is_valid {
+                    let _e712 = p.member.flags;
+                    phi_919_ = ((_e712 & 1u) != 0u);
+                    phi_920_ = false;
                 } else {
-                    phi_901_ = bool();
-                    phi_902_ = true;
+                    phi_919_ = bool();
+                    phi_920_ = true;
                 }
-                let _e698 = phi_901_;
-                let _e700 = phi_902_;
-                phi_904_ = _e698;
-                phi_905_ = _e691;
-                phi_906_ = _e691;
-                phi_907_ = _e700;
+                let _e716 = phi_919_;
+                let _e718 = phi_920_;
+                phi_922_ = _e716;
+                phi_923_ = _e709;
+                phi_924_ = _e709;
+                phi_925_ = _e718;
             } else {
-                phi_904_ = bool();
-                phi_905_ = lt_mask_Reprojection();
-                phi_906_ = lt_mask_Reprojection(_e614.pixel, false, _e614.has_moved);
-                phi_907_ = true;
+                phi_922_ = bool();
+                phi_923_ = lt_mask_Reprojection();
+                phi_924_ = lt_mask_Reprojection(_e632.pixel, false, _e632.has_moved);
+                phi_925_ = true;
             }
-            let _e706 = phi_904_;
-            let _e708 = phi_905_;
-            let _e710 = phi_906_;
-            let _e712 = phi_907_;
-            if _e712 {
-                phi_911_ = false;
-                phi_912_ = _e710;
+            let _e724 = phi_922_;
+            let _e726 = phi_923_;
+            let _e728 = phi_924_;
+            let _e730 = phi_925_;
+            if _e730 {
+                phi_929_ = false;
+                phi_930_ = _e728;
             } else {
-                phi_911_ = _e706;
-                phi_912_ = _e708;
+                phi_929_ = _e724;
+                phi_930_ = _e726;
             }
-            let _e714 = phi_911_;
-            let _e716 = phi_912_;
-            let _e720 = lt_mask_Reprojection(_e716.pixel, _e714, _e716.has_moved);
-            if _e720.has_moved {
+            let _e732 = phi_929_;
+            let _e734 = phi_930_;
+            let _e738 = lt_mask_Reprojection(_e734.pixel, _e732, _e734.has_moved);
+            if _e738.has_moved {
             }
-            let _e726 = lt_mask_Neighbourhood(false, true);
+            let _e744 = lt_mask_Neighbourhood(false, true);
             if _e277 {
-                phi_1153_ = _e726;
+                phi_1171_ = _e744;
             } else {
                 if true {
-                    if _e714 {
-                        if _e720.has_moved {
-                            let _e729 = p.member.moving_pattern;
-                            phi_940_ = _e729;
+                    if _e732 {
+                        if _e738.has_moved {
+                            let _e747 = p.member.moving_pattern;
+                            phi_958_ = _e747;
                         } else {
-                            let _e731 = p.member.still_pattern;
-                            phi_940_ = _e731;
+                            let _e749 = p.member.still_pattern;
+                            phi_958_ = _e749;
                         }
-                        let _e733 = phi_940_;
-                        phi_942_ = 0u;
-                        phi_945_ = _e726;
+                        let _e751 = phi_958_;
+                        phi_960_ = 0u;
+                        phi_963_ = _e744;
                         loop {
-                            let _e735 = phi_942_;
-                            let _e737 = phi_945_;
-                            local_1 = _e737;
-                            if (1u <= _e733) {
-                                if (_e733 <= 4u) {
-                                    phi_957_ = false;
+                            let _e753 = phi_960_;
+                            let _e755 = phi_963_;
+                            local_1 = _e755;
+                            if (1u <= _e751) {
+                                if (_e751 <= 4u) {
+                                    phi_975_ = false;
                                 } else {
-                                    phi_957_ = true;
+                                    phi_975_ = true;
                                 }
-                                let _e741 = phi_957_;
-                                phi_958_ = _e741;
+                                let _e759 = phi_975_;
+                                phi_976_ = _e759;
                             } else {
-                                phi_958_ = true;
+                                phi_976_ = true;
                             }
-                            let _e743 = phi_958_;
-                            if _e743 {
-                                switch bitcast<i32>(_e733) {
+                            let _e761 = phi_976_;
+                            if _e761 {
+                                switch bitcast<i32>(_e751) {
                                     case 5: {
-                                        phi_967_ = 4u;
+                                        phi_985_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_967_ = 25u;
+                                        phi_985_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_967_ = 13u;
+                                        phi_985_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_967_ = 9u;
+                                        phi_985_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e746 = phi_967_;
-                                phi_968_ = _e746;
+                                let _e764 = phi_985_;
+                                phi_986_ = _e764;
                             } else {
-                                phi_968_ = 5u;
+                                phi_986_ = 5u;
                             }
-                            let _e748 = phi_968_;
-                            let _e749 = (_e735 < _e748);
-                            if _e749 {
-                                let _e755 = p.member.frame;
-                                let _e759 = p.member.current.size[0u];
-                                let _e761 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e733) {
+                            let _e766 = phi_986_;
+                            let _e767 = (_e753 < _e766);
+                            if _e767 {
+                                let _e773 = p.member.frame;
+                                let _e777 = p.member.current.size[0u];
+                                let _e779 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e751) {
                                     case 1: {
-                                        let _e771 = lt_mask_pattern_plus(_e735);
-                                        phi_1048_ = vec2<i32>(_e771.x, _e771.y);
+                                        let _e789 = lt_mask_pattern_plus(_e753);
+                                        phi_1066_ = vec2<i32>(_e789.x, _e789.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e775 = lt_mask_pattern_cross(_e735);
-                                        phi_1048_ = vec2<i32>(_e775.x, _e775.y);
+                                        let _e793 = lt_mask_pattern_cross(_e753);
+                                        phi_1066_ = vec2<i32>(_e793.x, _e793.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e781 = lt_mask_pattern_plus_or_cross(_e735, ((_e720.pixel.x + _e720.pixel.y) & 1u));
-                                        phi_1048_ = vec2<i32>(_e781.x, _e781.y);
+                                        let _e799 = lt_mask_pattern_plus_or_cross(_e753, ((_e738.pixel.x + _e738.pixel.y) & 1u));
+                                        phi_1066_ = vec2<i32>(_e799.x, _e799.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e786 = lt_mask_pattern_plus_or_cross(_e735, (_e755 & 1u));
-                                        phi_1048_ = vec2<i32>(_e786.x, _e786.y);
+                                        let _e804 = lt_mask_pattern_plus_or_cross(_e753, (_e773 & 1u));
+                                        phi_1066_ = vec2<i32>(_e804.x, _e804.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e755 & 3u)) {
+                                        switch bitcast<i32>((_e773 & 3u)) {
                                             case 0: {
-                                                phi_1028_ = vec2(-1i);
+                                                phi_1046_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1028_ = vec2(0i);
+                                                phi_1046_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1028_ = vec2<i32>(0i, -1i);
+                                                phi_1046_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1028_ = vec2<i32>(-1i, 0i);
+                                                phi_1046_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e797 = phi_1028_;
-                                        phi_1048_ = (_e797 + vec2<i32>(bitcast<i32>((_e735 & 1u)), bitcast<i32>(((_e735 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e815 = phi_1046_;
+                                        phi_1066_ = (_e815 + vec2<i32>(bitcast<i32>((_e753 & 1u)), bitcast<i32>(((_e753 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1048_ = vec2<i32>((bitcast<i32>((_e735 % 5u)) - 2i), (bitcast<i32>(((_e735 / 5u) % 5u)) - 2i));
+                                        phi_1066_ = vec2<i32>((bitcast<i32>((_e753 % 5u)) - 2i), (bitcast<i32>(((_e753 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e814 = lt_mask_pattern_diamond(_e735);
-                                        phi_1048_ = vec2<i32>(_e814.x, _e814.y);
+                                        let _e832 = lt_mask_pattern_diamond(_e753);
+                                        phi_1066_ = vec2<i32>(_e832.x, _e832.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1048_ = vec2<i32>((bitcast<i32>((_e735 % 3u)) - 1i), (bitcast<i32>(((_e735 / 3u) % 3u)) - 1i));
+                                        phi_1066_ = vec2<i32>((bitcast<i32>((_e753 % 3u)) - 1i), (bitcast<i32>(((_e753 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e819 = phi_1048_;
-                                let _e822 = lt_mask_pattern_step_clamped(_e720.pixel.x, _e819.x, _e759);
-                                let _e823 = lt_mask_pattern_step_clamped(_e720.pixel.y, _e819.y, _e761);
-                                let _e830 = ((((_e823 * _e110) + _e822) * _e106.words) + _e106.light.word);
+                                let _e837 = phi_1066_;
+                                let _e840 = lt_mask_pattern_step_clamped(_e738.pixel.x, _e837.x, _e777);
+                                let _e841 = lt_mask_pattern_step_clamped(_e738.pixel.y, _e837.y, _e779);
+                                let _e848 = ((((_e841 * _e110) + _e840) * _e106.words) + _e106.light.word);
                                 if (_e106.light.shift > 29u) {
-                                    let _e834 = (_e830 + 1u);
-                                    if (_e834 < _e65) {
+                                    let _e852 = (_e848 + 1u);
+                                    if (_e852 < _e65) {
                                     } else {
                                         return;
                                     }
-                                    let _e838 = last_bits.member[(0u + _e834)];
-                                    phi_1075_ = _e838;
+                                    let _e856 = last_bits.member[(0u + _e852)];
+                                    phi_1093_ = _e856;
                                 } else {
-                                    phi_1075_ = 0u;
+                                    phi_1093_ = 0u;
                                 }
-                                let _e840 = phi_1075_;
-                                if (_e830 < _e65) {
+                                let _e858 = phi_1093_;
+                                if (_e848 < _e65) {
                                 } else {
                                     return;
                                 }
-                                let _e846 = last_bits.member[(0u + _e830)];
-                                let _e849 = (_e846 >> bitcast<u32>((_e106.light.shift & 31u)));
+                                let _e864 = last_bits.member[(0u + _e848)];
+                                let _e867 = (_e864 >> bitcast<u32>((_e106.light.shift & 31u)));
                                 if (_e106.light.shift > 29u) {
-                                    phi_1094_ = (_e849 | (_e840 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                                    phi_1112_ = (_e867 | (_e858 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
                                 } else {
-                                    phi_1094_ = _e849;
+                                    phi_1112_ = _e867;
                                 }
-                                let _e857 = phi_1094_;
-                                if ((_e857 & 2u) == 0u) {
-                                    phi_1102_ = (_e857 & 1u);
+                                let _e875 = phi_1112_;
+                                if ((_e875 & 2u) == 0u) {
+                                    phi_1120_ = (_e875 & 1u);
                                 } else {
-                                    phi_1102_ = (_e857 & 7u);
+                                    phi_1120_ = (_e875 & 7u);
                                 }
-                                let _e863 = phi_1102_;
-                                if _e737.any_expands {
-                                    phi_1128_ = true;
+                                let _e881 = phi_1120_;
+                                if _e755.any_expands {
+                                    phi_1146_ = true;
                                 } else {
-                                    if ((_e863 & 2u) != 0u) {
-                                        if (((_e863 & 4u) != 0u) != _e273) {
-                                            phi_1119_ = false;
+                                    if ((_e881 & 2u) != 0u) {
+                                        if (((_e881 & 4u) != 0u) != _e273) {
+                                            phi_1137_ = false;
                                         } else {
-                                            phi_1119_ = true;
+                                            phi_1137_ = true;
                                         }
-                                        let _e872 = phi_1119_;
-                                        phi_1120_ = _e872;
+                                        let _e890 = phi_1137_;
+                                        phi_1138_ = _e890;
                                     } else {
-                                        phi_1120_ = true;
+                                        phi_1138_ = true;
                                     }
-                                    let _e874 = phi_1120_;
-                                    if _e874 {
-                                        phi_1127_ = (((_e863 & 1u) != 0u) != _e273);
+                                    let _e892 = phi_1138_;
+                                    if _e892 {
+                                        phi_1145_ = (((_e881 & 1u) != 0u) != _e273);
                                     } else {
-                                        phi_1127_ = true;
+                                        phi_1145_ = true;
                                     }
-                                    let _e879 = phi_1127_;
-                                    phi_1128_ = _e879;
+                                    let _e897 = phi_1145_;
+                                    phi_1146_ = _e897;
                                 }
-                                let _e881 = phi_1128_;
-                                if _e737.all_remove {
-                                    if (((_e863 & 1u) != 0u) == _e273) {
-                                        if ((_e863 & 2u) != 0u) {
-                                            phi_1146_ = (((_e863 & 4u) != 0u) == _e273);
+                                let _e899 = phi_1146_;
+                                if _e755.all_remove {
+                                    if (((_e881 & 1u) != 0u) == _e273) {
+                                        if ((_e881 & 2u) != 0u) {
+                                            phi_1164_ = (((_e881 & 4u) != 0u) == _e273);
                                         } else {
-                                            phi_1146_ = true;
+                                            phi_1164_ = true;
                                         }
-                                        let _e891 = phi_1146_;
-                                        phi_1147_ = _e891;
+                                        let _e909 = phi_1164_;
+                                        phi_1165_ = _e909;
                                     } else {
-                                        phi_1147_ = false;
+                                        phi_1165_ = false;
                                     }
-                                    let _e893 = phi_1147_;
-                                    phi_1148_ = _e893;
+                                    let _e911 = phi_1165_;
+                                    phi_1166_ = _e911;
                                 } else {
-                                    phi_1148_ = false;
+                                    phi_1166_ = false;
                                 }
-                                let _e895 = phi_1148_;
-                                phi_943_ = (_e735 + 1u);
-                                phi_946_ = lt_mask_Neighbourhood(_e881, _e895);
+                                let _e913 = phi_1166_;
+                                phi_961_ = (_e753 + 1u);
+                                phi_964_ = lt_mask_Neighbourhood(_e899, _e913);
                             } else {
-                                phi_943_ = u32();
-                                phi_946_ = lt_mask_Neighbourhood();
+                                phi_961_ = u32();
+                                phi_964_ = lt_mask_Neighbourhood();
                             }
-                            let _e899 = phi_943_;
-                            let _e901 = phi_946_;
+                            let _e917 = phi_961_;
+                            let _e919 = phi_964_;
                             continue;
                             continuing {
-                                phi_942_ = _e899;
-                                phi_945_ = _e901;
-                                break if !(_e749);
+                                phi_960_ = _e917;
+                                phi_963_ = _e919;
+                                break if !(_e767);
                             }
                         }
-                        let _e1186 = local_1;
-                        phi_1151_ = _e1186;
+                        let _e1204 = local_1;
+                        phi_1169_ = _e1204;
                     } else {
-                        phi_1151_ = _e726;
+                        phi_1169_ = _e744;
                     }
-                    let _e904 = phi_1151_;
-                    phi_1152_ = _e904;
+                    let _e922 = phi_1169_;
+                    phi_1170_ = _e922;
                 } else {
-                    phi_1152_ = _e726;
+                    phi_1170_ = _e744;
                 }
-                let _e906 = phi_1152_;
-                phi_1153_ = _e906;
+                let _e924 = phi_1170_;
+                phi_1171_ = _e924;
             }
-            let _e908 = phi_1153_;
-            let _e911 = p.member.frame;
-            let _e913 = p.member.refresh;
-            if (_e913 == 0u) {
-                phi_1186_ = false;
+            let _e926 = phi_1171_;
+            let _e929 = p.member.frame;
+            let _e931 = p.member.refresh;
+            if (_e931 == 0u) {
+                phi_1204_ = false;
             } else {
-                if (_e913 == 0u) {
+                if (_e931 == 0u) {
                     return;
                 }
-                let _e922 = ((_e59.x + (_e59.y * (((_e913 * 5u) / 8u) | 1u))) + (_e911 % _e913));
-                if (_e913 == 0u) {
-                    phi_1185_ = (_e922 == 0u);
+                let _e940 = ((_e59.x + (_e59.y * (((_e931 * 5u) / 8u) | 1u))) + (_e929 % _e931));
+                if (_e931 == 0u) {
+                    phi_1203_ = (_e940 == 0u);
                 } else {
-                    if (_e913 == 0u) {
+                    if (_e931 == 0u) {
                         return;
                     }
-                    phi_1185_ = ((_e922 % _e913) == 0u);
+                    phi_1203_ = ((_e940 % _e931) == 0u);
                 }
-                let _e929 = phi_1185_;
-                phi_1186_ = _e929;
+                let _e947 = phi_1203_;
+                phi_1204_ = _e947;
             }
-            let _e931 = phi_1186_;
+            let _e949 = phi_1204_;
             if (_e115 != 0.5f) {
-                if _e714 {
-                    if _e931 {
-                        phi_1241_ = 6u;
+                if _e732 {
+                    if _e949 {
+                        phi_1259_ = 6u;
                     } else {
                         if _e277 {
-                            phi_1216_ = true;
+                            phi_1234_ = true;
                         } else {
-                            if _e908.any_expands {
-                                phi_1215_ = false;
+                            if _e926.any_expands {
+                                phi_1233_ = false;
                             } else {
-                                phi_1215_ = true;
+                                phi_1233_ = true;
                             }
-                            let _e935 = phi_1215_;
-                            phi_1216_ = _e935;
+                            let _e953 = phi_1233_;
+                            phi_1234_ = _e953;
                         }
-                        let _e937 = phi_1216_;
-                        if _e937 {
+                        let _e955 = phi_1234_;
+                        if _e955 {
                             if _e277 {
                                 if false {
-                                    if _e908.all_remove {
-                                        phi_1229_ = false;
+                                    if _e926.all_remove {
+                                        phi_1247_ = false;
                                     } else {
-                                        phi_1229_ = true;
+                                        phi_1247_ = true;
                                     }
-                                    let _e939 = phi_1229_;
-                                    phi_1230_ = _e939;
+                                    let _e957 = phi_1247_;
+                                    phi_1248_ = _e957;
                                 } else {
-                                    phi_1230_ = true;
+                                    phi_1248_ = true;
                                 }
-                                let _e941 = phi_1230_;
-                                phi_1231_ = _e941;
+                                let _e959 = phi_1248_;
+                                phi_1249_ = _e959;
                             } else {
-                                phi_1231_ = true;
+                                phi_1249_ = true;
                             }
-                            let _e943 = phi_1231_;
-                            if _e943 {
+                            let _e961 = phi_1249_;
+                            if _e961 {
                                 if _e277 {
-                                    phi_1238_ = 1u;
+                                    phi_1256_ = 1u;
                                 } else {
-                                    phi_1238_ = 0u;
+                                    phi_1256_ = 0u;
                                 }
-                                let _e945 = phi_1238_;
-                                phi_1239_ = _e945;
+                                let _e963 = phi_1256_;
+                                phi_1257_ = _e963;
                             } else {
-                                phi_1239_ = 5u;
+                                phi_1257_ = 5u;
                             }
-                            let _e947 = phi_1239_;
-                            phi_1240_ = _e947;
+                            let _e965 = phi_1257_;
+                            phi_1258_ = _e965;
                         } else {
-                            phi_1240_ = 4u;
+                            phi_1258_ = 4u;
                         }
-                        let _e949 = phi_1240_;
-                        phi_1241_ = _e949;
+                        let _e967 = phi_1258_;
+                        phi_1259_ = _e967;
                     }
-                    let _e951 = phi_1241_;
-                    phi_1242_ = _e951;
+                    let _e969 = phi_1259_;
+                    phi_1260_ = _e969;
                 } else {
-                    phi_1242_ = 3u;
+                    phi_1260_ = 3u;
                 }
-                let _e953 = phi_1242_;
-                phi_1243_ = _e953;
+                let _e971 = phi_1260_;
+                phi_1261_ = _e971;
             } else {
-                phi_1243_ = 2u;
+                phi_1261_ = 2u;
             }
-            let _e955 = phi_1243_;
-            if !((_e955 == 0u)) {
-                phi_1251_ = !((_e955 == 5u));
+            let _e973 = phi_1261_;
+            if !((_e973 == 0u)) {
+                phi_1269_ = !((_e973 == 5u));
             } else {
-                phi_1251_ = false;
+                phi_1269_ = false;
             }
-            let _e961 = phi_1251_;
-            if _e961 {
+            let _e979 = phi_1269_;
+            if _e979 {
                 if _e273 {
-                    phi_1259_ = (2u | 1u);
+                    phi_1277_ = (2u | 1u);
                 } else {
-                    phi_1259_ = 2u;
+                    phi_1277_ = 2u;
                 }
-                let _e964 = phi_1259_;
+                let _e982 = phi_1277_;
                 if false {
-                    phi_1264_ = (_e964 | 4u);
+                    phi_1282_ = (_e982 | 4u);
                 } else {
-                    phi_1264_ = _e964;
+                    phi_1282_ = _e982;
                 }
-                let _e967 = phi_1264_;
-                phi_1269_ = _e967;
+                let _e985 = phi_1282_;
+                phi_1287_ = _e985;
             } else {
                 if _e273 {
-                    phi_1268_ = 1u;
+                    phi_1286_ = 1u;
                 } else {
-                    phi_1268_ = 0u;
+                    phi_1286_ = 0u;
                 }
-                let _e969 = phi_1268_;
-                phi_1269_ = _e969;
+                let _e987 = phi_1286_;
+                phi_1287_ = _e987;
             }
-            let _e971 = phi_1269_;
+            let _e989 = phi_1287_;
             if _e273 {
-                phi_1273_ = 0f;
+                phi_1291_ = 0f;
             } else {
-                phi_1273_ = 1f;
+                phi_1291_ = 1f;
             }
-            let _e973 = phi_1273_;
-            phi_1275_ = mask_Masked(_e973, _e971, _e961);
+            let _e991 = phi_1291_;
+            phi_1293_ = mask_Masked(_e991, _e989, _e979);
         }
-        let _e976 = phi_1275_;
-        visibility.member[_e79.shift] = _e976.visibility;
-        let _e981 = p.member.light.number;
-        let _e982 = (_e981 * 3u);
-        let _e984 = (_e982 % 32u);
-        let _e986 = p.member.light.mask_words;
-        let _e988 = ((_e79.shift * _e986) + (_e982 / 32u));
-        let _e990 = bits.member[_e988];
-        bits.member[_e988] = ((_e990 & ~((7u << bitcast<u32>((_e984 & 31u))))) | (_e976.bits << bitcast<u32>((_e984 & 31u))));
-        if (_e984 > 29u) {
-            let _e1005 = bits.member[(_e988 + 1u)];
-            let _e1007 = (32u - _e984);
-            bits.member[(_e988 + 1u)] = ((_e1005 & ~((7u >> bitcast<u32>((_e1007 & 31u))))) | (_e976.bits >> bitcast<u32>((_e1007 & 31u))));
+        let _e994 = phi_1293_;
+        visibility.member[_e79.shift] = _e994.visibility;
+        let _e999 = p.member.light.number;
+        let _e1000 = (_e999 * 3u);
+        let _e1002 = (_e1000 % 32u);
+        let _e1004 = p.member.light.mask_words;
+        let _e1006 = ((_e79.shift * _e1004) + (_e1000 / 32u));
+        let _e1008 = bits.member[_e1006];
+        bits.member[_e1006] = ((_e1008 & ~((7u << bitcast<u32>((_e1002 & 31u))))) | (_e994.bits << bitcast<u32>((_e1002 & 31u))));
+        if (_e1002 > 29u) {
+            let _e1023 = bits.member[(_e1006 + 1u)];
+            let _e1025 = (32u - _e1002);
+            bits.member[(_e1006 + 1u)] = ((_e1023 & ~((7u >> bitcast<u32>((_e1025 & 31u))))) | (_e994.bits >> bitcast<u32>((_e1025 & 31u))));
         }
-        let _e1022 = samples.member[_e79.shift].normal[0u];
-        let _e1024 = global[0u];
-        if (_e1022 == _e1024) {
-            let _e1027 = samples.member[_e79.shift].normal[1u];
-            let _e1029 = global[1u];
-            if (_e1027 == _e1029) {
-                let _e1032 = samples.member[_e79.shift].normal[2u];
-                let _e1034 = global[2u];
-                phi_1347_ = (_e1032 == _e1034);
-                phi_1348_ = false;
+        let _e1040 = samples.member[_e79.shift].normal[0u];
+        let _e1042 = global[0u];
+        if (_e1040 == _e1042) {
+            let _e1045 = samples.member[_e79.shift].normal[1u];
+            let _e1047 = global[1u];
+            if (_e1045 == _e1047) {
+                let _e1050 = samples.member[_e79.shift].normal[2u];
+                let _e1052 = global[2u];
+                phi_1365_ = (_e1050 == _e1052);
+                phi_1366_ = false;
             } else {
-                phi_1347_ = bool();
-                phi_1348_ = true;
+                phi_1365_ = bool();
+                phi_1366_ = true;
             }
-            let _e1037 = phi_1347_;
-            let _e1039 = phi_1348_;
-            phi_1349_ = _e1037;
-            phi_1350_ = _e1039;
+            let _e1055 = phi_1365_;
+            let _e1057 = phi_1366_;
+            phi_1367_ = _e1055;
+            phi_1368_ = _e1057;
         } else {
-            phi_1349_ = bool();
-            phi_1350_ = true;
+            phi_1367_ = bool();
+            phi_1368_ = true;
         }
-        let _e1041 = phi_1349_;
-        let _e1043 = phi_1350_;
-        if _e1043 {
-            phi_1354_ = false;
+        let _e1059 = phi_1367_;
+        let _e1061 = phi_1368_;
+        if _e1061 {
+            phi_1372_ = false;
         } else {
-            phi_1354_ = _e1041;
+            phi_1372_ = _e1059;
         }
-        let _e1045 = phi_1354_;
-        if !(_e1045) {
-            let _e1048 = samples.member[_e79.shift].position;
-            let _e1050 = p.member.current.eye;
-            let _e1061 = p.member.current.forward;
-            phi_1382_ = ((((_e1048.x - _e1050.x) * _e1061.x) + ((_e1048.y - _e1050.y) * _e1061.y)) + ((_e1048.z - _e1050.z) * _e1061.z));
+        let _e1063 = phi_1372_;
+        if !(_e1063) {
+            let _e1066 = samples.member[_e79.shift].position;
+            let _e1068 = p.member.current.eye;
+            let _e1079 = p.member.current.forward;
+            phi_1400_ = ((((_e1066.x - _e1068.x) * _e1079.x) + ((_e1066.y - _e1068.y) * _e1079.y)) + ((_e1066.z - _e1068.z) * _e1079.z));
         } else {
-            phi_1382_ = 0f;
+            phi_1400_ = 0f;
         }
-        let _e1071 = phi_1382_;
-        depths.member[_e79.shift] = _e1071;
-        phi_1385_ = _e976.needs_ray;
-        phi_1386_ = _e79.shift;
+        let _e1089 = phi_1400_;
+        depths.member[_e79.shift] = _e1089;
+        phi_1403_ = _e994.needs_ray;
+        phi_1404_ = _e79.shift;
     } else {
-        phi_1385_ = false;
-        phi_1386_ = 0u;
+        phi_1403_ = false;
+        phi_1404_ = 0u;
     }
-    let _e1075 = phi_1385_;
-    let _e1077 = phi_1386_;
+    let _e1093 = phi_1403_;
+    let _e1095 = phi_1404_;
     if (_e60 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1075 {
-        let _e1081 = atomicAdd((&shared_[0u]), 1u);
-        phi_1397_ = _e1081;
+    if _e1093 {
+        let _e1099 = atomicAdd((&shared_[0u]), 1u);
+        phi_1415_ = _e1099;
     } else {
-        phi_1397_ = 0u;
+        phi_1415_ = 0u;
     }
-    let _e1083 = phi_1397_;
+    let _e1101 = phi_1415_;
     workgroupBarrier();
     if (_e60 == 0u) {
-        let _e1087 = atomicLoad((&shared_[0u]));
-        let _e1088 = atomicAdd((&list.member[3u]), _e1087);
-        atomicStore((&shared_[1u]), _e1088);
+        let _e1105 = atomicLoad((&shared_[0u]));
+        let _e1106 = atomicAdd((&list.member[3u]), _e1105);
+        atomicStore((&shared_[1u]), _e1106);
     }
     workgroupBarrier();
-    if _e1075 {
-        let _e1091 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1091) + _e1083)]), _e1077);
+    if _e1093 {
+        let _e1109 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1109) + _e1101)]), _e1095);
     }
     return;
 }

@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_LightParams {
@@ -114,274 +114,274 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_170_: lt_mask_LightPlace;
-    var phi_171_: bool;
-    var phi_172_: lt_mask_LightPlace;
-    var phi_173_: bool;
-    var phi_178_: lt_mask_LightPlace;
+    var phi_171_: lt_mask_LightPlace;
+    var phi_172_: bool;
+    var phi_173_: lt_mask_LightPlace;
+    var phi_174_: bool;
+    var phi_179_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_170_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_171_ = false;
+            phi_171_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_172_ = false;
         } else {
-            phi_170_ = lt_mask_LightPlace();
-            phi_171_ = true;
+            phi_171_ = lt_mask_LightPlace();
+            phi_172_ = true;
         }
-        let _e67 = phi_170_;
-        let _e69 = phi_171_;
-        phi_172_ = _e67;
-        phi_173_ = _e69;
+        let _e67 = phi_171_;
+        let _e69 = phi_172_;
+        phi_173_ = _e67;
+        phi_174_ = _e69;
     } else {
-        phi_172_ = lt_mask_LightPlace();
-        phi_173_ = true;
+        phi_173_ = lt_mask_LightPlace();
+        phi_174_ = true;
     }
-    let _e71 = phi_172_;
-    let _e73 = phi_173_;
+    let _e71 = phi_173_;
+    let _e73 = phi_174_;
     if _e73 {
-        phi_178_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_179_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_178_ = _e71;
+        phi_179_ = _e71;
     }
-    let _e78 = phi_178_;
+    let _e78 = phi_179_;
     return lt_mask_LightPlace(_e78.word, _e78.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_196_: vec2<i32>;
+    var phi_197_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_196_ = vec2(0i);
+            phi_197_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_196_ = vec2<i32>(0i, -1i);
+            phi_197_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_196_ = vec2<i32>(-1i, 0i);
+            phi_197_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_196_ = vec2<i32>(1i, 0i);
+            phi_197_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_196_ = vec2<i32>(0i, 1i);
+            phi_197_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e63 = phi_196_;
+    let _e63 = phi_197_;
     return vec2<i32>(_e63.x, _e63.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_214_: vec2<i32>;
+    var phi_215_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_214_ = vec2(0i);
+            phi_215_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_214_ = vec2(-1i);
+            phi_215_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_214_ = vec2<i32>(1i, -1i);
+            phi_215_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_214_ = vec2<i32>(-1i, 1i);
+            phi_215_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_214_ = vec2(1i);
+            phi_215_ = vec2(1i);
             break;
         }
     }
-    let _e63 = phi_214_;
+    let _e63 = phi_215_;
     return vec2<i32>(_e63.x, _e63.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_233_: vec2<i32>;
+    var phi_234_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e57 = lt_mask_pattern_plus(param_5);
-        phi_233_ = vec2<i32>(_e57.x, _e57.y);
+        phi_234_ = vec2<i32>(_e57.x, _e57.y);
     } else {
         let _e61 = lt_mask_pattern_cross(param_5);
-        phi_233_ = vec2<i32>(_e61.x, _e61.y);
+        phi_234_ = vec2<i32>(_e61.x, _e61.y);
     }
-    let _e66 = phi_233_;
+    let _e66 = phi_234_;
     return vec2<i32>(_e66.x, _e66.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_258_: vec2<i32>;
+    var phi_259_: vec2<i32>;
 
     let _e55 = (param_7 % 13u);
     switch bitcast<i32>(_e55) {
         case 9: {
-            phi_258_ = vec2<i32>(0i, -2i);
+            phi_259_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_258_ = vec2<i32>(-2i, 0i);
+            phi_259_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_258_ = vec2<i32>(2i, 0i);
+            phi_259_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_258_ = vec2<i32>(0i, 2i);
+            phi_259_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_258_ = vec2<i32>((bitcast<i32>((_e55 % 3u)) - 1i), (bitcast<i32>(((_e55 / 3u) % 3u)) - 1i));
+            phi_259_ = vec2<i32>((bitcast<i32>((_e55 % 3u)) - 1i), (bitcast<i32>(((_e55 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e70 = phi_258_;
+    let _e70 = phi_259_;
     return vec2<i32>(_e70.x, _e70.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_279_: u32;
     var phi_280_: u32;
+    var phi_281_: u32;
 
     let _e58 = (bitcast<i32>(param_8) + param_9);
     if (_e58 < 0i) {
-        phi_280_ = 0u;
+        phi_281_ = 0u;
     } else {
         if (_e58 >= bitcast<i32>(param_10)) {
-            phi_279_ = (param_10 - 1u);
+            phi_280_ = (param_10 - 1u);
         } else {
-            phi_279_ = bitcast<u32>(_e58);
+            phi_280_ = bitcast<u32>(_e58);
         }
-        let _e65 = phi_279_;
-        phi_280_ = _e65;
+        let _e65 = phi_280_;
+        phi_281_ = _e65;
     }
-    let _e67 = phi_280_;
+    let _e67 = phi_281_;
     return _e67;
 }
 
 fn function_() {
-    var phi_352_: bool;
     var phi_353_: bool;
     var phi_354_: bool;
     var phi_355_: bool;
-    var phi_359_: bool;
-    var phi_429_: bool;
+    var phi_356_: bool;
+    var phi_360_: bool;
     var phi_430_: bool;
-    var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_442_: bool;
-    var phi_443_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_444_: bool;
-    var phi_451_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_468_: bool;
-    var phi_657_: f32;
-    var phi_662_: f32;
-    var phi_663_: bool;
-    var phi_664_: f32;
-    var phi_665_: bool;
-    var phi_669_: f32;
-    var phi_692_: f32;
-    var phi_697_: f32;
-    var phi_698_: bool;
-    var phi_699_: f32;
-    var phi_700_: bool;
-    var phi_704_: f32;
-    var phi_725_: bool;
-    var phi_744_: vec2<u32>;
-    var phi_745_: bool;
-    var phi_746_: bool;
-    var phi_747_: bool;
-    var phi_748_: vec2<u32>;
-    var phi_749_: bool;
-    var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_752_: bool;
-    var phi_753_: bool;
-    var phi_754_: bool;
-    var phi_755_: vec2<u32>;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_760_: bool;
-    var phi_761_: bool;
+    var phi_431_: bool;
+    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_443_: bool;
+    var phi_444_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_445_: bool;
+    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_469_: bool;
+    var phi_677_: f32;
+    var phi_682_: f32;
+    var phi_683_: bool;
+    var phi_684_: f32;
+    var phi_685_: bool;
+    var phi_689_: f32;
+    var phi_710_: f32;
+    var phi_715_: f32;
+    var phi_716_: bool;
+    var phi_717_: f32;
+    var phi_718_: bool;
+    var phi_722_: f32;
+    var phi_743_: bool;
     var phi_762_: vec2<u32>;
     var phi_763_: bool;
     var phi_764_: bool;
     var phi_765_: bool;
-    var phi_766_: bool;
+    var phi_766_: vec2<u32>;
+    var phi_767_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_773_: vec2<u32>;
+    var phi_774_: bool;
     var phi_775_: bool;
     var phi_776_: bool;
     var phi_777_: bool;
     var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: vec2<u32>;
+    var phi_781_: bool;
     var phi_782_: bool;
     var phi_783_: bool;
-    var phi_784_: vec2<u32>;
-    var phi_826_: bool;
-    var phi_827_: bool;
-    var phi_829_: bool;
-    var phi_830_: lt_mask_Reprojection;
-    var phi_831_: lt_mask_Reprojection;
-    var phi_832_: bool;
-    var phi_836_: bool;
-    var phi_837_: lt_mask_Reprojection;
-    var phi_865_: u32;
-    var phi_867_: u32;
-    var phi_870_: lt_mask_Neighbourhood;
-    var phi_882_: bool;
-    var phi_883_: bool;
-    var phi_892_: u32;
-    var phi_893_: u32;
-    var phi_953_: vec2<i32>;
-    var phi_973_: vec2<i32>;
-    var phi_998_: u32;
-    var phi_1017_: u32;
-    var phi_1025_: u32;
-    var phi_1042_: bool;
-    var phi_1043_: bool;
-    var phi_1050_: bool;
-    var phi_1051_: bool;
+    var phi_784_: bool;
+    var phi_793_: bool;
+    var phi_794_: bool;
+    var phi_795_: bool;
+    var phi_796_: bool;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_802_: vec2<u32>;
+    var phi_844_: bool;
+    var phi_845_: bool;
+    var phi_847_: bool;
+    var phi_848_: lt_mask_Reprojection;
+    var phi_849_: lt_mask_Reprojection;
+    var phi_850_: bool;
+    var phi_854_: bool;
+    var phi_855_: lt_mask_Reprojection;
+    var phi_883_: u32;
+    var phi_885_: u32;
+    var phi_888_: lt_mask_Neighbourhood;
+    var phi_900_: bool;
+    var phi_901_: bool;
+    var phi_910_: u32;
+    var phi_911_: u32;
+    var phi_971_: vec2<i32>;
+    var phi_991_: vec2<i32>;
+    var phi_1016_: u32;
+    var phi_1035_: u32;
+    var phi_1043_: u32;
+    var phi_1060_: bool;
+    var phi_1061_: bool;
+    var phi_1068_: bool;
     var phi_1069_: bool;
-    var phi_1070_: bool;
-    var phi_1071_: bool;
-    var phi_868_: u32;
-    var phi_871_: lt_mask_Neighbourhood;
-    var phi_1074_: lt_mask_Neighbourhood;
-    var phi_1075_: lt_mask_Neighbourhood;
-    var phi_1076_: lt_mask_Neighbourhood;
-    var phi_1108_: bool;
-    var phi_1109_: bool;
-    var phi_1138_: bool;
-    var phi_1139_: bool;
-    var phi_1152_: bool;
-    var phi_1153_: bool;
-    var phi_1154_: bool;
-    var phi_1161_: u32;
-    var phi_1162_: u32;
-    var phi_1163_: u32;
-    var phi_1164_: u32;
-    var phi_1165_: u32;
-    var phi_1166_: u32;
-    var phi_1174_: bool;
+    var phi_1087_: bool;
+    var phi_1088_: bool;
+    var phi_1089_: bool;
+    var phi_886_: u32;
+    var phi_889_: lt_mask_Neighbourhood;
+    var phi_1092_: lt_mask_Neighbourhood;
+    var phi_1093_: lt_mask_Neighbourhood;
+    var phi_1094_: lt_mask_Neighbourhood;
+    var phi_1126_: bool;
+    var phi_1127_: bool;
+    var phi_1156_: bool;
+    var phi_1157_: bool;
+    var phi_1170_: bool;
+    var phi_1171_: bool;
+    var phi_1172_: bool;
+    var phi_1179_: u32;
+    var phi_1180_: u32;
+    var phi_1181_: u32;
     var phi_1182_: u32;
-    var phi_1187_: u32;
-    var phi_1191_: u32;
-    var phi_1192_: u32;
-    var phi_1196_: f32;
-    var phi_1198_: mask_Masked;
-    var phi_1248_: bool;
-    var phi_1249_: u32;
-    var phi_1260_: u32;
+    var phi_1183_: u32;
+    var phi_1184_: u32;
+    var phi_1192_: bool;
+    var phi_1200_: u32;
+    var phi_1205_: u32;
+    var phi_1209_: u32;
+    var phi_1210_: u32;
+    var phi_1214_: f32;
+    var phi_1216_: mask_Masked;
+    var phi_1266_: bool;
+    var phi_1267_: u32;
+    var phi_1278_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e54 = id_1;
@@ -406,28 +406,28 @@ fn function_() {
             if (_e102 == _e104) {
                 let _e107 = samples.member[_e70.shift].normal[2u];
                 let _e109 = global[2u];
-                phi_352_ = (_e107 == _e109);
-                phi_353_ = false;
+                phi_353_ = (_e107 == _e109);
+                phi_354_ = false;
             } else {
-                phi_352_ = bool();
-                phi_353_ = true;
+                phi_353_ = bool();
+                phi_354_ = true;
             }
-            let _e112 = phi_352_;
-            let _e114 = phi_353_;
-            phi_354_ = _e112;
-            phi_355_ = _e114;
+            let _e112 = phi_353_;
+            let _e114 = phi_354_;
+            phi_355_ = _e112;
+            phi_356_ = _e114;
         } else {
-            phi_354_ = bool();
-            phi_355_ = true;
+            phi_355_ = bool();
+            phi_356_ = true;
         }
-        let _e116 = phi_354_;
-        let _e118 = phi_355_;
+        let _e116 = phi_355_;
+        let _e118 = phi_356_;
         if _e118 {
-            phi_359_ = false;
+            phi_360_ = false;
         } else {
-            phi_359_ = _e116;
+            phi_360_ = _e116;
         }
-        let _e120 = phi_359_;
+        let _e120 = phi_360_;
         if !(_e120) {
             let _e123 = samples.member[_e70.shift].position;
             let _e125 = p.member.light.place;
@@ -441,64 +441,64 @@ fn function_() {
                 let _e158 = p.member.light.axis;
                 let _e170 = p.member.light.place[3u];
                 if (_e170 == 0f) {
-                    phi_430_ = true;
+                    phi_431_ = true;
                 } else {
                     let _e173 = p.member.light.range_squared;
                     if (_e156 <= _e173) {
                         let _e176 = p.member.light.cos_outer;
-                        phi_429_ = (-((((_e138 * _e158.x) + (_e139 * _e158.y)) + (_e140 * _e158.z))) >= (_e176 * sqrt(_e156)));
+                        phi_430_ = (-((((_e138 * _e158.x) + (_e139 * _e158.y)) + (_e140 * _e158.z))) >= (_e176 * sqrt(_e156)));
                     } else {
-                        phi_429_ = false;
+                        phi_430_ = false;
                     }
-                    let _e181 = phi_429_;
-                    phi_430_ = _e181;
+                    let _e181 = phi_430_;
+                    phi_431_ = _e181;
                 }
-                let _e183 = phi_430_;
+                let _e183 = phi_431_;
                 if _e183 {
                     let _e185 = samples.member[_e70.shift].flags;
                     let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
-                    phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, ((_e185 & 1u) == 0u));
-                    phi_442_ = false;
+                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, ((_e185 & 1u) == 0u));
+                    phi_443_ = false;
                 } else {
-                    phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_442_ = true;
+                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_443_ = true;
                 }
-                let _e204 = phi_441_;
-                let _e206 = phi_442_;
-                phi_443_ = _e204;
-                phi_444_ = _e206;
+                let _e204 = phi_442_;
+                let _e206 = phi_443_;
+                phi_444_ = _e204;
+                phi_445_ = _e206;
             } else {
-                phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_444_ = true;
+                phi_444_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_445_ = true;
             }
-            let _e208 = phi_443_;
-            let _e210 = phi_444_;
+            let _e208 = phi_444_;
+            let _e210 = phi_445_;
             if _e210 {
                 let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e216.unnamed.visibility, false), _e216.unnamed_1);
-                phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e222.unnamed, true);
+                phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e222.unnamed, true);
             } else {
-                phi_451_ = _e208;
+                phi_452_ = _e208;
             }
-            let _e227 = phi_451_;
-            phi_455_ = _e227;
+            let _e227 = phi_452_;
+            phi_456_ = _e227;
         } else {
             let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e233.unnamed.visibility, false), _e233.unnamed_1);
-            phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e239.unnamed, true);
+            phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e239.unnamed, true);
         }
-        let _e244 = phi_455_;
+        let _e244 = phi_456_;
         if _e244.unnamed_1 {
-            phi_1198_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
+            phi_1216_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
         } else {
             let _e249 = (_e91 < 0.5f);
             if (_e91 > 0f) {
-                phi_468_ = (_e91 < 1f);
+                phi_469_ = (_e91 < 1f);
             } else {
-                phi_468_ = false;
+                phi_469_ = false;
             }
-            let _e253 = phi_468_;
+            let _e253 = phi_469_;
             let _e255 = samples.member[_e70.shift].position;
             let _e259 = p.member.previous.eye;
             let _e262 = (_e89.x - _e259.x);
@@ -524,628 +524,630 @@ fn function_() {
             let _e407 = (((((((_e262 * _e280.x) + (_e265 * _e280.y)) + (_e268 * _e280.z)) / ((((_e290.x * _e290.x) + (_e290.y * _e290.y)) + (_e290.z * _e290.z)) * _e278)) - ((((_e333 * _e351.x) + (_e336 * _e351.y)) + (_e339 * _e351.z)) / ((((_e361.x * _e361.x) + (_e361.y * _e361.y)) + (_e361.z * _e361.z)) * _e349))) * 0.5f) * f32(_e405));
             let _e411 = p.member.current.size[1u];
             let _e413 = (((((((_e262 * _e305.x) + (_e265 * _e305.y)) + (_e268 * _e305.z)) / ((((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)) * _e278)) - ((((_e333 * _e376.x) + (_e336 * _e376.y)) + (_e339 * _e376.z)) / ((((_e386.x * _e386.x) + (_e386.y * _e386.y)) + (_e386.z * _e386.z)) * _e349))) * -0.5f) * f32(_e411));
-            let _e417 = p.member.current.size[0u];
-            let _e419 = p.member.current.size[1u];
-            let _e423 = ((f32(_e54.x) + 0.5f) + _e407);
-            if (_e423 > -8388608f) {
-                let _e435 = f32(select(0i, select(select(i32(_e423), i32(-2147483648), (_e423 < bitcast<f32>(3472883712u))), 2147483647i, (_e423 > bitcast<f32>(1325400063u))), (_e423 == _e423)));
-                if (_e435 > _e423) {
-                    phi_657_ = 1f;
+            let _e417 = p.member.current.grid[0u];
+            let _e419 = p.member.current.grid[1u];
+            let _e439 = p.member.current.size[0u];
+            let _e441 = p.member.current.size[1u];
+            let _e443 = ((f32(_e54.x) + ((f32((_e54.y & (_e419 - 1u))) + 0.5f) / f32(_e419))) + _e407);
+            if (_e443 > -8388608f) {
+                let _e455 = f32(select(0i, select(select(i32(_e443), i32(-2147483648), (_e443 < bitcast<f32>(3472883712u))), 2147483647i, (_e443 > bitcast<f32>(1325400063u))), (_e443 == _e443)));
+                if (_e455 > _e443) {
+                    phi_677_ = 1f;
                 } else {
-                    phi_657_ = 0f;
+                    phi_677_ = 0f;
                 }
-                let _e438 = phi_657_;
-                if (_e423 < 8388608f) {
-                    phi_662_ = (_e435 - _e438);
-                    phi_663_ = false;
+                let _e458 = phi_677_;
+                if (_e443 < 8388608f) {
+                    phi_682_ = (_e455 - _e458);
+                    phi_683_ = false;
                 } else {
-                    phi_662_ = f32();
-                    phi_663_ = true;
+                    phi_682_ = f32();
+                    phi_683_ = true;
                 }
-                let _e441 = phi_662_;
-                let _e443 = phi_663_;
-                phi_664_ = _e441;
-                phi_665_ = _e443;
+                let _e461 = phi_682_;
+                let _e463 = phi_683_;
+                phi_684_ = _e461;
+                phi_685_ = _e463;
             } else {
-                phi_664_ = f32();
-                phi_665_ = true;
+                phi_684_ = f32();
+                phi_685_ = true;
             }
-            let _e445 = phi_664_;
-            let _e447 = phi_665_;
-            if _e447 {
-                phi_669_ = _e423;
+            let _e465 = phi_684_;
+            let _e467 = phi_685_;
+            if _e467 {
+                phi_689_ = _e443;
             } else {
-                phi_669_ = _e445;
+                phi_689_ = _e465;
             }
-            let _e449 = phi_669_;
-            let _e452 = ((f32(_e54.y) + 0.5f) + _e413);
-            if (_e452 > -8388608f) {
-                let _e464 = f32(select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < bitcast<f32>(3472883712u))), 2147483647i, (_e452 > bitcast<f32>(1325400063u))), (_e452 == _e452)));
-                if (_e464 > _e452) {
-                    phi_692_ = 1f;
+            let _e469 = phi_689_;
+            let _e470 = ((f32(_e54.y) + ((f32((_e54.x & (_e417 - 1u))) + 0.5f) / f32(_e417))) + _e413);
+            if (_e470 > -8388608f) {
+                let _e482 = f32(select(0i, select(select(i32(_e470), i32(-2147483648), (_e470 < bitcast<f32>(3472883712u))), 2147483647i, (_e470 > bitcast<f32>(1325400063u))), (_e470 == _e470)));
+                if (_e482 > _e470) {
+                    phi_710_ = 1f;
                 } else {
-                    phi_692_ = 0f;
+                    phi_710_ = 0f;
                 }
-                let _e467 = phi_692_;
-                if (_e452 < 8388608f) {
-                    phi_697_ = (_e464 - _e467);
-                    phi_698_ = false;
+                let _e485 = phi_710_;
+                if (_e470 < 8388608f) {
+                    phi_715_ = (_e482 - _e485);
+                    phi_716_ = false;
                 } else {
-                    phi_697_ = f32();
-                    phi_698_ = true;
+                    phi_715_ = f32();
+                    phi_716_ = true;
                 }
-                let _e470 = phi_697_;
-                let _e472 = phi_698_;
-                phi_699_ = _e470;
-                phi_700_ = _e472;
+                let _e488 = phi_715_;
+                let _e490 = phi_716_;
+                phi_717_ = _e488;
+                phi_718_ = _e490;
             } else {
-                phi_699_ = f32();
-                phi_700_ = true;
+                phi_717_ = f32();
+                phi_718_ = true;
             }
-            let _e474 = phi_699_;
-            let _e476 = phi_700_;
-            if _e476 {
-                phi_704_ = _e452;
+            let _e492 = phi_717_;
+            let _e494 = phi_718_;
+            if _e494 {
+                phi_722_ = _e470;
             } else {
-                phi_704_ = _e474;
+                phi_722_ = _e492;
             }
-            let _e478 = phi_704_;
-            if (_e449 >= 0f) {
-                if (_e478 >= 0f) {
-                    if (_e449 < f32(_e417)) {
-                        let _e484 = (_e478 < f32(_e419));
+            let _e496 = phi_722_;
+            if (_e469 >= 0f) {
+                if (_e496 >= 0f) {
+                    if (_e469 < f32(_e439)) {
+                        let _e502 = (_e496 < f32(_e441));
                         if (_e407 == 0f) {
-                            phi_725_ = (_e413 == 0f);
+                            phi_743_ = (_e413 == 0f);
                         } else {
-                            phi_725_ = false;
+                            phi_743_ = false;
                         }
-                        let _e488 = phi_725_;
-                        if _e484 {
-                            phi_744_ = vec2<u32>(select(select(u32(_e449), 0u, (_e449 < bitcast<f32>(0u))), 4294967295u, (_e449 > bitcast<f32>(1333788671u))), select(select(u32(_e478), 0u, (_e478 < bitcast<f32>(0u))), 4294967295u, (_e478 > bitcast<f32>(1333788671u))));
-                            phi_745_ = false;
+                        let _e506 = phi_743_;
+                        if _e502 {
+                            phi_762_ = vec2<u32>(select(select(u32(_e469), 0u, (_e469 < bitcast<f32>(0u))), 4294967295u, (_e469 > bitcast<f32>(1333788671u))), select(select(u32(_e496), 0u, (_e496 < bitcast<f32>(0u))), 4294967295u, (_e496 > bitcast<f32>(1333788671u))));
+                            phi_763_ = false;
                         } else {
-                            phi_744_ = vec2<u32>();
-                            phi_745_ = true;
+                            phi_762_ = vec2<u32>();
+                            phi_763_ = true;
                         }
-                        let _e505 = phi_744_;
-                        let _e507 = phi_745_;
-                        phi_746_ = _e488;
-                        phi_747_ = _e484;
-                        phi_748_ = _e505;
-                        phi_749_ = _e488;
-                        phi_750_ = _e484;
-                        phi_751_ = false;
-                        phi_752_ = _e507;
+                        let _e523 = phi_762_;
+                        let _e525 = phi_763_;
+                        phi_764_ = _e506;
+                        phi_765_ = _e502;
+                        phi_766_ = _e523;
+                        phi_767_ = _e506;
+                        phi_768_ = _e502;
+                        phi_769_ = false;
+                        phi_770_ = _e525;
                     } else {
-                        phi_746_ = bool();
-                        phi_747_ = bool();
-                        phi_748_ = vec2<u32>();
-                        phi_749_ = bool();
-                        phi_750_ = bool();
-                        phi_751_ = true;
-                        phi_752_ = false;
+                        phi_764_ = bool();
+                        phi_765_ = bool();
+                        phi_766_ = vec2<u32>();
+                        phi_767_ = bool();
+                        phi_768_ = bool();
+                        phi_769_ = true;
+                        phi_770_ = false;
                     }
-                    let _e509 = phi_746_;
-                    let _e511 = phi_747_;
-                    let _e513 = phi_748_;
-                    let _e515 = phi_749_;
-                    let _e517 = phi_750_;
-                    let _e519 = phi_751_;
-                    let _e521 = phi_752_;
-                    phi_753_ = _e509;
-                    phi_754_ = _e511;
-                    phi_755_ = _e513;
-                    phi_756_ = _e515;
-                    phi_757_ = _e517;
-                    phi_758_ = _e519;
-                    phi_759_ = _e521;
+                    let _e527 = phi_764_;
+                    let _e529 = phi_765_;
+                    let _e531 = phi_766_;
+                    let _e533 = phi_767_;
+                    let _e535 = phi_768_;
+                    let _e537 = phi_769_;
+                    let _e539 = phi_770_;
+                    phi_771_ = _e527;
+                    phi_772_ = _e529;
+                    phi_773_ = _e531;
+                    phi_774_ = _e533;
+                    phi_775_ = _e535;
+                    phi_776_ = _e537;
+                    phi_777_ = _e539;
                 } else {
-                    phi_753_ = bool();
-                    phi_754_ = bool();
-                    phi_755_ = vec2<u32>();
-                    phi_756_ = bool();
-                    phi_757_ = bool();
-                    phi_758_ = true;
-                    phi_759_ = false;
+                    phi_771_ = bool();
+                    phi_772_ = bool();
+                    phi_773_ = vec2<u32>();
+                    phi_774_ = bool();
+                    phi_775_ = bool();
+                    phi_776_ = true;
+                    phi_777_ = false;
                 }
-                let _e523 = phi_753_;
-                let _e525 = phi_754_;
-                let _e527 = phi_755_;
-                let _e529 = phi_756_;
-                let _e531 = phi_757_;
-                let _e533 = phi_758_;
-                let _e535 = phi_759_;
-                phi_760_ = _e523;
-                phi_761_ = _e525;
-                phi_762_ = _e527;
-                phi_763_ = _e529;
-                phi_764_ = _e531;
-                phi_765_ = _e533;
-                phi_766_ = _e535;
+                let _e541 = phi_771_;
+                let _e543 = phi_772_;
+                let _e545 = phi_773_;
+                let _e547 = phi_774_;
+                let _e549 = phi_775_;
+                let _e551 = phi_776_;
+                let _e553 = phi_777_;
+                phi_778_ = _e541;
+                phi_779_ = _e543;
+                phi_780_ = _e545;
+                phi_781_ = _e547;
+                phi_782_ = _e549;
+                phi_783_ = _e551;
+                phi_784_ = _e553;
             } else {
-                phi_760_ = bool();
-                phi_761_ = bool();
-                phi_762_ = vec2<u32>();
-                phi_763_ = bool();
-                phi_764_ = bool();
-                phi_765_ = true;
-                phi_766_ = false;
+                phi_778_ = bool();
+                phi_779_ = bool();
+                phi_780_ = vec2<u32>();
+                phi_781_ = bool();
+                phi_782_ = bool();
+                phi_783_ = true;
+                phi_784_ = false;
             }
-            let _e537 = phi_760_;
-            let _e539 = phi_761_;
-            let _e541 = phi_762_;
-            let _e543 = phi_763_;
-            let _e545 = phi_764_;
-            let _e547 = phi_765_;
-            let _e549 = phi_766_;
-            if _e547 {
+            let _e555 = phi_778_;
+            let _e557 = phi_779_;
+            let _e559 = phi_780_;
+            let _e561 = phi_781_;
+            let _e563 = phi_782_;
+            let _e565 = phi_783_;
+            let _e567 = phi_784_;
+            if _e565 {
                 if (_e407 == 0f) {
-                    phi_775_ = (_e413 == 0f);
+                    phi_793_ = (_e413 == 0f);
                 } else {
-                    phi_775_ = false;
+                    phi_793_ = false;
                 }
-                let _e553 = phi_775_;
-                phi_776_ = _e553;
-                phi_777_ = false;
-                phi_778_ = true;
+                let _e571 = phi_793_;
+                phi_794_ = _e571;
+                phi_795_ = false;
+                phi_796_ = true;
             } else {
-                phi_776_ = _e543;
-                phi_777_ = _e545;
-                phi_778_ = _e549;
+                phi_794_ = _e561;
+                phi_795_ = _e563;
+                phi_796_ = _e567;
             }
-            let _e555 = phi_776_;
-            let _e557 = phi_777_;
-            let _e559 = phi_778_;
-            if _e559 {
-                phi_782_ = _e555;
-                phi_783_ = _e557;
-                phi_784_ = vec2<u32>(_e54.x, _e54.y);
+            let _e573 = phi_794_;
+            let _e575 = phi_795_;
+            let _e577 = phi_796_;
+            if _e577 {
+                phi_800_ = _e573;
+                phi_801_ = _e575;
+                phi_802_ = vec2<u32>(_e54.x, _e54.y);
             } else {
-                phi_782_ = _e537;
-                phi_783_ = _e539;
-                phi_784_ = _e541;
+                phi_800_ = _e555;
+                phi_801_ = _e557;
+                phi_802_ = _e559;
             }
-            let _e561 = phi_782_;
-            let _e563 = phi_783_;
-            let _e565 = phi_784_;
-            let _e575 = lt_mask_Reprojection(vec2<u32>(_e565.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e582 = lt_mask_Reprojection(vec2<u32>(_e575.pixel.x, _e565.y), _e575.is_valid, _e575.has_moved);
-            let _e586 = lt_mask_Reprojection(_e582.pixel, _e563, _e582.has_moved);
-            let _e590 = lt_mask_Reprojection(_e586.pixel, _e586.is_valid, !(_e561));
-            if _e563 {
-                let _e593 = p.member.previous.eye;
-                let _e604 = p.member.previous.forward;
-                let _e613 = (((((_e89.x - _e593.x) * _e604.x) + ((_e89.y - _e593.y) * _e604.y)) + ((_e89.z - _e593.z) * _e604.z)) > 0f);
-                let _e617 = lt_mask_Reprojection(_e590.pixel, _e613, _e590.has_moved);
-                if _e613 {
-                    let _e619 = p.member.flags;
-                    phi_826_ = ((_e619 & 1u) != 0u);
-                    phi_827_ = false;
+            let _e579 = phi_800_;
+            let _e581 = phi_801_;
+            let _e583 = phi_802_;
+            let _e593 = lt_mask_Reprojection(vec2<u32>(_e583.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e600 = lt_mask_Reprojection(vec2<u32>(_e593.pixel.x, _e583.y), _e593.is_valid, _e593.has_moved);
+            let _e604 = lt_mask_Reprojection(_e600.pixel, _e581, _e600.has_moved);
+            let _e608 = lt_mask_Reprojection(_e604.pixel, _e604.is_valid, !(_e579));
+            if _e581 {
+                let _e611 = p.member.previous.eye;
+                let _e622 = p.member.previous.forward;
+                let _e631 = (((((_e89.x - _e611.x) * _e622.x) + ((_e89.y - _e611.y) * _e622.y)) + ((_e89.z - _e611.z) * _e622.z)) > 0f);
+                let _e635 = lt_mask_Reprojection(_e608.pixel, _e631, _e608.has_moved);
+                if _e631 {
+                    let _e637 = p.member.flags;
+                    phi_844_ = ((_e637 & 1u) != 0u);
+                    phi_845_ = false;
                 } else {
-                    phi_826_ = bool();
-                    phi_827_ = true;
+                    phi_844_ = bool();
+                    phi_845_ = true;
                 }
-                let _e623 = phi_826_;
-                let _e625 = phi_827_;
-                phi_829_ = _e623;
-                phi_830_ = _e617;
-                phi_831_ = _e617;
-                phi_832_ = _e625;
+                let _e641 = phi_844_;
+                let _e643 = phi_845_;
+                phi_847_ = _e641;
+                phi_848_ = _e635;
+                phi_849_ = _e635;
+                phi_850_ = _e643;
             } else {
-                phi_829_ = bool();
-                phi_830_ = lt_mask_Reprojection();
-                phi_831_ = lt_mask_Reprojection(_e590.pixel, false, _e590.has_moved);
-                phi_832_ = true;
+                phi_847_ = bool();
+                phi_848_ = lt_mask_Reprojection();
+                phi_849_ = lt_mask_Reprojection(_e608.pixel, false, _e608.has_moved);
+                phi_850_ = true;
             }
-            let _e631 = phi_829_;
-            let _e633 = phi_830_;
-            let _e635 = phi_831_;
-            let _e637 = phi_832_;
-            if _e637 {
-                phi_836_ = false;
-                phi_837_ = _e635;
+            let _e649 = phi_847_;
+            let _e651 = phi_848_;
+            let _e653 = phi_849_;
+            let _e655 = phi_850_;
+            if _e655 {
+                phi_854_ = false;
+                phi_855_ = _e653;
             } else {
-                phi_836_ = _e631;
-                phi_837_ = _e633;
+                phi_854_ = _e649;
+                phi_855_ = _e651;
             }
-            let _e639 = phi_836_;
-            let _e641 = phi_837_;
-            let _e645 = lt_mask_Reprojection(_e641.pixel, _e639, _e641.has_moved);
-            if _e645.has_moved {
+            let _e657 = phi_854_;
+            let _e659 = phi_855_;
+            let _e663 = lt_mask_Reprojection(_e659.pixel, _e657, _e659.has_moved);
+            if _e663.has_moved {
             }
-            let _e651 = lt_mask_Neighbourhood(false, true);
+            let _e669 = lt_mask_Neighbourhood(false, true);
             if _e253 {
-                phi_1076_ = _e651;
+                phi_1094_ = _e669;
             } else {
                 if true {
-                    if _e639 {
-                        if _e645.has_moved {
-                            let _e654 = p.member.moving_pattern;
-                            phi_865_ = _e654;
+                    if _e657 {
+                        if _e663.has_moved {
+                            let _e672 = p.member.moving_pattern;
+                            phi_883_ = _e672;
                         } else {
-                            let _e656 = p.member.still_pattern;
-                            phi_865_ = _e656;
+                            let _e674 = p.member.still_pattern;
+                            phi_883_ = _e674;
                         }
-                        let _e658 = phi_865_;
-                        phi_867_ = 0u;
-                        phi_870_ = _e651;
+                        let _e676 = phi_883_;
+                        phi_885_ = 0u;
+                        phi_888_ = _e669;
                         loop {
-                            let _e660 = phi_867_;
-                            let _e662 = phi_870_;
-                            local_1 = _e662;
-                            if (1u <= _e658) {
-                                if (_e658 <= 4u) {
-                                    phi_882_ = false;
+                            let _e678 = phi_885_;
+                            let _e680 = phi_888_;
+                            local_1 = _e680;
+                            if (1u <= _e676) {
+                                if (_e676 <= 4u) {
+                                    phi_900_ = false;
                                 } else {
-                                    phi_882_ = true;
+                                    phi_900_ = true;
                                 }
-                                let _e666 = phi_882_;
-                                phi_883_ = _e666;
+                                let _e684 = phi_900_;
+                                phi_901_ = _e684;
                             } else {
-                                phi_883_ = true;
+                                phi_901_ = true;
                             }
-                            let _e668 = phi_883_;
-                            if _e668 {
-                                switch bitcast<i32>(_e658) {
+                            let _e686 = phi_901_;
+                            if _e686 {
+                                switch bitcast<i32>(_e676) {
                                     case 5: {
-                                        phi_892_ = 4u;
+                                        phi_910_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_892_ = 25u;
+                                        phi_910_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_892_ = 13u;
+                                        phi_910_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_892_ = 9u;
+                                        phi_910_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e671 = phi_892_;
-                                phi_893_ = _e671;
+                                let _e689 = phi_910_;
+                                phi_911_ = _e689;
                             } else {
-                                phi_893_ = 5u;
+                                phi_911_ = 5u;
                             }
-                            let _e673 = phi_893_;
-                            let _e674 = (_e660 < _e673);
-                            if _e674 {
-                                let _e680 = p.member.frame;
-                                let _e684 = p.member.current.size[0u];
-                                let _e686 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e658) {
+                            let _e691 = phi_911_;
+                            let _e692 = (_e678 < _e691);
+                            if _e692 {
+                                let _e698 = p.member.frame;
+                                let _e702 = p.member.current.size[0u];
+                                let _e704 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e676) {
                                     case 1: {
-                                        let _e696 = lt_mask_pattern_plus(_e660);
-                                        phi_973_ = vec2<i32>(_e696.x, _e696.y);
+                                        let _e714 = lt_mask_pattern_plus(_e678);
+                                        phi_991_ = vec2<i32>(_e714.x, _e714.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e700 = lt_mask_pattern_cross(_e660);
-                                        phi_973_ = vec2<i32>(_e700.x, _e700.y);
+                                        let _e718 = lt_mask_pattern_cross(_e678);
+                                        phi_991_ = vec2<i32>(_e718.x, _e718.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e706 = lt_mask_pattern_plus_or_cross(_e660, ((_e645.pixel.x + _e645.pixel.y) & 1u));
-                                        phi_973_ = vec2<i32>(_e706.x, _e706.y);
+                                        let _e724 = lt_mask_pattern_plus_or_cross(_e678, ((_e663.pixel.x + _e663.pixel.y) & 1u));
+                                        phi_991_ = vec2<i32>(_e724.x, _e724.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e711 = lt_mask_pattern_plus_or_cross(_e660, (_e680 & 1u));
-                                        phi_973_ = vec2<i32>(_e711.x, _e711.y);
+                                        let _e729 = lt_mask_pattern_plus_or_cross(_e678, (_e698 & 1u));
+                                        phi_991_ = vec2<i32>(_e729.x, _e729.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e680 & 3u)) {
+                                        switch bitcast<i32>((_e698 & 3u)) {
                                             case 0: {
-                                                phi_953_ = vec2(-1i);
+                                                phi_971_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_953_ = vec2(0i);
+                                                phi_971_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_953_ = vec2<i32>(0i, -1i);
+                                                phi_971_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_953_ = vec2<i32>(-1i, 0i);
+                                                phi_971_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e722 = phi_953_;
-                                        phi_973_ = (_e722 + vec2<i32>(bitcast<i32>((_e660 & 1u)), bitcast<i32>(((_e660 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e740 = phi_971_;
+                                        phi_991_ = (_e740 + vec2<i32>(bitcast<i32>((_e678 & 1u)), bitcast<i32>(((_e678 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_973_ = vec2<i32>((bitcast<i32>((_e660 % 5u)) - 2i), (bitcast<i32>(((_e660 / 5u) % 5u)) - 2i));
+                                        phi_991_ = vec2<i32>((bitcast<i32>((_e678 % 5u)) - 2i), (bitcast<i32>(((_e678 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e739 = lt_mask_pattern_diamond(_e660);
-                                        phi_973_ = vec2<i32>(_e739.x, _e739.y);
+                                        let _e757 = lt_mask_pattern_diamond(_e678);
+                                        phi_991_ = vec2<i32>(_e757.x, _e757.y);
                                         break;
                                     }
                                     default: {
-                                        phi_973_ = vec2<i32>((bitcast<i32>((_e660 % 3u)) - 1i), (bitcast<i32>(((_e660 / 3u) % 3u)) - 1i));
+                                        phi_991_ = vec2<i32>((bitcast<i32>((_e678 % 3u)) - 1i), (bitcast<i32>(((_e678 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e744 = phi_973_;
-                                let _e747 = lt_mask_pattern_step_clamped(_e645.pixel.x, _e744.x, _e684);
-                                let _e748 = lt_mask_pattern_step_clamped(_e645.pixel.y, _e744.y, _e686);
-                                let _e752 = ((((_e748 * _e86) + _e747) * _e82) + (_e78 / 32u));
+                                let _e762 = phi_991_;
+                                let _e765 = lt_mask_pattern_step_clamped(_e663.pixel.x, _e762.x, _e702);
+                                let _e766 = lt_mask_pattern_step_clamped(_e663.pixel.y, _e762.y, _e704);
+                                let _e770 = ((((_e766 * _e86) + _e765) * _e82) + (_e78 / 32u));
                                 if (_e80 > 29u) {
-                                    let _e754 = (_e752 + 1u);
-                                    if (_e754 < _e60) {
+                                    let _e772 = (_e770 + 1u);
+                                    if (_e772 < _e60) {
                                     } else {
                                         return;
                                     }
-                                    let _e758 = last_bits.member[(0u + _e754)];
-                                    phi_998_ = _e758;
+                                    let _e776 = last_bits.member[(0u + _e772)];
+                                    phi_1016_ = _e776;
                                 } else {
-                                    phi_998_ = 0u;
+                                    phi_1016_ = 0u;
                                 }
-                                let _e760 = phi_998_;
-                                if (_e752 < _e60) {
+                                let _e778 = phi_1016_;
+                                if (_e770 < _e60) {
                                 } else {
                                     return;
                                 }
-                                let _e764 = last_bits.member[(0u + _e752)];
-                                let _e767 = (_e764 >> bitcast<u32>((_e80 & 31u)));
+                                let _e782 = last_bits.member[(0u + _e770)];
+                                let _e785 = (_e782 >> bitcast<u32>((_e80 & 31u)));
                                 if (_e80 > 29u) {
-                                    phi_1017_ = (_e767 | (_e760 << bitcast<u32>(((32u - _e80) & 31u))));
+                                    phi_1035_ = (_e785 | (_e778 << bitcast<u32>(((32u - _e80) & 31u))));
                                 } else {
-                                    phi_1017_ = _e767;
+                                    phi_1035_ = _e785;
                                 }
-                                let _e775 = phi_1017_;
-                                if ((_e775 & 2u) == 0u) {
-                                    phi_1025_ = (_e775 & 1u);
+                                let _e793 = phi_1035_;
+                                if ((_e793 & 2u) == 0u) {
+                                    phi_1043_ = (_e793 & 1u);
                                 } else {
-                                    phi_1025_ = (_e775 & 7u);
+                                    phi_1043_ = (_e793 & 7u);
                                 }
-                                let _e781 = phi_1025_;
-                                if _e662.any_expands {
-                                    phi_1051_ = true;
+                                let _e799 = phi_1043_;
+                                if _e680.any_expands {
+                                    phi_1069_ = true;
                                 } else {
-                                    if ((_e781 & 2u) != 0u) {
-                                        if (((_e781 & 4u) != 0u) != _e249) {
-                                            phi_1042_ = false;
+                                    if ((_e799 & 2u) != 0u) {
+                                        if (((_e799 & 4u) != 0u) != _e249) {
+                                            phi_1060_ = false;
                                         } else {
-                                            phi_1042_ = true;
+                                            phi_1060_ = true;
                                         }
-                                        let _e790 = phi_1042_;
-                                        phi_1043_ = _e790;
+                                        let _e808 = phi_1060_;
+                                        phi_1061_ = _e808;
                                     } else {
-                                        phi_1043_ = true;
+                                        phi_1061_ = true;
                                     }
-                                    let _e792 = phi_1043_;
-                                    if _e792 {
-                                        phi_1050_ = (((_e781 & 1u) != 0u) != _e249);
+                                    let _e810 = phi_1061_;
+                                    if _e810 {
+                                        phi_1068_ = (((_e799 & 1u) != 0u) != _e249);
                                     } else {
-                                        phi_1050_ = true;
+                                        phi_1068_ = true;
                                     }
-                                    let _e797 = phi_1050_;
-                                    phi_1051_ = _e797;
+                                    let _e815 = phi_1068_;
+                                    phi_1069_ = _e815;
                                 }
-                                let _e799 = phi_1051_;
-                                if _e662.all_remove {
-                                    if (((_e781 & 1u) != 0u) == _e249) {
-                                        if ((_e781 & 2u) != 0u) {
-                                            phi_1069_ = (((_e781 & 4u) != 0u) == _e249);
+                                let _e817 = phi_1069_;
+                                if _e680.all_remove {
+                                    if (((_e799 & 1u) != 0u) == _e249) {
+                                        if ((_e799 & 2u) != 0u) {
+                                            phi_1087_ = (((_e799 & 4u) != 0u) == _e249);
                                         } else {
-                                            phi_1069_ = true;
+                                            phi_1087_ = true;
                                         }
-                                        let _e809 = phi_1069_;
-                                        phi_1070_ = _e809;
+                                        let _e827 = phi_1087_;
+                                        phi_1088_ = _e827;
                                     } else {
-                                        phi_1070_ = false;
+                                        phi_1088_ = false;
                                     }
-                                    let _e811 = phi_1070_;
-                                    phi_1071_ = _e811;
+                                    let _e829 = phi_1088_;
+                                    phi_1089_ = _e829;
                                 } else {
-                                    phi_1071_ = false;
+                                    phi_1089_ = false;
                                 }
-                                let _e813 = phi_1071_;
-                                phi_868_ = (_e660 + 1u);
-                                phi_871_ = lt_mask_Neighbourhood(_e799, _e813);
+                                let _e831 = phi_1089_;
+                                phi_886_ = (_e678 + 1u);
+                                phi_889_ = lt_mask_Neighbourhood(_e817, _e831);
                             } else {
-                                phi_868_ = u32();
-                                phi_871_ = lt_mask_Neighbourhood();
+                                phi_886_ = u32();
+                                phi_889_ = lt_mask_Neighbourhood();
                             }
-                            let _e817 = phi_868_;
-                            let _e819 = phi_871_;
+                            let _e835 = phi_886_;
+                            let _e837 = phi_889_;
                             continue;
                             continuing {
-                                phi_867_ = _e817;
-                                phi_870_ = _e819;
-                                break if !(_e674);
+                                phi_885_ = _e835;
+                                phi_888_ = _e837;
+                                break if !(_e692);
                             }
                         }
-                        let _e1047 = local_1;
-                        phi_1074_ = _e1047;
+                        let _e1065 = local_1;
+                        phi_1092_ = _e1065;
                     } else {
-                        phi_1074_ = _e651;
+                        phi_1092_ = _e669;
                     }
-                    let _e822 = phi_1074_;
-                    phi_1075_ = _e822;
+                    let _e840 = phi_1092_;
+                    phi_1093_ = _e840;
                 } else {
-                    phi_1075_ = _e651;
+                    phi_1093_ = _e669;
                 }
-                let _e824 = phi_1075_;
-                phi_1076_ = _e824;
+                let _e842 = phi_1093_;
+                phi_1094_ = _e842;
             }
-            let _e826 = phi_1076_;
-            let _e829 = p.member.frame;
-            let _e831 = p.member.refresh;
-            if (_e831 == 0u) {
-                phi_1109_ = false;
+            let _e844 = phi_1094_;
+            let _e847 = p.member.frame;
+            let _e849 = p.member.refresh;
+            if (_e849 == 0u) {
+                phi_1127_ = false;
             } else {
-                if (_e831 == 0u) {
+                if (_e849 == 0u) {
                     return;
                 }
-                let _e840 = ((_e54.x + (_e54.y * (((_e831 * 5u) / 8u) | 1u))) + (_e829 % _e831));
-                if (_e831 == 0u) {
-                    phi_1108_ = (_e840 == 0u);
+                let _e858 = ((_e54.x + (_e54.y * (((_e849 * 5u) / 8u) | 1u))) + (_e847 % _e849));
+                if (_e849 == 0u) {
+                    phi_1126_ = (_e858 == 0u);
                 } else {
-                    if (_e831 == 0u) {
+                    if (_e849 == 0u) {
                         return;
                     }
-                    phi_1108_ = ((_e840 % _e831) == 0u);
+                    phi_1126_ = ((_e858 % _e849) == 0u);
                 }
-                let _e847 = phi_1108_;
-                phi_1109_ = _e847;
+                let _e865 = phi_1126_;
+                phi_1127_ = _e865;
             }
-            let _e849 = phi_1109_;
+            let _e867 = phi_1127_;
             if (_e91 != 0.5f) {
-                if _e639 {
-                    if _e849 {
-                        phi_1164_ = 6u;
+                if _e657 {
+                    if _e867 {
+                        phi_1182_ = 6u;
                     } else {
                         if _e253 {
-                            phi_1139_ = true;
+                            phi_1157_ = true;
                         } else {
-                            if _e826.any_expands {
-                                phi_1138_ = false;
+                            if _e844.any_expands {
+                                phi_1156_ = false;
                             } else {
-                                phi_1138_ = true;
+                                phi_1156_ = true;
                             }
-                            let _e853 = phi_1138_;
-                            phi_1139_ = _e853;
+                            let _e871 = phi_1156_;
+                            phi_1157_ = _e871;
                         }
-                        let _e855 = phi_1139_;
-                        if _e855 {
+                        let _e873 = phi_1157_;
+                        if _e873 {
                             if _e253 {
                                 if false {
-                                    if _e826.all_remove {
-                                        phi_1152_ = false;
+                                    if _e844.all_remove {
+                                        phi_1170_ = false;
                                     } else {
-                                        phi_1152_ = true;
+                                        phi_1170_ = true;
                                     }
-                                    let _e857 = phi_1152_;
-                                    phi_1153_ = _e857;
+                                    let _e875 = phi_1170_;
+                                    phi_1171_ = _e875;
                                 } else {
-                                    phi_1153_ = true;
+                                    phi_1171_ = true;
                                 }
-                                let _e859 = phi_1153_;
-                                phi_1154_ = _e859;
+                                let _e877 = phi_1171_;
+                                phi_1172_ = _e877;
                             } else {
-                                phi_1154_ = true;
+                                phi_1172_ = true;
                             }
-                            let _e861 = phi_1154_;
-                            if _e861 {
+                            let _e879 = phi_1172_;
+                            if _e879 {
                                 if _e253 {
-                                    phi_1161_ = 1u;
+                                    phi_1179_ = 1u;
                                 } else {
-                                    phi_1161_ = 0u;
+                                    phi_1179_ = 0u;
                                 }
-                                let _e863 = phi_1161_;
-                                phi_1162_ = _e863;
+                                let _e881 = phi_1179_;
+                                phi_1180_ = _e881;
                             } else {
-                                phi_1162_ = 5u;
+                                phi_1180_ = 5u;
                             }
-                            let _e865 = phi_1162_;
-                            phi_1163_ = _e865;
+                            let _e883 = phi_1180_;
+                            phi_1181_ = _e883;
                         } else {
-                            phi_1163_ = 4u;
+                            phi_1181_ = 4u;
                         }
-                        let _e867 = phi_1163_;
-                        phi_1164_ = _e867;
+                        let _e885 = phi_1181_;
+                        phi_1182_ = _e885;
                     }
-                    let _e869 = phi_1164_;
-                    phi_1165_ = _e869;
+                    let _e887 = phi_1182_;
+                    phi_1183_ = _e887;
                 } else {
-                    phi_1165_ = 3u;
+                    phi_1183_ = 3u;
                 }
-                let _e871 = phi_1165_;
-                phi_1166_ = _e871;
+                let _e889 = phi_1183_;
+                phi_1184_ = _e889;
             } else {
-                phi_1166_ = 2u;
+                phi_1184_ = 2u;
             }
-            let _e873 = phi_1166_;
-            if !((_e873 == 0u)) {
-                phi_1174_ = !((_e873 == 5u));
+            let _e891 = phi_1184_;
+            if !((_e891 == 0u)) {
+                phi_1192_ = !((_e891 == 5u));
             } else {
-                phi_1174_ = false;
+                phi_1192_ = false;
             }
-            let _e879 = phi_1174_;
-            if _e879 {
+            let _e897 = phi_1192_;
+            if _e897 {
                 if _e249 {
-                    phi_1182_ = (2u | 1u);
+                    phi_1200_ = (2u | 1u);
                 } else {
-                    phi_1182_ = 2u;
+                    phi_1200_ = 2u;
                 }
-                let _e882 = phi_1182_;
+                let _e900 = phi_1200_;
                 if false {
-                    phi_1187_ = (_e882 | 4u);
+                    phi_1205_ = (_e900 | 4u);
                 } else {
-                    phi_1187_ = _e882;
+                    phi_1205_ = _e900;
                 }
-                let _e885 = phi_1187_;
-                phi_1192_ = _e885;
+                let _e903 = phi_1205_;
+                phi_1210_ = _e903;
             } else {
                 if _e249 {
-                    phi_1191_ = 1u;
+                    phi_1209_ = 1u;
                 } else {
-                    phi_1191_ = 0u;
+                    phi_1209_ = 0u;
                 }
-                let _e887 = phi_1191_;
-                phi_1192_ = _e887;
+                let _e905 = phi_1209_;
+                phi_1210_ = _e905;
             }
-            let _e889 = phi_1192_;
+            let _e907 = phi_1210_;
             if _e249 {
-                phi_1196_ = 0f;
+                phi_1214_ = 0f;
             } else {
-                phi_1196_ = 1f;
+                phi_1214_ = 1f;
             }
-            let _e891 = phi_1196_;
-            phi_1198_ = mask_Masked(_e891, _e889, _e879);
+            let _e909 = phi_1214_;
+            phi_1216_ = mask_Masked(_e909, _e907, _e897);
         }
-        let _e894 = phi_1198_;
-        visibility.member[_e70.shift] = _e894.visibility;
-        let _e899 = p.member.light.number;
-        let _e900 = (_e899 * 3u);
-        let _e902 = (_e900 % 32u);
-        let _e904 = p.member.light.mask_words;
-        let _e906 = ((_e70.shift * _e904) + (_e900 / 32u));
-        let _e908 = bits.member[_e906];
-        bits.member[_e906] = ((_e908 & ~((7u << bitcast<u32>((_e902 & 31u))))) | (_e894.bits << bitcast<u32>((_e902 & 31u))));
-        if (_e902 > 29u) {
-            let _e923 = bits.member[(_e906 + 1u)];
-            let _e925 = (32u - _e902);
-            bits.member[(_e906 + 1u)] = ((_e923 & ~((7u >> bitcast<u32>((_e925 & 31u))))) | (_e894.bits >> bitcast<u32>((_e925 & 31u))));
+        let _e912 = phi_1216_;
+        visibility.member[_e70.shift] = _e912.visibility;
+        let _e917 = p.member.light.number;
+        let _e918 = (_e917 * 3u);
+        let _e920 = (_e918 % 32u);
+        let _e922 = p.member.light.mask_words;
+        let _e924 = ((_e70.shift * _e922) + (_e918 / 32u));
+        let _e926 = bits.member[_e924];
+        bits.member[_e924] = ((_e926 & ~((7u << bitcast<u32>((_e920 & 31u))))) | (_e912.bits << bitcast<u32>((_e920 & 31u))));
+        if (_e920 > 29u) {
+            let _e941 = bits.member[(_e924 + 1u)];
+            let _e943 = (32u - _e920);
+            bits.member[(_e924 + 1u)] = ((_e941 & ~((7u >> bitcast<u32>((_e943 & 31u))))) | (_e912.bits >> bitcast<u32>((_e943 & 31u))));
         }
-        phi_1248_ = _e894.needs_ray;
-        phi_1249_ = _e70.shift;
+        phi_1266_ = _e912.needs_ray;
+        phi_1267_ = _e70.shift;
     } else {
-        phi_1248_ = false;
-        phi_1249_ = 0u;
+        phi_1266_ = false;
+        phi_1267_ = 0u;
     }
-    let _e939 = phi_1248_;
-    let _e941 = phi_1249_;
+    let _e957 = phi_1266_;
+    let _e959 = phi_1267_;
     if (_e55 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e939 {
-        let _e945 = atomicAdd((&shared_[0u]), 1u);
-        phi_1260_ = _e945;
+    if _e957 {
+        let _e963 = atomicAdd((&shared_[0u]), 1u);
+        phi_1278_ = _e963;
     } else {
-        phi_1260_ = 0u;
+        phi_1278_ = 0u;
     }
-    let _e947 = phi_1260_;
+    let _e965 = phi_1278_;
     workgroupBarrier();
     if (_e55 == 0u) {
-        let _e951 = atomicLoad((&shared_[0u]));
-        let _e952 = atomicAdd((&list.member[3u]), _e951);
-        atomicStore((&shared_[1u]), _e952);
+        let _e969 = atomicLoad((&shared_[0u]));
+        let _e970 = atomicAdd((&list.member[3u]), _e969);
+        atomicStore((&shared_[1u]), _e970);
     }
     workgroupBarrier();
-    if _e939 {
-        let _e955 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e955) + _e947)]), _e941);
+    if _e957 {
+        let _e973 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e973) + _e965)]), _e959);
     }
     return;
 }

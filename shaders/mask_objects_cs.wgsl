@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_LightParams {
@@ -120,282 +120,282 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_176_: lt_mask_LightPlace;
-    var phi_177_: bool;
-    var phi_178_: lt_mask_LightPlace;
-    var phi_179_: bool;
-    var phi_184_: lt_mask_LightPlace;
+    var phi_177_: lt_mask_LightPlace;
+    var phi_178_: bool;
+    var phi_179_: lt_mask_LightPlace;
+    var phi_180_: bool;
+    var phi_185_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_176_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_177_ = false;
+            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_178_ = false;
         } else {
-            phi_176_ = lt_mask_LightPlace();
-            phi_177_ = true;
+            phi_177_ = lt_mask_LightPlace();
+            phi_178_ = true;
         }
-        let _e68 = phi_176_;
-        let _e70 = phi_177_;
-        phi_178_ = _e68;
-        phi_179_ = _e70;
+        let _e68 = phi_177_;
+        let _e70 = phi_178_;
+        phi_179_ = _e68;
+        phi_180_ = _e70;
     } else {
-        phi_178_ = lt_mask_LightPlace();
-        phi_179_ = true;
+        phi_179_ = lt_mask_LightPlace();
+        phi_180_ = true;
     }
-    let _e72 = phi_178_;
-    let _e74 = phi_179_;
+    let _e72 = phi_179_;
+    let _e74 = phi_180_;
     if _e74 {
-        phi_184_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_184_ = _e72;
+        phi_185_ = _e72;
     }
-    let _e79 = phi_184_;
+    let _e79 = phi_185_;
     return lt_mask_LightPlace(_e79.word, _e79.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_202_: vec2<i32>;
+    var phi_203_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_202_ = vec2(0i);
+            phi_203_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_202_ = vec2<i32>(0i, -1i);
+            phi_203_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_202_ = vec2<i32>(-1i, 0i);
+            phi_203_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_202_ = vec2<i32>(1i, 0i);
+            phi_203_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_202_ = vec2<i32>(0i, 1i);
+            phi_203_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e64 = phi_202_;
+    let _e64 = phi_203_;
     return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_220_: vec2<i32>;
+    var phi_221_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_220_ = vec2(0i);
+            phi_221_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_220_ = vec2(-1i);
+            phi_221_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_220_ = vec2<i32>(1i, -1i);
+            phi_221_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_220_ = vec2<i32>(-1i, 1i);
+            phi_221_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_220_ = vec2(1i);
+            phi_221_ = vec2(1i);
             break;
         }
     }
-    let _e64 = phi_220_;
+    let _e64 = phi_221_;
     return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_239_: vec2<i32>;
+    var phi_240_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e58 = lt_mask_pattern_plus(param_5);
-        phi_239_ = vec2<i32>(_e58.x, _e58.y);
+        phi_240_ = vec2<i32>(_e58.x, _e58.y);
     } else {
         let _e62 = lt_mask_pattern_cross(param_5);
-        phi_239_ = vec2<i32>(_e62.x, _e62.y);
+        phi_240_ = vec2<i32>(_e62.x, _e62.y);
     }
-    let _e67 = phi_239_;
+    let _e67 = phi_240_;
     return vec2<i32>(_e67.x, _e67.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_264_: vec2<i32>;
+    var phi_265_: vec2<i32>;
 
     let _e56 = (param_7 % 13u);
     switch bitcast<i32>(_e56) {
         case 9: {
-            phi_264_ = vec2<i32>(0i, -2i);
+            phi_265_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_264_ = vec2<i32>(-2i, 0i);
+            phi_265_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_264_ = vec2<i32>(2i, 0i);
+            phi_265_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_264_ = vec2<i32>(0i, 2i);
+            phi_265_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_264_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
+            phi_265_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e71 = phi_264_;
+    let _e71 = phi_265_;
     return vec2<i32>(_e71.x, _e71.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_285_: u32;
     var phi_286_: u32;
+    var phi_287_: u32;
 
     let _e59 = (bitcast<i32>(param_8) + param_9);
     if (_e59 < 0i) {
-        phi_286_ = 0u;
+        phi_287_ = 0u;
     } else {
         if (_e59 >= bitcast<i32>(param_10)) {
-            phi_285_ = (param_10 - 1u);
+            phi_286_ = (param_10 - 1u);
         } else {
-            phi_285_ = bitcast<u32>(_e59);
+            phi_286_ = bitcast<u32>(_e59);
         }
-        let _e66 = phi_285_;
-        phi_286_ = _e66;
+        let _e66 = phi_286_;
+        phi_287_ = _e66;
     }
-    let _e68 = phi_286_;
+    let _e68 = phi_287_;
     return _e68;
 }
 
 fn function_() {
-    var phi_362_: bool;
     var phi_363_: bool;
     var phi_364_: bool;
     var phi_365_: bool;
-    var phi_369_: bool;
-    var phi_439_: bool;
+    var phi_366_: bool;
+    var phi_370_: bool;
     var phi_440_: bool;
-    var phi_451_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_452_: bool;
-    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_454_: bool;
-    var phi_461_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_465_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_478_: bool;
-    var phi_664_: f32;
-    var phi_669_: f32;
-    var phi_670_: bool;
-    var phi_671_: f32;
-    var phi_672_: bool;
-    var phi_676_: f32;
-    var phi_699_: f32;
-    var phi_704_: f32;
-    var phi_705_: bool;
-    var phi_706_: f32;
-    var phi_707_: bool;
-    var phi_711_: f32;
-    var phi_732_: bool;
-    var phi_751_: vec2<u32>;
-    var phi_752_: bool;
-    var phi_753_: bool;
-    var phi_754_: bool;
-    var phi_755_: vec2<u32>;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_760_: bool;
-    var phi_761_: bool;
-    var phi_762_: vec2<u32>;
-    var phi_763_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: bool;
-    var phi_767_: bool;
-    var phi_768_: bool;
+    var phi_441_: bool;
+    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_453_: bool;
+    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_455_: bool;
+    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_479_: bool;
+    var phi_684_: f32;
+    var phi_689_: f32;
+    var phi_690_: bool;
+    var phi_691_: f32;
+    var phi_692_: bool;
+    var phi_696_: f32;
+    var phi_717_: f32;
+    var phi_722_: f32;
+    var phi_723_: bool;
+    var phi_724_: f32;
+    var phi_725_: bool;
+    var phi_729_: f32;
+    var phi_750_: bool;
     var phi_769_: vec2<u32>;
     var phi_770_: bool;
     var phi_771_: bool;
     var phi_772_: bool;
-    var phi_773_: bool;
+    var phi_773_: vec2<u32>;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_777_: bool;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: vec2<u32>;
+    var phi_781_: bool;
     var phi_782_: bool;
     var phi_783_: bool;
     var phi_784_: bool;
     var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: vec2<u32>;
+    var phi_788_: bool;
     var phi_789_: bool;
     var phi_790_: bool;
-    var phi_791_: vec2<u32>;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_833_: bool;
-    var phi_834_: lt_mask_Reprojection;
-    var phi_835_: lt_mask_Reprojection;
-    var phi_836_: bool;
-    var phi_840_: bool;
-    var phi_841_: lt_mask_Reprojection;
-    var phi_855_: bool;
-    var phi_866_: bool;
-    var phi_867_: bool;
-    var phi_868_: bool;
-    var phi_869_: bool;
-    var phi_870_: bool;
-    var phi_871_: bool;
-    var phi_875_: bool;
-    var phi_880_: bool;
-    var phi_895_: u32;
-    var phi_897_: u32;
-    var phi_900_: lt_mask_Neighbourhood;
-    var phi_912_: bool;
-    var phi_913_: bool;
-    var phi_922_: u32;
-    var phi_923_: u32;
-    var phi_983_: vec2<i32>;
-    var phi_1003_: vec2<i32>;
-    var phi_1028_: u32;
-    var phi_1047_: u32;
-    var phi_1055_: u32;
-    var phi_1072_: bool;
-    var phi_1073_: bool;
-    var phi_1080_: bool;
-    var phi_1081_: bool;
+    var phi_791_: bool;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_803_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
+    var phi_809_: vec2<u32>;
+    var phi_848_: bool;
+    var phi_849_: bool;
+    var phi_851_: bool;
+    var phi_852_: lt_mask_Reprojection;
+    var phi_853_: lt_mask_Reprojection;
+    var phi_854_: bool;
+    var phi_858_: bool;
+    var phi_859_: lt_mask_Reprojection;
+    var phi_873_: bool;
+    var phi_884_: bool;
+    var phi_885_: bool;
+    var phi_886_: bool;
+    var phi_887_: bool;
+    var phi_888_: bool;
+    var phi_889_: bool;
+    var phi_893_: bool;
+    var phi_898_: bool;
+    var phi_913_: u32;
+    var phi_915_: u32;
+    var phi_918_: lt_mask_Neighbourhood;
+    var phi_930_: bool;
+    var phi_931_: bool;
+    var phi_940_: u32;
+    var phi_941_: u32;
+    var phi_1001_: vec2<i32>;
+    var phi_1021_: vec2<i32>;
+    var phi_1046_: u32;
+    var phi_1065_: u32;
+    var phi_1073_: u32;
+    var phi_1090_: bool;
+    var phi_1091_: bool;
+    var phi_1098_: bool;
     var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1101_: bool;
-    var phi_898_: u32;
-    var phi_901_: lt_mask_Neighbourhood;
-    var phi_1104_: lt_mask_Neighbourhood;
-    var phi_1105_: lt_mask_Neighbourhood;
-    var phi_1137_: bool;
-    var phi_1138_: bool;
-    var phi_1167_: bool;
-    var phi_1168_: bool;
-    var phi_1181_: bool;
-    var phi_1182_: bool;
-    var phi_1183_: bool;
-    var phi_1190_: u32;
-    var phi_1191_: u32;
-    var phi_1192_: u32;
-    var phi_1193_: u32;
-    var phi_1194_: u32;
-    var phi_1195_: u32;
-    var phi_1203_: bool;
+    var phi_1117_: bool;
+    var phi_1118_: bool;
+    var phi_1119_: bool;
+    var phi_916_: u32;
+    var phi_919_: lt_mask_Neighbourhood;
+    var phi_1122_: lt_mask_Neighbourhood;
+    var phi_1123_: lt_mask_Neighbourhood;
+    var phi_1155_: bool;
+    var phi_1156_: bool;
+    var phi_1185_: bool;
+    var phi_1186_: bool;
+    var phi_1199_: bool;
+    var phi_1200_: bool;
+    var phi_1201_: bool;
+    var phi_1208_: u32;
+    var phi_1209_: u32;
+    var phi_1210_: u32;
     var phi_1211_: u32;
-    var phi_1216_: u32;
-    var phi_1220_: u32;
-    var phi_1221_: u32;
-    var phi_1225_: f32;
-    var phi_1227_: mask_Masked;
-    var phi_1277_: bool;
-    var phi_1278_: u32;
-    var phi_1289_: u32;
+    var phi_1212_: u32;
+    var phi_1213_: u32;
+    var phi_1221_: bool;
+    var phi_1229_: u32;
+    var phi_1234_: u32;
+    var phi_1238_: u32;
+    var phi_1239_: u32;
+    var phi_1243_: f32;
+    var phi_1245_: mask_Masked;
+    var phi_1295_: bool;
+    var phi_1296_: u32;
+    var phi_1307_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e55 = id_1;
@@ -420,28 +420,28 @@ fn function_() {
             if (_e107 == _e109) {
                 let _e112 = samples.member[_e72.shift].normal[2u];
                 let _e114 = global[2u];
-                phi_362_ = (_e112 == _e114);
-                phi_363_ = false;
+                phi_363_ = (_e112 == _e114);
+                phi_364_ = false;
             } else {
-                phi_362_ = bool();
-                phi_363_ = true;
+                phi_363_ = bool();
+                phi_364_ = true;
             }
-            let _e117 = phi_362_;
-            let _e119 = phi_363_;
-            phi_364_ = _e117;
-            phi_365_ = _e119;
+            let _e117 = phi_363_;
+            let _e119 = phi_364_;
+            phi_365_ = _e117;
+            phi_366_ = _e119;
         } else {
-            phi_364_ = bool();
-            phi_365_ = true;
+            phi_365_ = bool();
+            phi_366_ = true;
         }
-        let _e121 = phi_364_;
-        let _e123 = phi_365_;
+        let _e121 = phi_365_;
+        let _e123 = phi_366_;
         if _e123 {
-            phi_369_ = false;
+            phi_370_ = false;
         } else {
-            phi_369_ = _e121;
+            phi_370_ = _e121;
         }
-        let _e125 = phi_369_;
+        let _e125 = phi_370_;
         if !(_e125) {
             let _e128 = samples.member[_e72.shift].position;
             let _e130 = p.member.light.place;
@@ -455,64 +455,64 @@ fn function_() {
                 let _e163 = p.member.light.axis;
                 let _e175 = p.member.light.place[3u];
                 if (_e175 == 0f) {
-                    phi_440_ = true;
+                    phi_441_ = true;
                 } else {
                     let _e178 = p.member.light.range_squared;
                     if (_e161 <= _e178) {
                         let _e181 = p.member.light.cos_outer;
-                        phi_439_ = (-((((_e143 * _e163.x) + (_e144 * _e163.y)) + (_e145 * _e163.z))) >= (_e181 * sqrt(_e161)));
+                        phi_440_ = (-((((_e143 * _e163.x) + (_e144 * _e163.y)) + (_e145 * _e163.z))) >= (_e181 * sqrt(_e161)));
                     } else {
-                        phi_439_ = false;
+                        phi_440_ = false;
                     }
-                    let _e186 = phi_439_;
-                    phi_440_ = _e186;
+                    let _e186 = phi_440_;
+                    phi_441_ = _e186;
                 }
-                let _e188 = phi_440_;
+                let _e188 = phi_441_;
                 if _e188 {
                     let _e190 = samples.member[_e72.shift].flags;
                     let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e198.unnamed.visibility, false), _e198.unnamed_1);
-                    phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, ((_e190 & 1u) == 0u));
-                    phi_452_ = false;
+                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, ((_e190 & 1u) == 0u));
+                    phi_453_ = false;
                 } else {
-                    phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_452_ = true;
+                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_453_ = true;
                 }
-                let _e209 = phi_451_;
-                let _e211 = phi_452_;
-                phi_453_ = _e209;
-                phi_454_ = _e211;
+                let _e209 = phi_452_;
+                let _e211 = phi_453_;
+                phi_454_ = _e209;
+                phi_455_ = _e211;
             } else {
-                phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_454_ = true;
+                phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_455_ = true;
             }
-            let _e213 = phi_453_;
-            let _e215 = phi_454_;
+            let _e213 = phi_454_;
+            let _e215 = phi_455_;
             if _e215 {
                 let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-                phi_461_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+                phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
             } else {
-                phi_461_ = _e213;
+                phi_462_ = _e213;
             }
-            let _e232 = phi_461_;
-            phi_465_ = _e232;
+            let _e232 = phi_462_;
+            phi_466_ = _e232;
         } else {
             let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e244 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e238.unnamed.visibility, false), _e238.unnamed_1);
-            phi_465_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e244.unnamed, true);
+            phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e244.unnamed, true);
         }
-        let _e249 = phi_465_;
+        let _e249 = phi_466_;
         if _e249.unnamed_1 {
-            phi_1227_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
+            phi_1245_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
         } else {
             let _e254 = (_e96 < 0.5f);
             if (_e96 > 0f) {
-                phi_478_ = (_e96 < 1f);
+                phi_479_ = (_e96 < 1f);
             } else {
-                phi_478_ = false;
+                phi_479_ = false;
             }
-            let _e258 = phi_478_;
+            let _e258 = phi_479_;
             let _e260 = samples.member[_e72.shift].position;
             let _e264 = p.member.previous.eye;
             let _e266 = (_e91.x - _e264.x);
@@ -538,667 +538,669 @@ fn function_() {
             let _e409 = (((((((_e266 * _e282.x) + (_e268 * _e282.y)) + (_e270 * _e282.z)) / ((((_e292.x * _e292.x) + (_e292.y * _e292.y)) + (_e292.z * _e292.z)) * _e280)) - ((((_e335 * _e353.x) + (_e338 * _e353.y)) + (_e341 * _e353.z)) / ((((_e363.x * _e363.x) + (_e363.y * _e363.y)) + (_e363.z * _e363.z)) * _e351))) * 0.5f) * f32(_e407));
             let _e413 = p.member.current.size[1u];
             let _e415 = (((((((_e266 * _e307.x) + (_e268 * _e307.y)) + (_e270 * _e307.z)) / ((((_e317.x * _e317.x) + (_e317.y * _e317.y)) + (_e317.z * _e317.z)) * _e280)) - ((((_e335 * _e378.x) + (_e338 * _e378.y)) + (_e341 * _e378.z)) / ((((_e388.x * _e388.x) + (_e388.y * _e388.y)) + (_e388.z * _e388.z)) * _e351))) * -0.5f) * f32(_e413));
-            let _e419 = p.member.current.size[0u];
-            let _e421 = p.member.current.size[1u];
-            let _e425 = ((f32(_e55.x) + 0.5f) + _e409);
-            if (_e425 > -8388608f) {
-                let _e437 = f32(select(0i, select(select(i32(_e425), i32(-2147483648), (_e425 < bitcast<f32>(3472883712u))), 2147483647i, (_e425 > bitcast<f32>(1325400063u))), (_e425 == _e425)));
-                if (_e437 > _e425) {
-                    phi_664_ = 1f;
+            let _e419 = p.member.current.grid[0u];
+            let _e421 = p.member.current.grid[1u];
+            let _e441 = p.member.current.size[0u];
+            let _e443 = p.member.current.size[1u];
+            let _e445 = ((f32(_e55.x) + ((f32((_e55.y & (_e421 - 1u))) + 0.5f) / f32(_e421))) + _e409);
+            if (_e445 > -8388608f) {
+                let _e457 = f32(select(0i, select(select(i32(_e445), i32(-2147483648), (_e445 < bitcast<f32>(3472883712u))), 2147483647i, (_e445 > bitcast<f32>(1325400063u))), (_e445 == _e445)));
+                if (_e457 > _e445) {
+                    phi_684_ = 1f;
                 } else {
-                    phi_664_ = 0f;
+                    phi_684_ = 0f;
                 }
-                let _e440 = phi_664_;
-                if (_e425 < 8388608f) {
-                    phi_669_ = (_e437 - _e440);
-                    phi_670_ = false;
+                let _e460 = phi_684_;
+                if (_e445 < 8388608f) {
+                    phi_689_ = (_e457 - _e460);
+                    phi_690_ = false;
                 } else {
-                    phi_669_ = f32();
-                    phi_670_ = true;
+                    phi_689_ = f32();
+                    phi_690_ = true;
                 }
-                let _e443 = phi_669_;
-                let _e445 = phi_670_;
-                phi_671_ = _e443;
-                phi_672_ = _e445;
+                let _e463 = phi_689_;
+                let _e465 = phi_690_;
+                phi_691_ = _e463;
+                phi_692_ = _e465;
             } else {
-                phi_671_ = f32();
-                phi_672_ = true;
+                phi_691_ = f32();
+                phi_692_ = true;
             }
-            let _e447 = phi_671_;
-            let _e449 = phi_672_;
-            if _e449 {
-                phi_676_ = _e425;
+            let _e467 = phi_691_;
+            let _e469 = phi_692_;
+            if _e469 {
+                phi_696_ = _e445;
             } else {
-                phi_676_ = _e447;
+                phi_696_ = _e467;
             }
-            let _e451 = phi_676_;
-            let _e454 = ((f32(_e55.y) + 0.5f) + _e415);
-            if (_e454 > -8388608f) {
-                let _e466 = f32(select(0i, select(select(i32(_e454), i32(-2147483648), (_e454 < bitcast<f32>(3472883712u))), 2147483647i, (_e454 > bitcast<f32>(1325400063u))), (_e454 == _e454)));
-                if (_e466 > _e454) {
-                    phi_699_ = 1f;
+            let _e471 = phi_696_;
+            let _e472 = ((f32(_e55.y) + ((f32((_e55.x & (_e419 - 1u))) + 0.5f) / f32(_e419))) + _e415);
+            if (_e472 > -8388608f) {
+                let _e484 = f32(select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < bitcast<f32>(3472883712u))), 2147483647i, (_e472 > bitcast<f32>(1325400063u))), (_e472 == _e472)));
+                if (_e484 > _e472) {
+                    phi_717_ = 1f;
                 } else {
-                    phi_699_ = 0f;
+                    phi_717_ = 0f;
                 }
-                let _e469 = phi_699_;
-                if (_e454 < 8388608f) {
-                    phi_704_ = (_e466 - _e469);
-                    phi_705_ = false;
+                let _e487 = phi_717_;
+                if (_e472 < 8388608f) {
+                    phi_722_ = (_e484 - _e487);
+                    phi_723_ = false;
                 } else {
-                    phi_704_ = f32();
-                    phi_705_ = true;
+                    phi_722_ = f32();
+                    phi_723_ = true;
                 }
-                let _e472 = phi_704_;
-                let _e474 = phi_705_;
-                phi_706_ = _e472;
-                phi_707_ = _e474;
+                let _e490 = phi_722_;
+                let _e492 = phi_723_;
+                phi_724_ = _e490;
+                phi_725_ = _e492;
             } else {
-                phi_706_ = f32();
-                phi_707_ = true;
+                phi_724_ = f32();
+                phi_725_ = true;
             }
-            let _e476 = phi_706_;
-            let _e478 = phi_707_;
-            if _e478 {
-                phi_711_ = _e454;
+            let _e494 = phi_724_;
+            let _e496 = phi_725_;
+            if _e496 {
+                phi_729_ = _e472;
             } else {
-                phi_711_ = _e476;
+                phi_729_ = _e494;
             }
-            let _e480 = phi_711_;
-            if (_e451 >= 0f) {
-                if (_e480 >= 0f) {
-                    if (_e451 < f32(_e419)) {
-                        let _e486 = (_e480 < f32(_e421));
+            let _e498 = phi_729_;
+            if (_e471 >= 0f) {
+                if (_e498 >= 0f) {
+                    if (_e471 < f32(_e441)) {
+                        let _e504 = (_e498 < f32(_e443));
                         if (_e409 == 0f) {
-                            phi_732_ = (_e415 == 0f);
+                            phi_750_ = (_e415 == 0f);
                         } else {
-                            phi_732_ = false;
+                            phi_750_ = false;
                         }
-                        let _e490 = phi_732_;
-                        if _e486 {
-                            phi_751_ = vec2<u32>(select(select(u32(_e451), 0u, (_e451 < bitcast<f32>(0u))), 4294967295u, (_e451 > bitcast<f32>(1333788671u))), select(select(u32(_e480), 0u, (_e480 < bitcast<f32>(0u))), 4294967295u, (_e480 > bitcast<f32>(1333788671u))));
-                            phi_752_ = false;
+                        let _e508 = phi_750_;
+                        if _e504 {
+                            phi_769_ = vec2<u32>(select(select(u32(_e471), 0u, (_e471 < bitcast<f32>(0u))), 4294967295u, (_e471 > bitcast<f32>(1333788671u))), select(select(u32(_e498), 0u, (_e498 < bitcast<f32>(0u))), 4294967295u, (_e498 > bitcast<f32>(1333788671u))));
+                            phi_770_ = false;
                         } else {
-                            phi_751_ = vec2<u32>();
-                            phi_752_ = true;
+                            phi_769_ = vec2<u32>();
+                            phi_770_ = true;
                         }
-                        let _e507 = phi_751_;
-                        let _e509 = phi_752_;
-                        phi_753_ = _e490;
-                        phi_754_ = _e486;
-                        phi_755_ = _e507;
-                        phi_756_ = _e490;
-                        phi_757_ = _e486;
-                        phi_758_ = false;
-                        phi_759_ = _e509;
+                        let _e525 = phi_769_;
+                        let _e527 = phi_770_;
+                        phi_771_ = _e508;
+                        phi_772_ = _e504;
+                        phi_773_ = _e525;
+                        phi_774_ = _e508;
+                        phi_775_ = _e504;
+                        phi_776_ = false;
+                        phi_777_ = _e527;
                     } else {
-                        phi_753_ = bool();
-                        phi_754_ = bool();
-                        phi_755_ = vec2<u32>();
-                        phi_756_ = bool();
-                        phi_757_ = bool();
-                        phi_758_ = true;
-                        phi_759_ = false;
+                        phi_771_ = bool();
+                        phi_772_ = bool();
+                        phi_773_ = vec2<u32>();
+                        phi_774_ = bool();
+                        phi_775_ = bool();
+                        phi_776_ = true;
+                        phi_777_ = false;
                     }
-                    let _e511 = phi_753_;
-                    let _e513 = phi_754_;
-                    let _e515 = phi_755_;
-                    let _e517 = phi_756_;
-                    let _e519 = phi_757_;
-                    let _e521 = phi_758_;
-                    let _e523 = phi_759_;
-                    phi_760_ = _e511;
-                    phi_761_ = _e513;
-                    phi_762_ = _e515;
-                    phi_763_ = _e517;
-                    phi_764_ = _e519;
-                    phi_765_ = _e521;
-                    phi_766_ = _e523;
+                    let _e529 = phi_771_;
+                    let _e531 = phi_772_;
+                    let _e533 = phi_773_;
+                    let _e535 = phi_774_;
+                    let _e537 = phi_775_;
+                    let _e539 = phi_776_;
+                    let _e541 = phi_777_;
+                    phi_778_ = _e529;
+                    phi_779_ = _e531;
+                    phi_780_ = _e533;
+                    phi_781_ = _e535;
+                    phi_782_ = _e537;
+                    phi_783_ = _e539;
+                    phi_784_ = _e541;
                 } else {
-                    phi_760_ = bool();
-                    phi_761_ = bool();
-                    phi_762_ = vec2<u32>();
-                    phi_763_ = bool();
-                    phi_764_ = bool();
-                    phi_765_ = true;
-                    phi_766_ = false;
+                    phi_778_ = bool();
+                    phi_779_ = bool();
+                    phi_780_ = vec2<u32>();
+                    phi_781_ = bool();
+                    phi_782_ = bool();
+                    phi_783_ = true;
+                    phi_784_ = false;
                 }
-                let _e525 = phi_760_;
-                let _e527 = phi_761_;
-                let _e529 = phi_762_;
-                let _e531 = phi_763_;
-                let _e533 = phi_764_;
-                let _e535 = phi_765_;
-                let _e537 = phi_766_;
-                phi_767_ = _e525;
-                phi_768_ = _e527;
-                phi_769_ = _e529;
-                phi_770_ = _e531;
-                phi_771_ = _e533;
-                phi_772_ = _e535;
-                phi_773_ = _e537;
+                let _e543 = phi_778_;
+                let _e545 = phi_779_;
+                let _e547 = phi_780_;
+                let _e549 = phi_781_;
+                let _e551 = phi_782_;
+                let _e553 = phi_783_;
+                let _e555 = phi_784_;
+                phi_785_ = _e543;
+                phi_786_ = _e545;
+                phi_787_ = _e547;
+                phi_788_ = _e549;
+                phi_789_ = _e551;
+                phi_790_ = _e553;
+                phi_791_ = _e555;
             } else {
-                phi_767_ = bool();
-                phi_768_ = bool();
-                phi_769_ = vec2<u32>();
-                phi_770_ = bool();
-                phi_771_ = bool();
-                phi_772_ = true;
-                phi_773_ = false;
+                phi_785_ = bool();
+                phi_786_ = bool();
+                phi_787_ = vec2<u32>();
+                phi_788_ = bool();
+                phi_789_ = bool();
+                phi_790_ = true;
+                phi_791_ = false;
             }
-            let _e539 = phi_767_;
-            let _e541 = phi_768_;
-            let _e543 = phi_769_;
-            let _e545 = phi_770_;
-            let _e547 = phi_771_;
-            let _e549 = phi_772_;
-            let _e551 = phi_773_;
-            if _e549 {
+            let _e557 = phi_785_;
+            let _e559 = phi_786_;
+            let _e561 = phi_787_;
+            let _e563 = phi_788_;
+            let _e565 = phi_789_;
+            let _e567 = phi_790_;
+            let _e569 = phi_791_;
+            if _e567 {
                 if (_e409 == 0f) {
-                    phi_782_ = (_e415 == 0f);
+                    phi_800_ = (_e415 == 0f);
                 } else {
-                    phi_782_ = false;
+                    phi_800_ = false;
                 }
-                let _e555 = phi_782_;
-                phi_783_ = _e555;
-                phi_784_ = false;
-                phi_785_ = true;
+                let _e573 = phi_800_;
+                phi_801_ = _e573;
+                phi_802_ = false;
+                phi_803_ = true;
             } else {
-                phi_783_ = _e545;
-                phi_784_ = _e547;
-                phi_785_ = _e551;
+                phi_801_ = _e563;
+                phi_802_ = _e565;
+                phi_803_ = _e569;
             }
-            let _e557 = phi_783_;
-            let _e559 = phi_784_;
-            let _e561 = phi_785_;
-            if _e561 {
-                phi_789_ = _e557;
-                phi_790_ = _e559;
-                phi_791_ = vec2<u32>(_e55.x, _e55.y);
+            let _e575 = phi_801_;
+            let _e577 = phi_802_;
+            let _e579 = phi_803_;
+            if _e579 {
+                phi_807_ = _e575;
+                phi_808_ = _e577;
+                phi_809_ = vec2<u32>(_e55.x, _e55.y);
             } else {
-                phi_789_ = _e539;
-                phi_790_ = _e541;
-                phi_791_ = _e543;
+                phi_807_ = _e557;
+                phi_808_ = _e559;
+                phi_809_ = _e561;
             }
-            let _e563 = phi_789_;
-            let _e565 = phi_790_;
-            let _e567 = phi_791_;
-            let _e577 = lt_mask_Reprojection(vec2<u32>(_e567.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e584 = lt_mask_Reprojection(vec2<u32>(_e577.pixel.x, _e567.y), _e577.is_valid, _e577.has_moved);
-            let _e588 = lt_mask_Reprojection(_e584.pixel, _e565, _e584.has_moved);
-            let _e592 = lt_mask_Reprojection(_e588.pixel, _e588.is_valid, !(_e563));
-            if _e565 {
-                let _e595 = p.member.previous.eye;
-                let _e603 = p.member.previous.forward;
-                let _e612 = (((((_e91.x - _e595.x) * _e603.x) + ((_e91.y - _e595.y) * _e603.y)) + ((_e91.z - _e595.z) * _e603.z)) > 0f);
-                let _e616 = lt_mask_Reprojection(_e592.pixel, _e612, _e592.has_moved);
-                if _e612 {
-                    let _e618 = p.member.flags;
-                    phi_830_ = ((_e618 & 1u) != 0u);
-                    phi_831_ = false;
+            let _e581 = phi_807_;
+            let _e583 = phi_808_;
+            let _e585 = phi_809_;
+            let _e595 = lt_mask_Reprojection(vec2<u32>(_e585.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e602 = lt_mask_Reprojection(vec2<u32>(_e595.pixel.x, _e585.y), _e595.is_valid, _e595.has_moved);
+            let _e606 = lt_mask_Reprojection(_e602.pixel, _e583, _e602.has_moved);
+            let _e610 = lt_mask_Reprojection(_e606.pixel, _e606.is_valid, !(_e581));
+            if _e583 {
+                let _e613 = p.member.previous.eye;
+                let _e621 = p.member.previous.forward;
+                let _e630 = (((((_e91.x - _e613.x) * _e621.x) + ((_e91.y - _e613.y) * _e621.y)) + ((_e91.z - _e613.z) * _e621.z)) > 0f);
+                let _e634 = lt_mask_Reprojection(_e610.pixel, _e630, _e610.has_moved);
+                if _e630 {
+                    let _e636 = p.member.flags;
+                    phi_848_ = ((_e636 & 1u) != 0u);
+                    phi_849_ = false;
                 } else {
-                    phi_830_ = bool();
-                    phi_831_ = true;
+                    phi_848_ = bool();
+                    phi_849_ = true;
                 }
-                let _e622 = phi_830_;
-                let _e624 = phi_831_;
-                phi_833_ = _e622;
-                phi_834_ = _e616;
-                phi_835_ = _e616;
-                phi_836_ = _e624;
+                let _e640 = phi_848_;
+                let _e642 = phi_849_;
+                phi_851_ = _e640;
+                phi_852_ = _e634;
+                phi_853_ = _e634;
+                phi_854_ = _e642;
             } else {
-                phi_833_ = bool();
-                phi_834_ = lt_mask_Reprojection();
-                phi_835_ = lt_mask_Reprojection(_e592.pixel, false, _e592.has_moved);
-                phi_836_ = true;
+                phi_851_ = bool();
+                phi_852_ = lt_mask_Reprojection();
+                phi_853_ = lt_mask_Reprojection(_e610.pixel, false, _e610.has_moved);
+                phi_854_ = true;
             }
-            let _e630 = phi_833_;
-            let _e632 = phi_834_;
-            let _e634 = phi_835_;
-            let _e636 = phi_836_;
-            if _e636 {
-                phi_840_ = false;
-                phi_841_ = _e634;
+            let _e648 = phi_851_;
+            let _e650 = phi_852_;
+            let _e652 = phi_853_;
+            let _e654 = phi_854_;
+            if _e654 {
+                phi_858_ = false;
+                phi_859_ = _e652;
             } else {
-                phi_840_ = _e630;
-                phi_841_ = _e632;
+                phi_858_ = _e648;
+                phi_859_ = _e650;
             }
-            let _e638 = phi_840_;
-            let _e640 = phi_841_;
-            let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
-            let _e646 = p.member.flags;
-            if _e644.has_moved {
-                let _e651 = p.member.flags;
-                phi_855_ = ((_e651 & 4u) == 0u);
+            let _e656 = phi_858_;
+            let _e658 = phi_859_;
+            let _e662 = lt_mask_Reprojection(_e658.pixel, _e656, _e658.has_moved);
+            let _e664 = p.member.flags;
+            if _e662.has_moved {
+                let _e669 = p.member.flags;
+                phi_873_ = ((_e669 & 4u) == 0u);
             } else {
-                phi_855_ = false;
+                phi_873_ = false;
             }
-            let _e655 = phi_855_;
-            if ((_e646 & 2u) != 0u) {
+            let _e673 = phi_873_;
+            if ((_e664 & 2u) != 0u) {
                 if false {
-                    phi_868_ = bool();
-                    phi_869_ = true;
+                    phi_886_ = bool();
+                    phi_887_ = true;
                 } else {
                     if true {
-                        phi_866_ = !(_e655);
-                        phi_867_ = false;
+                        phi_884_ = !(_e673);
+                        phi_885_ = false;
                     } else {
-                        phi_866_ = bool();
-                        phi_867_ = true;
+                        phi_884_ = bool();
+                        phi_885_ = true;
                     }
-                    let _e658 = phi_866_;
-                    let _e660 = phi_867_;
-                    phi_868_ = _e658;
-                    phi_869_ = _e660;
+                    let _e676 = phi_884_;
+                    let _e678 = phi_885_;
+                    phi_886_ = _e676;
+                    phi_887_ = _e678;
                 }
-                let _e662 = phi_868_;
-                let _e664 = phi_869_;
-                phi_870_ = _e662;
-                phi_871_ = _e664;
+                let _e680 = phi_886_;
+                let _e682 = phi_887_;
+                phi_888_ = _e680;
+                phi_889_ = _e682;
             } else {
-                phi_870_ = bool();
-                phi_871_ = true;
+                phi_888_ = bool();
+                phi_889_ = true;
             }
-            let _e666 = phi_870_;
-            let _e668 = phi_871_;
-            if _e668 {
-                phi_875_ = false;
+            let _e684 = phi_888_;
+            let _e686 = phi_889_;
+            if _e686 {
+                phi_893_ = false;
             } else {
-                phi_875_ = _e666;
+                phi_893_ = _e684;
             }
-            let _e670 = phi_875_;
-            let _e671 = lt_mask_Neighbourhood(false, true);
+            let _e688 = phi_893_;
+            let _e689 = lt_mask_Neighbourhood(false, true);
             if _e258 {
-                phi_880_ = _e670;
+                phi_898_ = _e688;
             } else {
-                phi_880_ = true;
+                phi_898_ = true;
             }
-            let _e673 = phi_880_;
-            if _e673 {
-                if _e638 {
-                    if _e644.has_moved {
-                        let _e676 = p.member.moving_pattern;
-                        phi_895_ = _e676;
+            let _e691 = phi_898_;
+            if _e691 {
+                if _e656 {
+                    if _e662.has_moved {
+                        let _e694 = p.member.moving_pattern;
+                        phi_913_ = _e694;
                     } else {
-                        let _e678 = p.member.still_pattern;
-                        phi_895_ = _e678;
+                        let _e696 = p.member.still_pattern;
+                        phi_913_ = _e696;
                     }
-                    let _e680 = phi_895_;
-                    phi_897_ = 0u;
-                    phi_900_ = _e671;
+                    let _e698 = phi_913_;
+                    phi_915_ = 0u;
+                    phi_918_ = _e689;
                     loop {
-                        let _e682 = phi_897_;
-                        let _e684 = phi_900_;
-                        local_1 = _e684;
-                        if (1u <= _e680) {
-                            if (_e680 <= 4u) {
-                                phi_912_ = false;
+                        let _e700 = phi_915_;
+                        let _e702 = phi_918_;
+                        local_1 = _e702;
+                        if (1u <= _e698) {
+                            if (_e698 <= 4u) {
+                                phi_930_ = false;
                             } else {
-                                phi_912_ = true;
+                                phi_930_ = true;
                             }
-                            let _e688 = phi_912_;
-                            phi_913_ = _e688;
+                            let _e706 = phi_930_;
+                            phi_931_ = _e706;
                         } else {
-                            phi_913_ = true;
+                            phi_931_ = true;
                         }
-                        let _e690 = phi_913_;
-                        if _e690 {
-                            switch bitcast<i32>(_e680) {
+                        let _e708 = phi_931_;
+                        if _e708 {
+                            switch bitcast<i32>(_e698) {
                                 case 5: {
-                                    phi_922_ = 4u;
+                                    phi_940_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_922_ = 25u;
+                                    phi_940_ = 25u;
                                     break;
                                 }
                                 case 7: {
-                                    phi_922_ = 13u;
+                                    phi_940_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_922_ = 9u;
+                                    phi_940_ = 9u;
                                     break;
                                 }
                             }
-                            let _e693 = phi_922_;
-                            phi_923_ = _e693;
+                            let _e711 = phi_940_;
+                            phi_941_ = _e711;
                         } else {
-                            phi_923_ = 5u;
+                            phi_941_ = 5u;
                         }
-                        let _e695 = phi_923_;
-                        let _e696 = (_e682 < _e695);
-                        if _e696 {
-                            let _e702 = p.member.frame;
-                            let _e706 = p.member.current.size[0u];
-                            let _e708 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e680) {
+                        let _e713 = phi_941_;
+                        let _e714 = (_e700 < _e713);
+                        if _e714 {
+                            let _e720 = p.member.frame;
+                            let _e724 = p.member.current.size[0u];
+                            let _e726 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e698) {
                                 case 1: {
-                                    let _e718 = lt_mask_pattern_plus(_e682);
-                                    phi_1003_ = vec2<i32>(_e718.x, _e718.y);
+                                    let _e736 = lt_mask_pattern_plus(_e700);
+                                    phi_1021_ = vec2<i32>(_e736.x, _e736.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e722 = lt_mask_pattern_cross(_e682);
-                                    phi_1003_ = vec2<i32>(_e722.x, _e722.y);
+                                    let _e740 = lt_mask_pattern_cross(_e700);
+                                    phi_1021_ = vec2<i32>(_e740.x, _e740.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e728 = lt_mask_pattern_plus_or_cross(_e682, ((_e644.pixel.x + _e644.pixel.y) & 1u));
-                                    phi_1003_ = vec2<i32>(_e728.x, _e728.y);
+                                    let _e746 = lt_mask_pattern_plus_or_cross(_e700, ((_e662.pixel.x + _e662.pixel.y) & 1u));
+                                    phi_1021_ = vec2<i32>(_e746.x, _e746.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e733 = lt_mask_pattern_plus_or_cross(_e682, (_e702 & 1u));
-                                    phi_1003_ = vec2<i32>(_e733.x, _e733.y);
+                                    let _e751 = lt_mask_pattern_plus_or_cross(_e700, (_e720 & 1u));
+                                    phi_1021_ = vec2<i32>(_e751.x, _e751.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e702 & 3u)) {
+                                    switch bitcast<i32>((_e720 & 3u)) {
                                         case 0: {
-                                            phi_983_ = vec2(-1i);
+                                            phi_1001_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_983_ = vec2(0i);
+                                            phi_1001_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_983_ = vec2<i32>(0i, -1i);
+                                            phi_1001_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_983_ = vec2<i32>(-1i, 0i);
+                                            phi_1001_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e744 = phi_983_;
-                                    phi_1003_ = (_e744 + vec2<i32>(bitcast<i32>((_e682 & 1u)), bitcast<i32>(((_e682 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e762 = phi_1001_;
+                                    phi_1021_ = (_e762 + vec2<i32>(bitcast<i32>((_e700 & 1u)), bitcast<i32>(((_e700 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_1003_ = vec2<i32>((bitcast<i32>((_e682 % 5u)) - 2i), (bitcast<i32>(((_e682 / 5u) % 5u)) - 2i));
+                                    phi_1021_ = vec2<i32>((bitcast<i32>((_e700 % 5u)) - 2i), (bitcast<i32>(((_e700 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 case 7: {
-                                    let _e761 = lt_mask_pattern_diamond(_e682);
-                                    phi_1003_ = vec2<i32>(_e761.x, _e761.y);
+                                    let _e779 = lt_mask_pattern_diamond(_e700);
+                                    phi_1021_ = vec2<i32>(_e779.x, _e779.y);
                                     break;
                                 }
                                 default: {
-                                    phi_1003_ = vec2<i32>((bitcast<i32>((_e682 % 3u)) - 1i), (bitcast<i32>(((_e682 / 3u) % 3u)) - 1i));
+                                    phi_1021_ = vec2<i32>((bitcast<i32>((_e700 % 3u)) - 1i), (bitcast<i32>(((_e700 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e766 = phi_1003_;
-                            let _e769 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e766.x, _e706);
-                            let _e770 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e766.y, _e708);
-                            let _e774 = ((((_e770 * _e88) + _e769) * _e84) + (_e80 / 32u));
+                            let _e784 = phi_1021_;
+                            let _e787 = lt_mask_pattern_step_clamped(_e662.pixel.x, _e784.x, _e724);
+                            let _e788 = lt_mask_pattern_step_clamped(_e662.pixel.y, _e784.y, _e726);
+                            let _e792 = ((((_e788 * _e88) + _e787) * _e84) + (_e80 / 32u));
                             if (_e82 > 29u) {
-                                let _e776 = (_e774 + 1u);
-                                if (_e776 < _e61) {
+                                let _e794 = (_e792 + 1u);
+                                if (_e794 < _e61) {
                                 } else {
                                     return;
                                 }
-                                let _e780 = last_bits.member[(0u + _e776)];
-                                phi_1028_ = _e780;
+                                let _e798 = last_bits.member[(0u + _e794)];
+                                phi_1046_ = _e798;
                             } else {
-                                phi_1028_ = 0u;
+                                phi_1046_ = 0u;
                             }
-                            let _e782 = phi_1028_;
-                            if (_e774 < _e61) {
+                            let _e800 = phi_1046_;
+                            if (_e792 < _e61) {
                             } else {
                                 return;
                             }
-                            let _e786 = last_bits.member[(0u + _e774)];
-                            let _e789 = (_e786 >> bitcast<u32>((_e82 & 31u)));
+                            let _e804 = last_bits.member[(0u + _e792)];
+                            let _e807 = (_e804 >> bitcast<u32>((_e82 & 31u)));
                             if (_e82 > 29u) {
-                                phi_1047_ = (_e789 | (_e782 << bitcast<u32>(((32u - _e82) & 31u))));
+                                phi_1065_ = (_e807 | (_e800 << bitcast<u32>(((32u - _e82) & 31u))));
                             } else {
-                                phi_1047_ = _e789;
+                                phi_1065_ = _e807;
                             }
-                            let _e797 = phi_1047_;
-                            if ((_e797 & 2u) == 0u) {
-                                phi_1055_ = (_e797 & 1u);
+                            let _e815 = phi_1065_;
+                            if ((_e815 & 2u) == 0u) {
+                                phi_1073_ = (_e815 & 1u);
                             } else {
-                                phi_1055_ = (_e797 & 7u);
+                                phi_1073_ = (_e815 & 7u);
                             }
-                            let _e803 = phi_1055_;
-                            if _e684.any_expands {
-                                phi_1081_ = true;
+                            let _e821 = phi_1073_;
+                            if _e702.any_expands {
+                                phi_1099_ = true;
                             } else {
-                                if ((_e803 & 2u) != 0u) {
-                                    if (((_e803 & 4u) != 0u) != _e254) {
-                                        phi_1072_ = false;
+                                if ((_e821 & 2u) != 0u) {
+                                    if (((_e821 & 4u) != 0u) != _e254) {
+                                        phi_1090_ = false;
                                     } else {
-                                        phi_1072_ = true;
+                                        phi_1090_ = true;
                                     }
-                                    let _e812 = phi_1072_;
-                                    phi_1073_ = _e812;
+                                    let _e830 = phi_1090_;
+                                    phi_1091_ = _e830;
                                 } else {
-                                    phi_1073_ = true;
+                                    phi_1091_ = true;
                                 }
-                                let _e814 = phi_1073_;
-                                if _e814 {
-                                    phi_1080_ = (((_e803 & 1u) != 0u) != _e254);
+                                let _e832 = phi_1091_;
+                                if _e832 {
+                                    phi_1098_ = (((_e821 & 1u) != 0u) != _e254);
                                 } else {
-                                    phi_1080_ = true;
+                                    phi_1098_ = true;
                                 }
-                                let _e819 = phi_1080_;
-                                phi_1081_ = _e819;
+                                let _e837 = phi_1098_;
+                                phi_1099_ = _e837;
                             }
-                            let _e821 = phi_1081_;
-                            if _e684.all_remove {
-                                if (((_e803 & 1u) != 0u) == _e254) {
-                                    if ((_e803 & 2u) != 0u) {
-                                        phi_1099_ = (((_e803 & 4u) != 0u) == _e254);
+                            let _e839 = phi_1099_;
+                            if _e702.all_remove {
+                                if (((_e821 & 1u) != 0u) == _e254) {
+                                    if ((_e821 & 2u) != 0u) {
+                                        phi_1117_ = (((_e821 & 4u) != 0u) == _e254);
                                     } else {
-                                        phi_1099_ = true;
+                                        phi_1117_ = true;
                                     }
-                                    let _e831 = phi_1099_;
-                                    phi_1100_ = _e831;
+                                    let _e849 = phi_1117_;
+                                    phi_1118_ = _e849;
                                 } else {
-                                    phi_1100_ = false;
+                                    phi_1118_ = false;
                                 }
-                                let _e833 = phi_1100_;
-                                phi_1101_ = _e833;
+                                let _e851 = phi_1118_;
+                                phi_1119_ = _e851;
                             } else {
-                                phi_1101_ = false;
+                                phi_1119_ = false;
                             }
-                            let _e835 = phi_1101_;
-                            phi_898_ = (_e682 + 1u);
-                            phi_901_ = lt_mask_Neighbourhood(_e821, _e835);
+                            let _e853 = phi_1119_;
+                            phi_916_ = (_e700 + 1u);
+                            phi_919_ = lt_mask_Neighbourhood(_e839, _e853);
                         } else {
-                            phi_898_ = u32();
-                            phi_901_ = lt_mask_Neighbourhood();
+                            phi_916_ = u32();
+                            phi_919_ = lt_mask_Neighbourhood();
                         }
-                        let _e839 = phi_898_;
-                        let _e841 = phi_901_;
+                        let _e857 = phi_916_;
+                        let _e859 = phi_919_;
                         continue;
                         continuing {
-                            phi_897_ = _e839;
-                            phi_900_ = _e841;
-                            break if !(_e696);
+                            phi_915_ = _e857;
+                            phi_918_ = _e859;
+                            break if !(_e714);
                         }
                     }
-                    let _e1076 = local_1;
-                    phi_1104_ = _e1076;
+                    let _e1094 = local_1;
+                    phi_1122_ = _e1094;
                 } else {
-                    phi_1104_ = _e671;
+                    phi_1122_ = _e689;
                 }
-                let _e844 = phi_1104_;
-                phi_1105_ = _e844;
+                let _e862 = phi_1122_;
+                phi_1123_ = _e862;
             } else {
-                phi_1105_ = _e671;
+                phi_1123_ = _e689;
             }
-            let _e846 = phi_1105_;
-            let _e849 = p.member.frame;
-            let _e851 = p.member.refresh;
-            if (_e851 == 0u) {
-                phi_1138_ = false;
+            let _e864 = phi_1123_;
+            let _e867 = p.member.frame;
+            let _e869 = p.member.refresh;
+            if (_e869 == 0u) {
+                phi_1156_ = false;
             } else {
-                if (_e851 == 0u) {
+                if (_e869 == 0u) {
                     return;
                 }
-                let _e860 = ((_e55.x + (_e55.y * (((_e851 * 5u) / 8u) | 1u))) + (_e849 % _e851));
-                if (_e851 == 0u) {
-                    phi_1137_ = (_e860 == 0u);
+                let _e878 = ((_e55.x + (_e55.y * (((_e869 * 5u) / 8u) | 1u))) + (_e867 % _e869));
+                if (_e869 == 0u) {
+                    phi_1155_ = (_e878 == 0u);
                 } else {
-                    if (_e851 == 0u) {
+                    if (_e869 == 0u) {
                         return;
                     }
-                    phi_1137_ = ((_e860 % _e851) == 0u);
+                    phi_1155_ = ((_e878 % _e869) == 0u);
                 }
-                let _e867 = phi_1137_;
-                phi_1138_ = _e867;
+                let _e885 = phi_1155_;
+                phi_1156_ = _e885;
             }
-            let _e869 = phi_1138_;
+            let _e887 = phi_1156_;
             if (_e96 != 0.5f) {
-                if _e638 {
-                    if _e869 {
-                        phi_1193_ = 6u;
+                if _e656 {
+                    if _e887 {
+                        phi_1211_ = 6u;
                     } else {
                         if _e258 {
-                            phi_1168_ = true;
+                            phi_1186_ = true;
                         } else {
-                            if _e846.any_expands {
-                                phi_1167_ = false;
+                            if _e864.any_expands {
+                                phi_1185_ = false;
                             } else {
-                                phi_1167_ = true;
+                                phi_1185_ = true;
                             }
-                            let _e873 = phi_1167_;
-                            phi_1168_ = _e873;
+                            let _e891 = phi_1185_;
+                            phi_1186_ = _e891;
                         }
-                        let _e875 = phi_1168_;
-                        if _e875 {
+                        let _e893 = phi_1186_;
+                        if _e893 {
                             if _e258 {
-                                if _e670 {
-                                    if _e846.all_remove {
-                                        phi_1181_ = false;
+                                if _e688 {
+                                    if _e864.all_remove {
+                                        phi_1199_ = false;
                                     } else {
-                                        phi_1181_ = true;
+                                        phi_1199_ = true;
                                     }
-                                    let _e877 = phi_1181_;
-                                    phi_1182_ = _e877;
+                                    let _e895 = phi_1199_;
+                                    phi_1200_ = _e895;
                                 } else {
-                                    phi_1182_ = true;
+                                    phi_1200_ = true;
                                 }
-                                let _e879 = phi_1182_;
-                                phi_1183_ = _e879;
+                                let _e897 = phi_1200_;
+                                phi_1201_ = _e897;
                             } else {
-                                phi_1183_ = true;
+                                phi_1201_ = true;
                             }
-                            let _e881 = phi_1183_;
-                            if _e881 {
+                            let _e899 = phi_1201_;
+                            if _e899 {
                                 if _e258 {
-                                    phi_1190_ = 1u;
+                                    phi_1208_ = 1u;
                                 } else {
-                                    phi_1190_ = 0u;
+                                    phi_1208_ = 0u;
                                 }
-                                let _e883 = phi_1190_;
-                                phi_1191_ = _e883;
+                                let _e901 = phi_1208_;
+                                phi_1209_ = _e901;
                             } else {
-                                phi_1191_ = 5u;
+                                phi_1209_ = 5u;
                             }
-                            let _e885 = phi_1191_;
-                            phi_1192_ = _e885;
+                            let _e903 = phi_1209_;
+                            phi_1210_ = _e903;
                         } else {
-                            phi_1192_ = 4u;
+                            phi_1210_ = 4u;
                         }
-                        let _e887 = phi_1192_;
-                        phi_1193_ = _e887;
+                        let _e905 = phi_1210_;
+                        phi_1211_ = _e905;
                     }
-                    let _e889 = phi_1193_;
-                    phi_1194_ = _e889;
+                    let _e907 = phi_1211_;
+                    phi_1212_ = _e907;
                 } else {
-                    phi_1194_ = 3u;
+                    phi_1212_ = 3u;
                 }
-                let _e891 = phi_1194_;
-                phi_1195_ = _e891;
+                let _e909 = phi_1212_;
+                phi_1213_ = _e909;
             } else {
-                phi_1195_ = 2u;
+                phi_1213_ = 2u;
             }
-            let _e893 = phi_1195_;
-            if !((_e893 == 0u)) {
-                phi_1203_ = !((_e893 == 5u));
+            let _e911 = phi_1213_;
+            if !((_e911 == 0u)) {
+                phi_1221_ = !((_e911 == 5u));
             } else {
-                phi_1203_ = false;
+                phi_1221_ = false;
             }
-            let _e899 = phi_1203_;
-            if _e899 {
+            let _e917 = phi_1221_;
+            if _e917 {
                 if _e254 {
-                    phi_1211_ = (2u | 1u);
+                    phi_1229_ = (2u | 1u);
                 } else {
-                    phi_1211_ = 2u;
+                    phi_1229_ = 2u;
                 }
-                let _e902 = phi_1211_;
+                let _e920 = phi_1229_;
                 if false {
-                    phi_1216_ = (_e902 | 4u);
+                    phi_1234_ = (_e920 | 4u);
                 } else {
-                    phi_1216_ = _e902;
+                    phi_1234_ = _e920;
                 }
-                let _e905 = phi_1216_;
-                phi_1221_ = _e905;
+                let _e923 = phi_1234_;
+                phi_1239_ = _e923;
             } else {
                 if _e254 {
-                    phi_1220_ = 1u;
+                    phi_1238_ = 1u;
                 } else {
-                    phi_1220_ = 0u;
+                    phi_1238_ = 0u;
                 }
-                let _e907 = phi_1220_;
-                phi_1221_ = _e907;
+                let _e925 = phi_1238_;
+                phi_1239_ = _e925;
             }
-            let _e909 = phi_1221_;
+            let _e927 = phi_1239_;
             if _e254 {
-                phi_1225_ = 0f;
+                phi_1243_ = 0f;
             } else {
-                phi_1225_ = 1f;
+                phi_1243_ = 1f;
             }
-            let _e911 = phi_1225_;
-            phi_1227_ = mask_Masked(_e911, _e909, _e899);
+            let _e929 = phi_1243_;
+            phi_1245_ = mask_Masked(_e929, _e927, _e917);
         }
-        let _e914 = phi_1227_;
-        visibility.member[_e72.shift] = _e914.visibility;
-        let _e919 = p.member.light.number;
-        let _e920 = (_e919 * 3u);
-        let _e922 = (_e920 % 32u);
-        let _e924 = p.member.light.mask_words;
-        let _e926 = ((_e72.shift * _e924) + (_e920 / 32u));
-        let _e928 = bits.member[_e926];
-        bits.member[_e926] = ((_e928 & ~((7u << bitcast<u32>((_e922 & 31u))))) | (_e914.bits << bitcast<u32>((_e922 & 31u))));
-        if (_e922 > 29u) {
-            let _e943 = bits.member[(_e926 + 1u)];
-            let _e945 = (32u - _e922);
-            bits.member[(_e926 + 1u)] = ((_e943 & ~((7u >> bitcast<u32>((_e945 & 31u))))) | (_e914.bits >> bitcast<u32>((_e945 & 31u))));
+        let _e932 = phi_1245_;
+        visibility.member[_e72.shift] = _e932.visibility;
+        let _e937 = p.member.light.number;
+        let _e938 = (_e937 * 3u);
+        let _e940 = (_e938 % 32u);
+        let _e942 = p.member.light.mask_words;
+        let _e944 = ((_e72.shift * _e942) + (_e938 / 32u));
+        let _e946 = bits.member[_e944];
+        bits.member[_e944] = ((_e946 & ~((7u << bitcast<u32>((_e940 & 31u))))) | (_e932.bits << bitcast<u32>((_e940 & 31u))));
+        if (_e940 > 29u) {
+            let _e961 = bits.member[(_e944 + 1u)];
+            let _e963 = (32u - _e940);
+            bits.member[(_e944 + 1u)] = ((_e961 & ~((7u >> bitcast<u32>((_e963 & 31u))))) | (_e932.bits >> bitcast<u32>((_e963 & 31u))));
         }
-        phi_1277_ = _e914.needs_ray;
-        phi_1278_ = _e72.shift;
+        phi_1295_ = _e932.needs_ray;
+        phi_1296_ = _e72.shift;
     } else {
-        phi_1277_ = false;
-        phi_1278_ = 0u;
+        phi_1295_ = false;
+        phi_1296_ = 0u;
     }
-    let _e959 = phi_1277_;
-    let _e961 = phi_1278_;
+    let _e977 = phi_1295_;
+    let _e979 = phi_1296_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e959 {
-        let _e965 = atomicAdd((&shared_[0u]), 1u);
-        phi_1289_ = _e965;
+    if _e977 {
+        let _e983 = atomicAdd((&shared_[0u]), 1u);
+        phi_1307_ = _e983;
     } else {
-        phi_1289_ = 0u;
+        phi_1307_ = 0u;
     }
-    let _e967 = phi_1289_;
+    let _e985 = phi_1307_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e971 = atomicLoad((&shared_[0u]));
-        let _e972 = atomicAdd((&list.member[3u]), _e971);
-        atomicStore((&shared_[1u]), _e972);
+        let _e989 = atomicLoad((&shared_[0u]));
+        let _e990 = atomicAdd((&list.member[3u]), _e989);
+        atomicStore((&shared_[1u]), _e990);
     }
     workgroupBarrier();
-    if _e959 {
-        let _e975 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e975) + _e967)]), _e961);
+    if _e977 {
+        let _e993 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e993) + _e985)]), _e979);
     }
     return;
 }

@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_LightParams {
@@ -129,283 +129,283 @@ var<storage, read_write> depths: type_21;
 var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_182_: lt_mask_LightPlace;
-    var phi_183_: bool;
-    var phi_184_: lt_mask_LightPlace;
-    var phi_185_: bool;
-    var phi_190_: lt_mask_LightPlace;
+    var phi_183_: lt_mask_LightPlace;
+    var phi_184_: bool;
+    var phi_185_: lt_mask_LightPlace;
+    var phi_186_: bool;
+    var phi_191_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_182_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_183_ = false;
+            phi_183_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_184_ = false;
         } else {
-            phi_182_ = lt_mask_LightPlace();
-            phi_183_ = true;
+            phi_183_ = lt_mask_LightPlace();
+            phi_184_ = true;
         }
-        let _e73 = phi_182_;
-        let _e75 = phi_183_;
-        phi_184_ = _e73;
-        phi_185_ = _e75;
+        let _e73 = phi_183_;
+        let _e75 = phi_184_;
+        phi_185_ = _e73;
+        phi_186_ = _e75;
     } else {
-        phi_184_ = lt_mask_LightPlace();
-        phi_185_ = true;
+        phi_185_ = lt_mask_LightPlace();
+        phi_186_ = true;
     }
-    let _e77 = phi_184_;
-    let _e79 = phi_185_;
+    let _e77 = phi_185_;
+    let _e79 = phi_186_;
     if _e79 {
-        phi_190_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_191_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_190_ = _e77;
+        phi_191_ = _e77;
     }
-    let _e84 = phi_190_;
+    let _e84 = phi_191_;
     return lt_mask_LightPlace(_e84.word, _e84.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_208_: vec2<i32>;
+    var phi_209_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_208_ = vec2(0i);
+            phi_209_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_208_ = vec2<i32>(0i, -1i);
+            phi_209_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_208_ = vec2<i32>(-1i, 0i);
+            phi_209_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_208_ = vec2<i32>(1i, 0i);
+            phi_209_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_208_ = vec2<i32>(0i, 1i);
+            phi_209_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e69 = phi_208_;
+    let _e69 = phi_209_;
     return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_226_: vec2<i32>;
+    var phi_227_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_226_ = vec2(0i);
+            phi_227_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_226_ = vec2(-1i);
+            phi_227_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_226_ = vec2<i32>(1i, -1i);
+            phi_227_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_226_ = vec2<i32>(-1i, 1i);
+            phi_227_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_226_ = vec2(1i);
+            phi_227_ = vec2(1i);
             break;
         }
     }
-    let _e69 = phi_226_;
+    let _e69 = phi_227_;
     return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_245_: vec2<i32>;
+    var phi_246_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e63 = lt_mask_pattern_plus(param_5);
-        phi_245_ = vec2<i32>(_e63.x, _e63.y);
+        phi_246_ = vec2<i32>(_e63.x, _e63.y);
     } else {
         let _e67 = lt_mask_pattern_cross(param_5);
-        phi_245_ = vec2<i32>(_e67.x, _e67.y);
+        phi_246_ = vec2<i32>(_e67.x, _e67.y);
     }
-    let _e72 = phi_245_;
+    let _e72 = phi_246_;
     return vec2<i32>(_e72.x, _e72.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_270_: vec2<i32>;
+    var phi_271_: vec2<i32>;
 
     let _e61 = (param_7 % 13u);
     switch bitcast<i32>(_e61) {
         case 9: {
-            phi_270_ = vec2<i32>(0i, -2i);
+            phi_271_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_270_ = vec2<i32>(-2i, 0i);
+            phi_271_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_270_ = vec2<i32>(2i, 0i);
+            phi_271_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_270_ = vec2<i32>(0i, 2i);
+            phi_271_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_270_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
+            phi_271_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e76 = phi_270_;
+    let _e76 = phi_271_;
     return vec2<i32>(_e76.x, _e76.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_291_: u32;
     var phi_292_: u32;
+    var phi_293_: u32;
 
     let _e64 = (bitcast<i32>(param_8) + param_9);
     if (_e64 < 0i) {
-        phi_292_ = 0u;
+        phi_293_ = 0u;
     } else {
         if (_e64 >= bitcast<i32>(param_10)) {
-            phi_291_ = (param_10 - 1u);
+            phi_292_ = (param_10 - 1u);
         } else {
-            phi_291_ = bitcast<u32>(_e64);
+            phi_292_ = bitcast<u32>(_e64);
         }
-        let _e71 = phi_291_;
-        phi_292_ = _e71;
+        let _e71 = phi_292_;
+        phi_293_ = _e71;
     }
-    let _e73 = phi_292_;
+    let _e73 = phi_293_;
     return _e73;
 }
 
 fn function_() {
-    var phi_373_: bool;
     var phi_374_: bool;
     var phi_375_: bool;
     var phi_376_: bool;
-    var phi_380_: bool;
-    var phi_450_: bool;
+    var phi_377_: bool;
+    var phi_381_: bool;
     var phi_451_: bool;
-    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_463_: bool;
-    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_465_: bool;
-    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_476_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_489_: bool;
-    var phi_675_: f32;
-    var phi_680_: f32;
-    var phi_681_: bool;
-    var phi_682_: f32;
-    var phi_683_: bool;
-    var phi_687_: f32;
-    var phi_710_: f32;
-    var phi_715_: f32;
-    var phi_716_: bool;
-    var phi_717_: f32;
-    var phi_718_: bool;
-    var phi_722_: f32;
-    var phi_743_: bool;
-    var phi_762_: vec2<u32>;
-    var phi_763_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: vec2<u32>;
-    var phi_767_: bool;
-    var phi_768_: bool;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_773_: vec2<u32>;
-    var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_779_: bool;
+    var phi_452_: bool;
+    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_464_: bool;
+    var phi_465_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_466_: bool;
+    var phi_473_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_477_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_490_: bool;
+    var phi_695_: f32;
+    var phi_700_: f32;
+    var phi_701_: bool;
+    var phi_702_: f32;
+    var phi_703_: bool;
+    var phi_707_: f32;
+    var phi_728_: f32;
+    var phi_733_: f32;
+    var phi_734_: bool;
+    var phi_735_: f32;
+    var phi_736_: bool;
+    var phi_740_: f32;
+    var phi_761_: bool;
     var phi_780_: vec2<u32>;
     var phi_781_: bool;
     var phi_782_: bool;
     var phi_783_: bool;
-    var phi_784_: bool;
+    var phi_784_: vec2<u32>;
+    var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_791_: vec2<u32>;
+    var phi_792_: bool;
     var phi_793_: bool;
     var phi_794_: bool;
     var phi_795_: bool;
     var phi_796_: bool;
+    var phi_797_: bool;
+    var phi_798_: vec2<u32>;
+    var phi_799_: bool;
     var phi_800_: bool;
     var phi_801_: bool;
-    var phi_802_: vec2<u32>;
-    var phi_885_: bool;
-    var phi_889_: f32;
-    var phi_893_: lt_mask_Reprojection;
-    var phi_902_: bool;
+    var phi_802_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: bool;
+    var phi_814_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_820_: vec2<u32>;
     var phi_903_: bool;
-    var phi_905_: bool;
-    var phi_906_: lt_mask_Reprojection;
-    var phi_907_: lt_mask_Reprojection;
-    var phi_908_: bool;
-    var phi_912_: bool;
-    var phi_913_: lt_mask_Reprojection;
-    var phi_941_: u32;
-    var phi_943_: u32;
-    var phi_946_: lt_mask_Neighbourhood;
-    var phi_958_: bool;
-    var phi_959_: bool;
-    var phi_968_: u32;
-    var phi_969_: u32;
-    var phi_1029_: vec2<i32>;
-    var phi_1049_: vec2<i32>;
-    var phi_1076_: u32;
-    var phi_1095_: u32;
-    var phi_1103_: u32;
-    var phi_1120_: bool;
-    var phi_1121_: bool;
-    var phi_1128_: bool;
-    var phi_1129_: bool;
+    var phi_907_: f32;
+    var phi_911_: lt_mask_Reprojection;
+    var phi_920_: bool;
+    var phi_921_: bool;
+    var phi_923_: bool;
+    var phi_924_: lt_mask_Reprojection;
+    var phi_925_: lt_mask_Reprojection;
+    var phi_926_: bool;
+    var phi_930_: bool;
+    var phi_931_: lt_mask_Reprojection;
+    var phi_959_: u32;
+    var phi_961_: u32;
+    var phi_964_: lt_mask_Neighbourhood;
+    var phi_976_: bool;
+    var phi_977_: bool;
+    var phi_986_: u32;
+    var phi_987_: u32;
+    var phi_1047_: vec2<i32>;
+    var phi_1067_: vec2<i32>;
+    var phi_1094_: u32;
+    var phi_1113_: u32;
+    var phi_1121_: u32;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
+    var phi_1146_: bool;
     var phi_1147_: bool;
-    var phi_1148_: bool;
-    var phi_1149_: bool;
-    var phi_944_: u32;
-    var phi_947_: lt_mask_Neighbourhood;
-    var phi_1152_: lt_mask_Neighbourhood;
-    var phi_1153_: lt_mask_Neighbourhood;
-    var phi_1154_: lt_mask_Neighbourhood;
-    var phi_1186_: bool;
-    var phi_1187_: bool;
-    var phi_1216_: bool;
-    var phi_1217_: bool;
-    var phi_1230_: bool;
-    var phi_1231_: bool;
-    var phi_1232_: bool;
-    var phi_1239_: u32;
-    var phi_1240_: u32;
-    var phi_1241_: u32;
-    var phi_1242_: u32;
-    var phi_1243_: u32;
-    var phi_1244_: u32;
-    var phi_1252_: bool;
+    var phi_1165_: bool;
+    var phi_1166_: bool;
+    var phi_1167_: bool;
+    var phi_962_: u32;
+    var phi_965_: lt_mask_Neighbourhood;
+    var phi_1170_: lt_mask_Neighbourhood;
+    var phi_1171_: lt_mask_Neighbourhood;
+    var phi_1172_: lt_mask_Neighbourhood;
+    var phi_1204_: bool;
+    var phi_1205_: bool;
+    var phi_1234_: bool;
+    var phi_1235_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1250_: bool;
+    var phi_1257_: u32;
+    var phi_1258_: u32;
+    var phi_1259_: u32;
     var phi_1260_: u32;
-    var phi_1265_: u32;
-    var phi_1269_: u32;
-    var phi_1270_: u32;
-    var phi_1274_: f32;
-    var phi_1276_: mask_Masked;
-    var phi_1348_: bool;
-    var phi_1349_: bool;
-    var phi_1350_: bool;
-    var phi_1351_: bool;
-    var phi_1355_: bool;
-    var phi_1383_: f32;
-    var phi_1386_: bool;
-    var phi_1387_: u32;
-    var phi_1398_: u32;
+    var phi_1261_: u32;
+    var phi_1262_: u32;
+    var phi_1270_: bool;
+    var phi_1278_: u32;
+    var phi_1283_: u32;
+    var phi_1287_: u32;
+    var phi_1288_: u32;
+    var phi_1292_: f32;
+    var phi_1294_: mask_Masked;
+    var phi_1366_: bool;
+    var phi_1367_: bool;
+    var phi_1368_: bool;
+    var phi_1369_: bool;
+    var phi_1373_: bool;
+    var phi_1401_: f32;
+    var phi_1404_: bool;
+    var phi_1405_: u32;
+    var phi_1416_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e60 = id_1;
@@ -432,28 +432,28 @@ fn function_() {
             if (_e131 == _e133) {
                 let _e136 = samples.member[_e81.shift].normal[2u];
                 let _e138 = global[2u];
-                phi_373_ = (_e136 == _e138);
-                phi_374_ = false;
+                phi_374_ = (_e136 == _e138);
+                phi_375_ = false;
             } else {
-                phi_373_ = bool();
-                phi_374_ = true;
+                phi_374_ = bool();
+                phi_375_ = true;
             }
-            let _e141 = phi_373_;
-            let _e143 = phi_374_;
-            phi_375_ = _e141;
-            phi_376_ = _e143;
+            let _e141 = phi_374_;
+            let _e143 = phi_375_;
+            phi_376_ = _e141;
+            phi_377_ = _e143;
         } else {
-            phi_375_ = bool();
-            phi_376_ = true;
+            phi_376_ = bool();
+            phi_377_ = true;
         }
-        let _e145 = phi_375_;
-        let _e147 = phi_376_;
+        let _e145 = phi_376_;
+        let _e147 = phi_377_;
         if _e147 {
-            phi_380_ = false;
+            phi_381_ = false;
         } else {
-            phi_380_ = _e145;
+            phi_381_ = _e145;
         }
-        let _e149 = phi_380_;
+        let _e149 = phi_381_;
         if !(_e149) {
             let _e152 = samples.member[_e81.shift].position;
             let _e154 = p.member.light.place;
@@ -467,64 +467,64 @@ fn function_() {
                 let _e187 = p.member.light.axis;
                 let _e199 = p.member.light.place[3u];
                 if (_e199 == 0f) {
-                    phi_451_ = true;
+                    phi_452_ = true;
                 } else {
                     let _e202 = p.member.light.range_squared;
                     if (_e185 <= _e202) {
                         let _e205 = p.member.light.cos_outer;
-                        phi_450_ = (-((((_e167 * _e187.x) + (_e168 * _e187.y)) + (_e169 * _e187.z))) >= (_e205 * sqrt(_e185)));
+                        phi_451_ = (-((((_e167 * _e187.x) + (_e168 * _e187.y)) + (_e169 * _e187.z))) >= (_e205 * sqrt(_e185)));
                     } else {
-                        phi_450_ = false;
+                        phi_451_ = false;
                     }
-                    let _e210 = phi_450_;
-                    phi_451_ = _e210;
+                    let _e210 = phi_451_;
+                    phi_452_ = _e210;
                 }
-                let _e212 = phi_451_;
+                let _e212 = phi_452_;
                 if _e212 {
                     let _e214 = samples.member[_e81.shift].flags;
                     let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
-                    phi_463_ = false;
+                    phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
+                    phi_464_ = false;
                 } else {
-                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_463_ = true;
+                    phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_464_ = true;
                 }
-                let _e233 = phi_462_;
-                let _e235 = phi_463_;
-                phi_464_ = _e233;
-                phi_465_ = _e235;
+                let _e233 = phi_463_;
+                let _e235 = phi_464_;
+                phi_465_ = _e233;
+                phi_466_ = _e235;
             } else {
-                phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_465_ = true;
+                phi_465_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_466_ = true;
             }
-            let _e237 = phi_464_;
-            let _e239 = phi_465_;
+            let _e237 = phi_465_;
+            let _e239 = phi_466_;
             if _e239 {
                 let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
-                phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
+                phi_473_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
             } else {
-                phi_472_ = _e237;
+                phi_473_ = _e237;
             }
-            let _e256 = phi_472_;
-            phi_476_ = _e256;
+            let _e256 = phi_473_;
+            phi_477_ = _e256;
         } else {
             let _e262 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e268 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e262.unnamed.visibility, false), _e262.unnamed_1);
-            phi_476_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e268.unnamed, true);
+            phi_477_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e268.unnamed, true);
         }
-        let _e273 = phi_476_;
+        let _e273 = phi_477_;
         if _e273.unnamed_1 {
-            phi_1276_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
+            phi_1294_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
         } else {
             let _e278 = (_e120 < 0.5f);
             if (_e120 > 0f) {
-                phi_489_ = (_e120 < 1f);
+                phi_490_ = (_e120 < 1f);
             } else {
-                phi_489_ = false;
+                phi_490_ = false;
             }
-            let _e282 = phi_489_;
+            let _e282 = phi_490_;
             let _e284 = samples.member[_e81.shift].position;
             let _e288 = p.member.previous.eye;
             let _e290 = (_e115.x - _e288.x);
@@ -550,701 +550,703 @@ fn function_() {
             let _e433 = (((((((_e290 * _e306.x) + (_e292 * _e306.y)) + (_e294 * _e306.z)) / ((((_e316.x * _e316.x) + (_e316.y * _e316.y)) + (_e316.z * _e316.z)) * _e304)) - ((((_e359 * _e377.x) + (_e362 * _e377.y)) + (_e365 * _e377.z)) / ((((_e387.x * _e387.x) + (_e387.y * _e387.y)) + (_e387.z * _e387.z)) * _e375))) * 0.5f) * f32(_e431));
             let _e437 = p.member.current.size[1u];
             let _e439 = (((((((_e290 * _e331.x) + (_e292 * _e331.y)) + (_e294 * _e331.z)) / ((((_e341.x * _e341.x) + (_e341.y * _e341.y)) + (_e341.z * _e341.z)) * _e304)) - ((((_e359 * _e402.x) + (_e362 * _e402.y)) + (_e365 * _e402.z)) / ((((_e412.x * _e412.x) + (_e412.y * _e412.y)) + (_e412.z * _e412.z)) * _e375))) * -0.5f) * f32(_e437));
-            let _e443 = p.member.current.size[0u];
-            let _e445 = p.member.current.size[1u];
-            let _e449 = ((f32(_e60.x) + 0.5f) + _e433);
-            if (_e449 > -8388608f) {
-                let _e461 = f32(select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449)));
-                if (_e461 > _e449) {
-                    phi_675_ = 1f;
+            let _e443 = p.member.current.grid[0u];
+            let _e445 = p.member.current.grid[1u];
+            let _e465 = p.member.current.size[0u];
+            let _e467 = p.member.current.size[1u];
+            let _e469 = ((f32(_e60.x) + ((f32((_e60.y & (_e445 - 1u))) + 0.5f) / f32(_e445))) + _e433);
+            if (_e469 > -8388608f) {
+                let _e481 = f32(select(0i, select(select(i32(_e469), i32(-2147483648), (_e469 < bitcast<f32>(3472883712u))), 2147483647i, (_e469 > bitcast<f32>(1325400063u))), (_e469 == _e469)));
+                if (_e481 > _e469) {
+                    phi_695_ = 1f;
                 } else {
-                    phi_675_ = 0f;
+                    phi_695_ = 0f;
                 }
-                let _e464 = phi_675_;
-                if (_e449 < 8388608f) {
-                    phi_680_ = (_e461 - _e464);
-                    phi_681_ = false;
+                let _e484 = phi_695_;
+                if (_e469 < 8388608f) {
+                    phi_700_ = (_e481 - _e484);
+                    phi_701_ = false;
                 } else {
-                    phi_680_ = f32();
-                    phi_681_ = true;
+                    phi_700_ = f32();
+                    phi_701_ = true;
                 }
-                let _e467 = phi_680_;
-                let _e469 = phi_681_;
-                phi_682_ = _e467;
-                phi_683_ = _e469;
+                let _e487 = phi_700_;
+                let _e489 = phi_701_;
+                phi_702_ = _e487;
+                phi_703_ = _e489;
             } else {
-                phi_682_ = f32();
-                phi_683_ = true;
+                phi_702_ = f32();
+                phi_703_ = true;
             }
-            let _e471 = phi_682_;
-            let _e473 = phi_683_;
-            if _e473 {
-                phi_687_ = _e449;
+            let _e491 = phi_702_;
+            let _e493 = phi_703_;
+            if _e493 {
+                phi_707_ = _e469;
             } else {
-                phi_687_ = _e471;
+                phi_707_ = _e491;
             }
-            let _e475 = phi_687_;
-            let _e478 = ((f32(_e60.y) + 0.5f) + _e439);
-            if (_e478 > -8388608f) {
-                let _e490 = f32(select(0i, select(select(i32(_e478), i32(-2147483648), (_e478 < bitcast<f32>(3472883712u))), 2147483647i, (_e478 > bitcast<f32>(1325400063u))), (_e478 == _e478)));
-                if (_e490 > _e478) {
-                    phi_710_ = 1f;
+            let _e495 = phi_707_;
+            let _e496 = ((f32(_e60.y) + ((f32((_e60.x & (_e443 - 1u))) + 0.5f) / f32(_e443))) + _e439);
+            if (_e496 > -8388608f) {
+                let _e508 = f32(select(0i, select(select(i32(_e496), i32(-2147483648), (_e496 < bitcast<f32>(3472883712u))), 2147483647i, (_e496 > bitcast<f32>(1325400063u))), (_e496 == _e496)));
+                if (_e508 > _e496) {
+                    phi_728_ = 1f;
                 } else {
-                    phi_710_ = 0f;
+                    phi_728_ = 0f;
                 }
-                let _e493 = phi_710_;
-                if (_e478 < 8388608f) {
-                    phi_715_ = (_e490 - _e493);
-                    phi_716_ = false;
+                let _e511 = phi_728_;
+                if (_e496 < 8388608f) {
+                    phi_733_ = (_e508 - _e511);
+                    phi_734_ = false;
                 } else {
-                    phi_715_ = f32();
-                    phi_716_ = true;
+                    phi_733_ = f32();
+                    phi_734_ = true;
                 }
-                let _e496 = phi_715_;
-                let _e498 = phi_716_;
-                phi_717_ = _e496;
-                phi_718_ = _e498;
+                let _e514 = phi_733_;
+                let _e516 = phi_734_;
+                phi_735_ = _e514;
+                phi_736_ = _e516;
             } else {
-                phi_717_ = f32();
-                phi_718_ = true;
+                phi_735_ = f32();
+                phi_736_ = true;
             }
-            let _e500 = phi_717_;
-            let _e502 = phi_718_;
-            if _e502 {
-                phi_722_ = _e478;
+            let _e518 = phi_735_;
+            let _e520 = phi_736_;
+            if _e520 {
+                phi_740_ = _e496;
             } else {
-                phi_722_ = _e500;
+                phi_740_ = _e518;
             }
-            let _e504 = phi_722_;
-            if (_e475 >= 0f) {
-                if (_e504 >= 0f) {
-                    if (_e475 < f32(_e443)) {
-                        let _e510 = (_e504 < f32(_e445));
+            let _e522 = phi_740_;
+            if (_e495 >= 0f) {
+                if (_e522 >= 0f) {
+                    if (_e495 < f32(_e465)) {
+                        let _e528 = (_e522 < f32(_e467));
                         if (_e433 == 0f) {
-                            phi_743_ = (_e439 == 0f);
+                            phi_761_ = (_e439 == 0f);
                         } else {
-                            phi_743_ = false;
+                            phi_761_ = false;
                         }
-                        let _e514 = phi_743_;
-                        if _e510 {
-                            phi_762_ = vec2<u32>(select(select(u32(_e475), 0u, (_e475 < bitcast<f32>(0u))), 4294967295u, (_e475 > bitcast<f32>(1333788671u))), select(select(u32(_e504), 0u, (_e504 < bitcast<f32>(0u))), 4294967295u, (_e504 > bitcast<f32>(1333788671u))));
-                            phi_763_ = false;
+                        let _e532 = phi_761_;
+                        if _e528 {
+                            phi_780_ = vec2<u32>(select(select(u32(_e495), 0u, (_e495 < bitcast<f32>(0u))), 4294967295u, (_e495 > bitcast<f32>(1333788671u))), select(select(u32(_e522), 0u, (_e522 < bitcast<f32>(0u))), 4294967295u, (_e522 > bitcast<f32>(1333788671u))));
+                            phi_781_ = false;
                         } else {
-                            phi_762_ = vec2<u32>();
-                            phi_763_ = true;
+                            phi_780_ = vec2<u32>();
+                            phi_781_ = true;
                         }
-                        let _e531 = phi_762_;
-                        let _e533 = phi_763_;
-                        phi_764_ = _e514;
-                        phi_765_ = _e510;
-                        phi_766_ = _e531;
-                        phi_767_ = _e514;
-                        phi_768_ = _e510;
-                        phi_769_ = false;
-                        phi_770_ = _e533;
+                        let _e549 = phi_780_;
+                        let _e551 = phi_781_;
+                        phi_782_ = _e532;
+                        phi_783_ = _e528;
+                        phi_784_ = _e549;
+                        phi_785_ = _e532;
+                        phi_786_ = _e528;
+                        phi_787_ = false;
+                        phi_788_ = _e551;
                     } else {
-                        phi_764_ = bool();
-                        phi_765_ = bool();
-                        phi_766_ = vec2<u32>();
-                        phi_767_ = bool();
-                        phi_768_ = bool();
-                        phi_769_ = true;
-                        phi_770_ = false;
+                        phi_782_ = bool();
+                        phi_783_ = bool();
+                        phi_784_ = vec2<u32>();
+                        phi_785_ = bool();
+                        phi_786_ = bool();
+                        phi_787_ = true;
+                        phi_788_ = false;
                     }
-                    let _e535 = phi_764_;
-                    let _e537 = phi_765_;
-                    let _e539 = phi_766_;
-                    let _e541 = phi_767_;
-                    let _e543 = phi_768_;
-                    let _e545 = phi_769_;
-                    let _e547 = phi_770_;
-                    phi_771_ = _e535;
-                    phi_772_ = _e537;
-                    phi_773_ = _e539;
-                    phi_774_ = _e541;
-                    phi_775_ = _e543;
-                    phi_776_ = _e545;
-                    phi_777_ = _e547;
+                    let _e553 = phi_782_;
+                    let _e555 = phi_783_;
+                    let _e557 = phi_784_;
+                    let _e559 = phi_785_;
+                    let _e561 = phi_786_;
+                    let _e563 = phi_787_;
+                    let _e565 = phi_788_;
+                    phi_789_ = _e553;
+                    phi_790_ = _e555;
+                    phi_791_ = _e557;
+                    phi_792_ = _e559;
+                    phi_793_ = _e561;
+                    phi_794_ = _e563;
+                    phi_795_ = _e565;
                 } else {
-                    phi_771_ = bool();
-                    phi_772_ = bool();
-                    phi_773_ = vec2<u32>();
-                    phi_774_ = bool();
-                    phi_775_ = bool();
-                    phi_776_ = true;
-                    phi_777_ = false;
+                    phi_789_ = bool();
+                    phi_790_ = bool();
+                    phi_791_ = vec2<u32>();
+                    phi_792_ = bool();
+                    phi_793_ = bool();
+                    phi_794_ = true;
+                    phi_795_ = false;
                 }
-                let _e549 = phi_771_;
-                let _e551 = phi_772_;
-                let _e553 = phi_773_;
-                let _e555 = phi_774_;
-                let _e557 = phi_775_;
-                let _e559 = phi_776_;
-                let _e561 = phi_777_;
-                phi_778_ = _e549;
-                phi_779_ = _e551;
-                phi_780_ = _e553;
-                phi_781_ = _e555;
-                phi_782_ = _e557;
-                phi_783_ = _e559;
-                phi_784_ = _e561;
+                let _e567 = phi_789_;
+                let _e569 = phi_790_;
+                let _e571 = phi_791_;
+                let _e573 = phi_792_;
+                let _e575 = phi_793_;
+                let _e577 = phi_794_;
+                let _e579 = phi_795_;
+                phi_796_ = _e567;
+                phi_797_ = _e569;
+                phi_798_ = _e571;
+                phi_799_ = _e573;
+                phi_800_ = _e575;
+                phi_801_ = _e577;
+                phi_802_ = _e579;
             } else {
-                phi_778_ = bool();
-                phi_779_ = bool();
-                phi_780_ = vec2<u32>();
-                phi_781_ = bool();
-                phi_782_ = bool();
-                phi_783_ = true;
-                phi_784_ = false;
+                phi_796_ = bool();
+                phi_797_ = bool();
+                phi_798_ = vec2<u32>();
+                phi_799_ = bool();
+                phi_800_ = bool();
+                phi_801_ = true;
+                phi_802_ = false;
             }
-            let _e563 = phi_778_;
-            let _e565 = phi_779_;
-            let _e567 = phi_780_;
-            let _e569 = phi_781_;
-            let _e571 = phi_782_;
-            let _e573 = phi_783_;
-            let _e575 = phi_784_;
-            if _e573 {
+            let _e581 = phi_796_;
+            let _e583 = phi_797_;
+            let _e585 = phi_798_;
+            let _e587 = phi_799_;
+            let _e589 = phi_800_;
+            let _e591 = phi_801_;
+            let _e593 = phi_802_;
+            if _e591 {
                 if (_e433 == 0f) {
-                    phi_793_ = (_e439 == 0f);
+                    phi_811_ = (_e439 == 0f);
                 } else {
-                    phi_793_ = false;
+                    phi_811_ = false;
                 }
-                let _e579 = phi_793_;
-                phi_794_ = _e579;
-                phi_795_ = false;
-                phi_796_ = true;
+                let _e597 = phi_811_;
+                phi_812_ = _e597;
+                phi_813_ = false;
+                phi_814_ = true;
             } else {
-                phi_794_ = _e569;
-                phi_795_ = _e571;
-                phi_796_ = _e575;
+                phi_812_ = _e587;
+                phi_813_ = _e589;
+                phi_814_ = _e593;
             }
-            let _e581 = phi_794_;
-            let _e583 = phi_795_;
-            let _e585 = phi_796_;
-            if _e585 {
-                phi_800_ = _e581;
-                phi_801_ = _e583;
-                phi_802_ = vec2<u32>(_e60.x, _e60.y);
+            let _e599 = phi_812_;
+            let _e601 = phi_813_;
+            let _e603 = phi_814_;
+            if _e603 {
+                phi_818_ = _e599;
+                phi_819_ = _e601;
+                phi_820_ = vec2<u32>(_e60.x, _e60.y);
             } else {
-                phi_800_ = _e563;
-                phi_801_ = _e565;
-                phi_802_ = _e567;
+                phi_818_ = _e581;
+                phi_819_ = _e583;
+                phi_820_ = _e585;
             }
-            let _e587 = phi_800_;
-            let _e589 = phi_801_;
-            let _e591 = phi_802_;
-            let _e601 = lt_mask_Reprojection(vec2<u32>(_e591.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e608 = lt_mask_Reprojection(vec2<u32>(_e601.pixel.x, _e591.y), _e601.is_valid, _e601.has_moved);
-            let _e612 = lt_mask_Reprojection(_e608.pixel, _e589, _e608.has_moved);
-            let _e616 = lt_mask_Reprojection(_e612.pixel, _e612.is_valid, !(_e587));
-            if _e589 {
-                let _e619 = p.member.previous.eye;
-                let _e627 = p.member.previous.forward;
-                let _e636 = (((((_e115.x - _e619.x) * _e627.x) + ((_e115.y - _e619.y) * _e627.y)) + ((_e115.z - _e619.z) * _e627.z)) > 0f);
-                let _e640 = lt_mask_Reprojection(_e616.pixel, _e636, _e616.has_moved);
-                if _e636 {
-                    let _e643 = p.member.previous.eye;
-                    let _e651 = p.member.previous.forward;
-                    let _e659 = ((((_e115.x - _e643.x) * _e651.x) + ((_e115.y - _e643.y) * _e651.y)) + ((_e115.z - _e643.z) * _e651.z));
-                    let _e661 = ((_e591.y * _e112) + _e591.x);
-                    if (_e661 < arrayLength((&last_depths.member))) {
+            let _e605 = phi_818_;
+            let _e607 = phi_819_;
+            let _e609 = phi_820_;
+            let _e619 = lt_mask_Reprojection(vec2<u32>(_e609.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e626 = lt_mask_Reprojection(vec2<u32>(_e619.pixel.x, _e609.y), _e619.is_valid, _e619.has_moved);
+            let _e630 = lt_mask_Reprojection(_e626.pixel, _e607, _e626.has_moved);
+            let _e634 = lt_mask_Reprojection(_e630.pixel, _e630.is_valid, !(_e605));
+            if _e607 {
+                let _e637 = p.member.previous.eye;
+                let _e645 = p.member.previous.forward;
+                let _e654 = (((((_e115.x - _e637.x) * _e645.x) + ((_e115.y - _e637.y) * _e645.y)) + ((_e115.z - _e637.z) * _e645.z)) > 0f);
+                let _e658 = lt_mask_Reprojection(_e634.pixel, _e654, _e634.has_moved);
+                if _e654 {
+                    let _e661 = p.member.previous.eye;
+                    let _e669 = p.member.previous.forward;
+                    let _e677 = ((((_e115.x - _e661.x) * _e669.x) + ((_e115.y - _e661.y) * _e669.y)) + ((_e115.z - _e661.z) * _e669.z));
+                    let _e679 = ((_e609.y * _e112) + _e609.x);
+                    if (_e679 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e665 = last_depths.member[(0u + _e661)];
-                    let _e667 = p.member.depth_tolerance;
-                    let _e670 = abs(_e659);
-                    let _e671 = abs(_e665);
-                    if ((bitcast<u32>(_e671) & 2147483647u) > 2139095040u) {
-                        phi_885_ = true;
+                    let _e683 = last_depths.member[(0u + _e679)];
+                    let _e685 = p.member.depth_tolerance;
+                    let _e688 = abs(_e677);
+                    let _e689 = abs(_e683);
+                    if ((bitcast<u32>(_e689) & 2147483647u) > 2139095040u) {
+                        phi_903_ = true;
                     } else {
-                        let _e675 = (_e671 > _e670);
-                        if _e675 {
+                        let _e693 = (_e689 > _e688);
+                        if _e693 {
                         }
-                        phi_885_ = _e675;
+                        phi_903_ = _e693;
                     }
-                    let _e677 = phi_885_;
-                    if _e677 {
-                        phi_889_ = _e671;
+                    let _e695 = phi_903_;
+                    if _e695 {
+                        phi_907_ = _e689;
                     } else {
-                        phi_889_ = _e670;
+                        phi_907_ = _e688;
                     }
-                    let _e679 = phi_889_;
-                    phi_893_ = lt_mask_Reprojection(_e640.pixel, (abs((_e659 - _e665)) <= (_e667 * _e679)), _e640.has_moved);
+                    let _e697 = phi_907_;
+                    phi_911_ = lt_mask_Reprojection(_e658.pixel, (abs((_e677 - _e683)) <= (_e685 * _e697)), _e658.has_moved);
                 } else {
-                    phi_893_ = _e640;
+                    phi_911_ = _e658;
                 }
-                let _e687 = phi_893_;
-                if _e687.is_valid {
-                    let _e690 = p.member.flags;
-                    phi_902_ = ((_e690 & 1u) != 0u);
-                    phi_903_ = false;
+                let _e705 = phi_911_;
+                if _e705.is_valid {
+                    let _e708 = p.member.flags;
+                    phi_920_ = ((_e708 & 1u) != 0u);
+                    phi_921_ = false;
                 } else {
-                    phi_902_ = bool();
-                    phi_903_ = true;
+                    phi_920_ = bool();
+                    phi_921_ = true;
                 }
-                let _e694 = phi_902_;
-                let _e696 = phi_903_;
-                phi_905_ = _e694;
-                phi_906_ = _e687;
-                phi_907_ = _e687;
-                phi_908_ = _e696;
+                let _e712 = phi_920_;
+                let _e714 = phi_921_;
+                phi_923_ = _e712;
+                phi_924_ = _e705;
+                phi_925_ = _e705;
+                phi_926_ = _e714;
             } else {
-                phi_905_ = bool();
-                phi_906_ = lt_mask_Reprojection();
-                phi_907_ = lt_mask_Reprojection(_e616.pixel, false, _e616.has_moved);
-                phi_908_ = true;
+                phi_923_ = bool();
+                phi_924_ = lt_mask_Reprojection();
+                phi_925_ = lt_mask_Reprojection(_e634.pixel, false, _e634.has_moved);
+                phi_926_ = true;
             }
-            let _e702 = phi_905_;
-            let _e704 = phi_906_;
-            let _e706 = phi_907_;
-            let _e708 = phi_908_;
-            if _e708 {
-                phi_912_ = false;
-                phi_913_ = _e706;
+            let _e720 = phi_923_;
+            let _e722 = phi_924_;
+            let _e724 = phi_925_;
+            let _e726 = phi_926_;
+            if _e726 {
+                phi_930_ = false;
+                phi_931_ = _e724;
             } else {
-                phi_912_ = _e702;
-                phi_913_ = _e704;
+                phi_930_ = _e720;
+                phi_931_ = _e722;
             }
-            let _e710 = phi_912_;
-            let _e712 = phi_913_;
-            let _e716 = lt_mask_Reprojection(_e712.pixel, _e710, _e712.has_moved);
-            if _e716.has_moved {
+            let _e728 = phi_930_;
+            let _e730 = phi_931_;
+            let _e734 = lt_mask_Reprojection(_e730.pixel, _e728, _e730.has_moved);
+            if _e734.has_moved {
             }
-            let _e722 = lt_mask_Neighbourhood(false, true);
+            let _e740 = lt_mask_Neighbourhood(false, true);
             if _e282 {
-                phi_1154_ = _e722;
+                phi_1172_ = _e740;
             } else {
                 if true {
-                    if _e710 {
-                        if _e716.has_moved {
-                            let _e725 = p.member.moving_pattern;
-                            phi_941_ = _e725;
+                    if _e728 {
+                        if _e734.has_moved {
+                            let _e743 = p.member.moving_pattern;
+                            phi_959_ = _e743;
                         } else {
-                            let _e727 = p.member.still_pattern;
-                            phi_941_ = _e727;
+                            let _e745 = p.member.still_pattern;
+                            phi_959_ = _e745;
                         }
-                        let _e729 = phi_941_;
-                        phi_943_ = 0u;
-                        phi_946_ = _e722;
+                        let _e747 = phi_959_;
+                        phi_961_ = 0u;
+                        phi_964_ = _e740;
                         loop {
-                            let _e731 = phi_943_;
-                            let _e733 = phi_946_;
-                            local_1 = _e733;
-                            if (1u <= _e729) {
-                                if (_e729 <= 4u) {
-                                    phi_958_ = false;
+                            let _e749 = phi_961_;
+                            let _e751 = phi_964_;
+                            local_1 = _e751;
+                            if (1u <= _e747) {
+                                if (_e747 <= 4u) {
+                                    phi_976_ = false;
                                 } else {
-                                    phi_958_ = true;
+                                    phi_976_ = true;
                                 }
-                                let _e737 = phi_958_;
-                                phi_959_ = _e737;
+                                let _e755 = phi_976_;
+                                phi_977_ = _e755;
                             } else {
-                                phi_959_ = true;
+                                phi_977_ = true;
                             }
-                            let _e739 = phi_959_;
-                            if _e739 {
-                                switch bitcast<i32>(_e729) {
+                            let _e757 = phi_977_;
+                            if _e757 {
+                                switch bitcast<i32>(_e747) {
                                     case 5: {
-                                        phi_968_ = 4u;
+                                        phi_986_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_968_ = 25u;
+                                        phi_986_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_968_ = 13u;
+                                        phi_986_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_968_ = 9u;
+                                        phi_986_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e742 = phi_968_;
-                                phi_969_ = _e742;
+                                let _e760 = phi_986_;
+                                phi_987_ = _e760;
                             } else {
-                                phi_969_ = 5u;
+                                phi_987_ = 5u;
                             }
-                            let _e744 = phi_969_;
-                            let _e745 = (_e731 < _e744);
-                            if _e745 {
-                                let _e751 = p.member.frame;
-                                let _e755 = p.member.current.size[0u];
-                                let _e757 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e729) {
+                            let _e762 = phi_987_;
+                            let _e763 = (_e749 < _e762);
+                            if _e763 {
+                                let _e769 = p.member.frame;
+                                let _e773 = p.member.current.size[0u];
+                                let _e775 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e747) {
                                     case 1: {
-                                        let _e767 = lt_mask_pattern_plus(_e731);
-                                        phi_1049_ = vec2<i32>(_e767.x, _e767.y);
+                                        let _e785 = lt_mask_pattern_plus(_e749);
+                                        phi_1067_ = vec2<i32>(_e785.x, _e785.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e771 = lt_mask_pattern_cross(_e731);
-                                        phi_1049_ = vec2<i32>(_e771.x, _e771.y);
+                                        let _e789 = lt_mask_pattern_cross(_e749);
+                                        phi_1067_ = vec2<i32>(_e789.x, _e789.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e777 = lt_mask_pattern_plus_or_cross(_e731, ((_e716.pixel.x + _e716.pixel.y) & 1u));
-                                        phi_1049_ = vec2<i32>(_e777.x, _e777.y);
+                                        let _e795 = lt_mask_pattern_plus_or_cross(_e749, ((_e734.pixel.x + _e734.pixel.y) & 1u));
+                                        phi_1067_ = vec2<i32>(_e795.x, _e795.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e782 = lt_mask_pattern_plus_or_cross(_e731, (_e751 & 1u));
-                                        phi_1049_ = vec2<i32>(_e782.x, _e782.y);
+                                        let _e800 = lt_mask_pattern_plus_or_cross(_e749, (_e769 & 1u));
+                                        phi_1067_ = vec2<i32>(_e800.x, _e800.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e751 & 3u)) {
+                                        switch bitcast<i32>((_e769 & 3u)) {
                                             case 0: {
-                                                phi_1029_ = vec2(-1i);
+                                                phi_1047_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1029_ = vec2(0i);
+                                                phi_1047_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1029_ = vec2<i32>(0i, -1i);
+                                                phi_1047_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1029_ = vec2<i32>(-1i, 0i);
+                                                phi_1047_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e793 = phi_1029_;
-                                        phi_1049_ = (_e793 + vec2<i32>(bitcast<i32>((_e731 & 1u)), bitcast<i32>(((_e731 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e811 = phi_1047_;
+                                        phi_1067_ = (_e811 + vec2<i32>(bitcast<i32>((_e749 & 1u)), bitcast<i32>(((_e749 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1049_ = vec2<i32>((bitcast<i32>((_e731 % 5u)) - 2i), (bitcast<i32>(((_e731 / 5u) % 5u)) - 2i));
+                                        phi_1067_ = vec2<i32>((bitcast<i32>((_e749 % 5u)) - 2i), (bitcast<i32>(((_e749 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e810 = lt_mask_pattern_diamond(_e731);
-                                        phi_1049_ = vec2<i32>(_e810.x, _e810.y);
+                                        let _e828 = lt_mask_pattern_diamond(_e749);
+                                        phi_1067_ = vec2<i32>(_e828.x, _e828.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1049_ = vec2<i32>((bitcast<i32>((_e731 % 3u)) - 1i), (bitcast<i32>(((_e731 / 3u) % 3u)) - 1i));
+                                        phi_1067_ = vec2<i32>((bitcast<i32>((_e749 % 3u)) - 1i), (bitcast<i32>(((_e749 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e815 = phi_1049_;
-                                let _e818 = lt_mask_pattern_step_clamped(_e716.pixel.x, _e815.x, _e755);
-                                let _e819 = lt_mask_pattern_step_clamped(_e716.pixel.y, _e815.y, _e757);
-                                let _e826 = ((((_e819 * _e112) + _e818) * _e108.words) + _e108.light.word);
+                                let _e833 = phi_1067_;
+                                let _e836 = lt_mask_pattern_step_clamped(_e734.pixel.x, _e833.x, _e773);
+                                let _e837 = lt_mask_pattern_step_clamped(_e734.pixel.y, _e833.y, _e775);
+                                let _e844 = ((((_e837 * _e112) + _e836) * _e108.words) + _e108.light.word);
                                 if (_e108.light.shift > 29u) {
-                                    let _e830 = (_e826 + 1u);
-                                    if (_e830 < _e66) {
+                                    let _e848 = (_e844 + 1u);
+                                    if (_e848 < _e66) {
                                     } else {
                                         return;
                                     }
-                                    let _e834 = last_bits.member[(0u + _e830)];
-                                    phi_1076_ = _e834;
+                                    let _e852 = last_bits.member[(0u + _e848)];
+                                    phi_1094_ = _e852;
                                 } else {
-                                    phi_1076_ = 0u;
+                                    phi_1094_ = 0u;
                                 }
-                                let _e836 = phi_1076_;
-                                if (_e826 < _e66) {
+                                let _e854 = phi_1094_;
+                                if (_e844 < _e66) {
                                 } else {
                                     return;
                                 }
-                                let _e842 = last_bits.member[(0u + _e826)];
-                                let _e845 = (_e842 >> bitcast<u32>((_e108.light.shift & 31u)));
+                                let _e860 = last_bits.member[(0u + _e844)];
+                                let _e863 = (_e860 >> bitcast<u32>((_e108.light.shift & 31u)));
                                 if (_e108.light.shift > 29u) {
-                                    phi_1095_ = (_e845 | (_e836 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                                    phi_1113_ = (_e863 | (_e854 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
                                 } else {
-                                    phi_1095_ = _e845;
+                                    phi_1113_ = _e863;
                                 }
-                                let _e853 = phi_1095_;
-                                if ((_e853 & 2u) == 0u) {
-                                    phi_1103_ = (_e853 & 1u);
+                                let _e871 = phi_1113_;
+                                if ((_e871 & 2u) == 0u) {
+                                    phi_1121_ = (_e871 & 1u);
                                 } else {
-                                    phi_1103_ = (_e853 & 7u);
+                                    phi_1121_ = (_e871 & 7u);
                                 }
-                                let _e859 = phi_1103_;
-                                if _e733.any_expands {
-                                    phi_1129_ = true;
+                                let _e877 = phi_1121_;
+                                if _e751.any_expands {
+                                    phi_1147_ = true;
                                 } else {
-                                    if ((_e859 & 2u) != 0u) {
-                                        if (((_e859 & 4u) != 0u) != _e278) {
-                                            phi_1120_ = false;
+                                    if ((_e877 & 2u) != 0u) {
+                                        if (((_e877 & 4u) != 0u) != _e278) {
+                                            phi_1138_ = false;
                                         } else {
-                                            phi_1120_ = true;
+                                            phi_1138_ = true;
                                         }
-                                        let _e868 = phi_1120_;
-                                        phi_1121_ = _e868;
+                                        let _e886 = phi_1138_;
+                                        phi_1139_ = _e886;
                                     } else {
-                                        phi_1121_ = true;
+                                        phi_1139_ = true;
                                     }
-                                    let _e870 = phi_1121_;
-                                    if _e870 {
-                                        phi_1128_ = (((_e859 & 1u) != 0u) != _e278);
+                                    let _e888 = phi_1139_;
+                                    if _e888 {
+                                        phi_1146_ = (((_e877 & 1u) != 0u) != _e278);
                                     } else {
-                                        phi_1128_ = true;
+                                        phi_1146_ = true;
                                     }
-                                    let _e875 = phi_1128_;
-                                    phi_1129_ = _e875;
+                                    let _e893 = phi_1146_;
+                                    phi_1147_ = _e893;
                                 }
-                                let _e877 = phi_1129_;
-                                if _e733.all_remove {
-                                    if (((_e859 & 1u) != 0u) == _e278) {
-                                        if ((_e859 & 2u) != 0u) {
-                                            phi_1147_ = (((_e859 & 4u) != 0u) == _e278);
+                                let _e895 = phi_1147_;
+                                if _e751.all_remove {
+                                    if (((_e877 & 1u) != 0u) == _e278) {
+                                        if ((_e877 & 2u) != 0u) {
+                                            phi_1165_ = (((_e877 & 4u) != 0u) == _e278);
                                         } else {
-                                            phi_1147_ = true;
+                                            phi_1165_ = true;
                                         }
-                                        let _e887 = phi_1147_;
-                                        phi_1148_ = _e887;
+                                        let _e905 = phi_1165_;
+                                        phi_1166_ = _e905;
                                     } else {
-                                        phi_1148_ = false;
+                                        phi_1166_ = false;
                                     }
-                                    let _e889 = phi_1148_;
-                                    phi_1149_ = _e889;
+                                    let _e907 = phi_1166_;
+                                    phi_1167_ = _e907;
                                 } else {
-                                    phi_1149_ = false;
+                                    phi_1167_ = false;
                                 }
-                                let _e891 = phi_1149_;
-                                phi_944_ = (_e731 + 1u);
-                                phi_947_ = lt_mask_Neighbourhood(_e877, _e891);
+                                let _e909 = phi_1167_;
+                                phi_962_ = (_e749 + 1u);
+                                phi_965_ = lt_mask_Neighbourhood(_e895, _e909);
                             } else {
-                                phi_944_ = u32();
-                                phi_947_ = lt_mask_Neighbourhood();
+                                phi_962_ = u32();
+                                phi_965_ = lt_mask_Neighbourhood();
                             }
-                            let _e895 = phi_944_;
-                            let _e897 = phi_947_;
+                            let _e913 = phi_962_;
+                            let _e915 = phi_965_;
                             continue;
                             continuing {
-                                phi_943_ = _e895;
-                                phi_946_ = _e897;
-                                break if !(_e745);
+                                phi_961_ = _e913;
+                                phi_964_ = _e915;
+                                break if !(_e763);
                             }
                         }
-                        let _e1182 = local_1;
-                        phi_1152_ = _e1182;
+                        let _e1200 = local_1;
+                        phi_1170_ = _e1200;
                     } else {
-                        phi_1152_ = _e722;
+                        phi_1170_ = _e740;
                     }
-                    let _e900 = phi_1152_;
-                    phi_1153_ = _e900;
+                    let _e918 = phi_1170_;
+                    phi_1171_ = _e918;
                 } else {
-                    phi_1153_ = _e722;
+                    phi_1171_ = _e740;
                 }
-                let _e902 = phi_1153_;
-                phi_1154_ = _e902;
+                let _e920 = phi_1171_;
+                phi_1172_ = _e920;
             }
-            let _e904 = phi_1154_;
-            let _e907 = p.member.frame;
-            let _e909 = p.member.refresh;
-            if (_e909 == 0u) {
-                phi_1187_ = false;
+            let _e922 = phi_1172_;
+            let _e925 = p.member.frame;
+            let _e927 = p.member.refresh;
+            if (_e927 == 0u) {
+                phi_1205_ = false;
             } else {
-                if (_e909 == 0u) {
+                if (_e927 == 0u) {
                     return;
                 }
-                let _e918 = ((_e60.x + (_e60.y * (((_e909 * 5u) / 8u) | 1u))) + (_e907 % _e909));
-                if (_e909 == 0u) {
-                    phi_1186_ = (_e918 == 0u);
+                let _e936 = ((_e60.x + (_e60.y * (((_e927 * 5u) / 8u) | 1u))) + (_e925 % _e927));
+                if (_e927 == 0u) {
+                    phi_1204_ = (_e936 == 0u);
                 } else {
-                    if (_e909 == 0u) {
+                    if (_e927 == 0u) {
                         return;
                     }
-                    phi_1186_ = ((_e918 % _e909) == 0u);
+                    phi_1204_ = ((_e936 % _e927) == 0u);
                 }
-                let _e925 = phi_1186_;
-                phi_1187_ = _e925;
+                let _e943 = phi_1204_;
+                phi_1205_ = _e943;
             }
-            let _e927 = phi_1187_;
+            let _e945 = phi_1205_;
             if (_e120 != 0.5f) {
-                if _e710 {
-                    if _e927 {
-                        phi_1242_ = 6u;
+                if _e728 {
+                    if _e945 {
+                        phi_1260_ = 6u;
                     } else {
                         if _e282 {
-                            phi_1217_ = true;
+                            phi_1235_ = true;
                         } else {
-                            if _e904.any_expands {
-                                phi_1216_ = false;
+                            if _e922.any_expands {
+                                phi_1234_ = false;
                             } else {
-                                phi_1216_ = true;
+                                phi_1234_ = true;
                             }
-                            let _e931 = phi_1216_;
-                            phi_1217_ = _e931;
+                            let _e949 = phi_1234_;
+                            phi_1235_ = _e949;
                         }
-                        let _e933 = phi_1217_;
-                        if _e933 {
+                        let _e951 = phi_1235_;
+                        if _e951 {
                             if _e282 {
                                 if false {
-                                    if _e904.all_remove {
-                                        phi_1230_ = false;
+                                    if _e922.all_remove {
+                                        phi_1248_ = false;
                                     } else {
-                                        phi_1230_ = true;
+                                        phi_1248_ = true;
                                     }
-                                    let _e935 = phi_1230_;
-                                    phi_1231_ = _e935;
+                                    let _e953 = phi_1248_;
+                                    phi_1249_ = _e953;
                                 } else {
-                                    phi_1231_ = true;
+                                    phi_1249_ = true;
                                 }
-                                let _e937 = phi_1231_;
-                                phi_1232_ = _e937;
+                                let _e955 = phi_1249_;
+                                phi_1250_ = _e955;
                             } else {
-                                phi_1232_ = true;
+                                phi_1250_ = true;
                             }
-                            let _e939 = phi_1232_;
-                            if _e939 {
+                            let _e957 = phi_1250_;
+                            if _e957 {
                                 if _e282 {
-                                    phi_1239_ = 1u;
+                                    phi_1257_ = 1u;
                                 } else {
-                                    phi_1239_ = 0u;
+                                    phi_1257_ = 0u;
                                 }
-                                let _e941 = phi_1239_;
-                                phi_1240_ = _e941;
+                                let _e959 = phi_1257_;
+                                phi_1258_ = _e959;
                             } else {
-                                phi_1240_ = 5u;
+                                phi_1258_ = 5u;
                             }
-                            let _e943 = phi_1240_;
-                            phi_1241_ = _e943;
+                            let _e961 = phi_1258_;
+                            phi_1259_ = _e961;
                         } else {
-                            phi_1241_ = 4u;
+                            phi_1259_ = 4u;
                         }
-                        let _e945 = phi_1241_;
-                        phi_1242_ = _e945;
+                        let _e963 = phi_1259_;
+                        phi_1260_ = _e963;
                     }
-                    let _e947 = phi_1242_;
-                    phi_1243_ = _e947;
+                    let _e965 = phi_1260_;
+                    phi_1261_ = _e965;
                 } else {
-                    phi_1243_ = 3u;
+                    phi_1261_ = 3u;
                 }
-                let _e949 = phi_1243_;
-                phi_1244_ = _e949;
+                let _e967 = phi_1261_;
+                phi_1262_ = _e967;
             } else {
-                phi_1244_ = 2u;
+                phi_1262_ = 2u;
             }
-            let _e951 = phi_1244_;
-            if !((_e951 == 0u)) {
-                phi_1252_ = !((_e951 == 5u));
+            let _e969 = phi_1262_;
+            if !((_e969 == 0u)) {
+                phi_1270_ = !((_e969 == 5u));
             } else {
-                phi_1252_ = false;
+                phi_1270_ = false;
             }
-            let _e957 = phi_1252_;
-            if _e957 {
+            let _e975 = phi_1270_;
+            if _e975 {
                 if _e278 {
-                    phi_1260_ = (2u | 1u);
+                    phi_1278_ = (2u | 1u);
                 } else {
-                    phi_1260_ = 2u;
+                    phi_1278_ = 2u;
                 }
-                let _e960 = phi_1260_;
+                let _e978 = phi_1278_;
                 if false {
-                    phi_1265_ = (_e960 | 4u);
+                    phi_1283_ = (_e978 | 4u);
                 } else {
-                    phi_1265_ = _e960;
+                    phi_1283_ = _e978;
                 }
-                let _e963 = phi_1265_;
-                phi_1270_ = _e963;
+                let _e981 = phi_1283_;
+                phi_1288_ = _e981;
             } else {
                 if _e278 {
-                    phi_1269_ = 1u;
+                    phi_1287_ = 1u;
                 } else {
-                    phi_1269_ = 0u;
+                    phi_1287_ = 0u;
                 }
-                let _e965 = phi_1269_;
-                phi_1270_ = _e965;
+                let _e983 = phi_1287_;
+                phi_1288_ = _e983;
             }
-            let _e967 = phi_1270_;
+            let _e985 = phi_1288_;
             if _e278 {
-                phi_1274_ = 0f;
+                phi_1292_ = 0f;
             } else {
-                phi_1274_ = 1f;
+                phi_1292_ = 1f;
             }
-            let _e969 = phi_1274_;
-            phi_1276_ = mask_Masked(_e969, _e967, _e957);
+            let _e987 = phi_1292_;
+            phi_1294_ = mask_Masked(_e987, _e985, _e975);
         }
-        let _e972 = phi_1276_;
-        visibility.member[_e81.shift] = _e972.visibility;
-        let _e977 = p.member.light.number;
-        let _e978 = (_e977 * 3u);
-        let _e980 = (_e978 % 32u);
-        let _e982 = p.member.light.mask_words;
-        let _e984 = ((_e81.shift * _e982) + (_e978 / 32u));
-        let _e986 = bits.member[_e984];
-        bits.member[_e984] = ((_e986 & ~((7u << bitcast<u32>((_e980 & 31u))))) | (_e972.bits << bitcast<u32>((_e980 & 31u))));
-        if (_e980 > 29u) {
-            let _e1001 = bits.member[(_e984 + 1u)];
-            let _e1003 = (32u - _e980);
-            bits.member[(_e984 + 1u)] = ((_e1001 & ~((7u >> bitcast<u32>((_e1003 & 31u))))) | (_e972.bits >> bitcast<u32>((_e1003 & 31u))));
+        let _e990 = phi_1294_;
+        visibility.member[_e81.shift] = _e990.visibility;
+        let _e995 = p.member.light.number;
+        let _e996 = (_e995 * 3u);
+        let _e998 = (_e996 % 32u);
+        let _e1000 = p.member.light.mask_words;
+        let _e1002 = ((_e81.shift * _e1000) + (_e996 / 32u));
+        let _e1004 = bits.member[_e1002];
+        bits.member[_e1002] = ((_e1004 & ~((7u << bitcast<u32>((_e998 & 31u))))) | (_e990.bits << bitcast<u32>((_e998 & 31u))));
+        if (_e998 > 29u) {
+            let _e1019 = bits.member[(_e1002 + 1u)];
+            let _e1021 = (32u - _e998);
+            bits.member[(_e1002 + 1u)] = ((_e1019 & ~((7u >> bitcast<u32>((_e1021 & 31u))))) | (_e990.bits >> bitcast<u32>((_e1021 & 31u))));
         }
-        let _e1018 = samples.member[_e81.shift].normal[0u];
-        let _e1020 = global[0u];
-        if (_e1018 == _e1020) {
-            let _e1023 = samples.member[_e81.shift].normal[1u];
-            let _e1025 = global[1u];
-            if (_e1023 == _e1025) {
-                let _e1028 = samples.member[_e81.shift].normal[2u];
-                let _e1030 = global[2u];
-                phi_1348_ = (_e1028 == _e1030);
-                phi_1349_ = false;
+        let _e1036 = samples.member[_e81.shift].normal[0u];
+        let _e1038 = global[0u];
+        if (_e1036 == _e1038) {
+            let _e1041 = samples.member[_e81.shift].normal[1u];
+            let _e1043 = global[1u];
+            if (_e1041 == _e1043) {
+                let _e1046 = samples.member[_e81.shift].normal[2u];
+                let _e1048 = global[2u];
+                phi_1366_ = (_e1046 == _e1048);
+                phi_1367_ = false;
             } else {
-                phi_1348_ = bool();
-                phi_1349_ = true;
+                phi_1366_ = bool();
+                phi_1367_ = true;
             }
-            let _e1033 = phi_1348_;
-            let _e1035 = phi_1349_;
-            phi_1350_ = _e1033;
-            phi_1351_ = _e1035;
+            let _e1051 = phi_1366_;
+            let _e1053 = phi_1367_;
+            phi_1368_ = _e1051;
+            phi_1369_ = _e1053;
         } else {
-            phi_1350_ = bool();
-            phi_1351_ = true;
+            phi_1368_ = bool();
+            phi_1369_ = true;
         }
-        let _e1037 = phi_1350_;
-        let _e1039 = phi_1351_;
-        if _e1039 {
-            phi_1355_ = false;
+        let _e1055 = phi_1368_;
+        let _e1057 = phi_1369_;
+        if _e1057 {
+            phi_1373_ = false;
         } else {
-            phi_1355_ = _e1037;
+            phi_1373_ = _e1055;
         }
-        let _e1041 = phi_1355_;
-        if !(_e1041) {
-            let _e1044 = samples.member[_e81.shift].position;
-            let _e1046 = p.member.current.eye;
-            let _e1057 = p.member.current.forward;
-            phi_1383_ = ((((_e1044.x - _e1046.x) * _e1057.x) + ((_e1044.y - _e1046.y) * _e1057.y)) + ((_e1044.z - _e1046.z) * _e1057.z));
+        let _e1059 = phi_1373_;
+        if !(_e1059) {
+            let _e1062 = samples.member[_e81.shift].position;
+            let _e1064 = p.member.current.eye;
+            let _e1075 = p.member.current.forward;
+            phi_1401_ = ((((_e1062.x - _e1064.x) * _e1075.x) + ((_e1062.y - _e1064.y) * _e1075.y)) + ((_e1062.z - _e1064.z) * _e1075.z));
         } else {
-            phi_1383_ = 0f;
+            phi_1401_ = 0f;
         }
-        let _e1067 = phi_1383_;
-        depths.member[_e81.shift] = _e1067;
-        phi_1386_ = _e972.needs_ray;
-        phi_1387_ = _e81.shift;
+        let _e1085 = phi_1401_;
+        depths.member[_e81.shift] = _e1085;
+        phi_1404_ = _e990.needs_ray;
+        phi_1405_ = _e81.shift;
     } else {
-        phi_1386_ = false;
-        phi_1387_ = 0u;
+        phi_1404_ = false;
+        phi_1405_ = 0u;
     }
-    let _e1071 = phi_1386_;
-    let _e1073 = phi_1387_;
+    let _e1089 = phi_1404_;
+    let _e1091 = phi_1405_;
     if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1071 {
-        let _e1077 = atomicAdd((&shared_[0u]), 1u);
-        phi_1398_ = _e1077;
+    if _e1089 {
+        let _e1095 = atomicAdd((&shared_[0u]), 1u);
+        phi_1416_ = _e1095;
     } else {
-        phi_1398_ = 0u;
+        phi_1416_ = 0u;
     }
-    let _e1079 = phi_1398_;
+    let _e1097 = phi_1416_;
     workgroupBarrier();
     if (_e61 == 0u) {
-        let _e1083 = atomicLoad((&shared_[0u]));
-        let _e1084 = atomicAdd((&list.member[3u]), _e1083);
-        atomicStore((&shared_[1u]), _e1084);
+        let _e1101 = atomicLoad((&shared_[0u]));
+        let _e1102 = atomicAdd((&list.member[3u]), _e1101);
+        atomicStore((&shared_[1u]), _e1102);
     }
     workgroupBarrier();
-    if _e1071 {
-        let _e1087 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1087) + _e1079)]), _e1073);
+    if _e1089 {
+        let _e1105 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1105) + _e1097)]), _e1091);
     }
     return;
 }

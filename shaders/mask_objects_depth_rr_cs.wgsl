@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_LightParams {
@@ -129,291 +129,291 @@ var<storage, read_write> depths: type_21;
 var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_182_: lt_mask_LightPlace;
-    var phi_183_: bool;
-    var phi_184_: lt_mask_LightPlace;
-    var phi_185_: bool;
-    var phi_190_: lt_mask_LightPlace;
+    var phi_183_: lt_mask_LightPlace;
+    var phi_184_: bool;
+    var phi_185_: lt_mask_LightPlace;
+    var phi_186_: bool;
+    var phi_191_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_182_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_183_ = false;
+            phi_183_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_184_ = false;
         } else {
-            phi_182_ = lt_mask_LightPlace();
-            phi_183_ = true;
+            phi_183_ = lt_mask_LightPlace();
+            phi_184_ = true;
         }
-        let _e73 = phi_182_;
-        let _e75 = phi_183_;
-        phi_184_ = _e73;
-        phi_185_ = _e75;
+        let _e73 = phi_183_;
+        let _e75 = phi_184_;
+        phi_185_ = _e73;
+        phi_186_ = _e75;
     } else {
-        phi_184_ = lt_mask_LightPlace();
-        phi_185_ = true;
+        phi_185_ = lt_mask_LightPlace();
+        phi_186_ = true;
     }
-    let _e77 = phi_184_;
-    let _e79 = phi_185_;
+    let _e77 = phi_185_;
+    let _e79 = phi_186_;
     if _e79 {
-        phi_190_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_191_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_190_ = _e77;
+        phi_191_ = _e77;
     }
-    let _e84 = phi_190_;
+    let _e84 = phi_191_;
     return lt_mask_LightPlace(_e84.word, _e84.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_208_: vec2<i32>;
+    var phi_209_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_208_ = vec2(0i);
+            phi_209_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_208_ = vec2<i32>(0i, -1i);
+            phi_209_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_208_ = vec2<i32>(-1i, 0i);
+            phi_209_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_208_ = vec2<i32>(1i, 0i);
+            phi_209_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_208_ = vec2<i32>(0i, 1i);
+            phi_209_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e69 = phi_208_;
+    let _e69 = phi_209_;
     return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_226_: vec2<i32>;
+    var phi_227_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_226_ = vec2(0i);
+            phi_227_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_226_ = vec2(-1i);
+            phi_227_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_226_ = vec2<i32>(1i, -1i);
+            phi_227_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_226_ = vec2<i32>(-1i, 1i);
+            phi_227_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_226_ = vec2(1i);
+            phi_227_ = vec2(1i);
             break;
         }
     }
-    let _e69 = phi_226_;
+    let _e69 = phi_227_;
     return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_245_: vec2<i32>;
+    var phi_246_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e63 = lt_mask_pattern_plus(param_5);
-        phi_245_ = vec2<i32>(_e63.x, _e63.y);
+        phi_246_ = vec2<i32>(_e63.x, _e63.y);
     } else {
         let _e67 = lt_mask_pattern_cross(param_5);
-        phi_245_ = vec2<i32>(_e67.x, _e67.y);
+        phi_246_ = vec2<i32>(_e67.x, _e67.y);
     }
-    let _e72 = phi_245_;
+    let _e72 = phi_246_;
     return vec2<i32>(_e72.x, _e72.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_270_: vec2<i32>;
+    var phi_271_: vec2<i32>;
 
     let _e61 = (param_7 % 13u);
     switch bitcast<i32>(_e61) {
         case 9: {
-            phi_270_ = vec2<i32>(0i, -2i);
+            phi_271_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_270_ = vec2<i32>(-2i, 0i);
+            phi_271_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_270_ = vec2<i32>(2i, 0i);
+            phi_271_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_270_ = vec2<i32>(0i, 2i);
+            phi_271_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_270_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
+            phi_271_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e76 = phi_270_;
+    let _e76 = phi_271_;
     return vec2<i32>(_e76.x, _e76.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_291_: u32;
     var phi_292_: u32;
+    var phi_293_: u32;
 
     let _e64 = (bitcast<i32>(param_8) + param_9);
     if (_e64 < 0i) {
-        phi_292_ = 0u;
+        phi_293_ = 0u;
     } else {
         if (_e64 >= bitcast<i32>(param_10)) {
-            phi_291_ = (param_10 - 1u);
+            phi_292_ = (param_10 - 1u);
         } else {
-            phi_291_ = bitcast<u32>(_e64);
+            phi_292_ = bitcast<u32>(_e64);
         }
-        let _e71 = phi_291_;
-        phi_292_ = _e71;
+        let _e71 = phi_292_;
+        phi_293_ = _e71;
     }
-    let _e73 = phi_292_;
+    let _e73 = phi_293_;
     return _e73;
 }
 
 fn function_() {
-    var phi_373_: bool;
     var phi_374_: bool;
     var phi_375_: bool;
     var phi_376_: bool;
-    var phi_380_: bool;
-    var phi_450_: bool;
+    var phi_377_: bool;
+    var phi_381_: bool;
     var phi_451_: bool;
-    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_463_: bool;
-    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_465_: bool;
-    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_476_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_489_: bool;
-    var phi_675_: f32;
-    var phi_680_: f32;
-    var phi_681_: bool;
-    var phi_682_: f32;
-    var phi_683_: bool;
-    var phi_687_: f32;
-    var phi_710_: f32;
-    var phi_715_: f32;
-    var phi_716_: bool;
-    var phi_717_: f32;
-    var phi_718_: bool;
-    var phi_722_: f32;
-    var phi_743_: bool;
-    var phi_762_: vec2<u32>;
-    var phi_763_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: vec2<u32>;
-    var phi_767_: bool;
-    var phi_768_: bool;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_773_: vec2<u32>;
-    var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_779_: bool;
+    var phi_452_: bool;
+    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_464_: bool;
+    var phi_465_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_466_: bool;
+    var phi_473_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_477_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_490_: bool;
+    var phi_695_: f32;
+    var phi_700_: f32;
+    var phi_701_: bool;
+    var phi_702_: f32;
+    var phi_703_: bool;
+    var phi_707_: f32;
+    var phi_728_: f32;
+    var phi_733_: f32;
+    var phi_734_: bool;
+    var phi_735_: f32;
+    var phi_736_: bool;
+    var phi_740_: f32;
+    var phi_761_: bool;
     var phi_780_: vec2<u32>;
     var phi_781_: bool;
     var phi_782_: bool;
     var phi_783_: bool;
-    var phi_784_: bool;
+    var phi_784_: vec2<u32>;
+    var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_791_: vec2<u32>;
+    var phi_792_: bool;
     var phi_793_: bool;
     var phi_794_: bool;
     var phi_795_: bool;
     var phi_796_: bool;
+    var phi_797_: bool;
+    var phi_798_: vec2<u32>;
+    var phi_799_: bool;
     var phi_800_: bool;
     var phi_801_: bool;
-    var phi_802_: vec2<u32>;
-    var phi_885_: bool;
-    var phi_889_: f32;
-    var phi_893_: lt_mask_Reprojection;
-    var phi_902_: bool;
+    var phi_802_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: bool;
+    var phi_814_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_820_: vec2<u32>;
     var phi_903_: bool;
-    var phi_905_: bool;
-    var phi_906_: lt_mask_Reprojection;
-    var phi_907_: lt_mask_Reprojection;
-    var phi_908_: bool;
-    var phi_912_: bool;
-    var phi_913_: lt_mask_Reprojection;
-    var phi_927_: bool;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_940_: bool;
-    var phi_941_: bool;
-    var phi_942_: bool;
-    var phi_943_: bool;
-    var phi_947_: bool;
-    var phi_952_: bool;
-    var phi_967_: u32;
-    var phi_969_: u32;
-    var phi_972_: lt_mask_Neighbourhood;
-    var phi_984_: bool;
-    var phi_985_: bool;
-    var phi_994_: u32;
-    var phi_995_: u32;
-    var phi_1055_: vec2<i32>;
-    var phi_1075_: vec2<i32>;
-    var phi_1102_: u32;
-    var phi_1121_: u32;
-    var phi_1129_: u32;
-    var phi_1146_: bool;
-    var phi_1147_: bool;
-    var phi_1154_: bool;
-    var phi_1155_: bool;
+    var phi_907_: f32;
+    var phi_911_: lt_mask_Reprojection;
+    var phi_920_: bool;
+    var phi_921_: bool;
+    var phi_923_: bool;
+    var phi_924_: lt_mask_Reprojection;
+    var phi_925_: lt_mask_Reprojection;
+    var phi_926_: bool;
+    var phi_930_: bool;
+    var phi_931_: lt_mask_Reprojection;
+    var phi_945_: bool;
+    var phi_956_: bool;
+    var phi_957_: bool;
+    var phi_958_: bool;
+    var phi_959_: bool;
+    var phi_960_: bool;
+    var phi_961_: bool;
+    var phi_965_: bool;
+    var phi_970_: bool;
+    var phi_985_: u32;
+    var phi_987_: u32;
+    var phi_990_: lt_mask_Neighbourhood;
+    var phi_1002_: bool;
+    var phi_1003_: bool;
+    var phi_1012_: u32;
+    var phi_1013_: u32;
+    var phi_1073_: vec2<i32>;
+    var phi_1093_: vec2<i32>;
+    var phi_1120_: u32;
+    var phi_1139_: u32;
+    var phi_1147_: u32;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
+    var phi_1172_: bool;
     var phi_1173_: bool;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_970_: u32;
-    var phi_973_: lt_mask_Neighbourhood;
-    var phi_1178_: lt_mask_Neighbourhood;
-    var phi_1179_: lt_mask_Neighbourhood;
-    var phi_1211_: bool;
-    var phi_1212_: bool;
-    var phi_1241_: bool;
-    var phi_1242_: bool;
-    var phi_1255_: bool;
-    var phi_1256_: bool;
-    var phi_1257_: bool;
-    var phi_1264_: u32;
-    var phi_1265_: u32;
-    var phi_1266_: u32;
-    var phi_1267_: u32;
-    var phi_1268_: u32;
-    var phi_1269_: u32;
-    var phi_1277_: bool;
+    var phi_1191_: bool;
+    var phi_1192_: bool;
+    var phi_1193_: bool;
+    var phi_988_: u32;
+    var phi_991_: lt_mask_Neighbourhood;
+    var phi_1196_: lt_mask_Neighbourhood;
+    var phi_1197_: lt_mask_Neighbourhood;
+    var phi_1229_: bool;
+    var phi_1230_: bool;
+    var phi_1259_: bool;
+    var phi_1260_: bool;
+    var phi_1273_: bool;
+    var phi_1274_: bool;
+    var phi_1275_: bool;
+    var phi_1282_: u32;
+    var phi_1283_: u32;
+    var phi_1284_: u32;
     var phi_1285_: u32;
-    var phi_1290_: u32;
-    var phi_1294_: u32;
-    var phi_1295_: u32;
-    var phi_1299_: f32;
-    var phi_1301_: mask_Masked;
-    var phi_1373_: bool;
-    var phi_1374_: bool;
-    var phi_1375_: bool;
-    var phi_1376_: bool;
-    var phi_1380_: bool;
-    var phi_1408_: f32;
-    var phi_1411_: bool;
-    var phi_1412_: u32;
-    var phi_1423_: u32;
+    var phi_1286_: u32;
+    var phi_1287_: u32;
+    var phi_1295_: bool;
+    var phi_1303_: u32;
+    var phi_1308_: u32;
+    var phi_1312_: u32;
+    var phi_1313_: u32;
+    var phi_1317_: f32;
+    var phi_1319_: mask_Masked;
+    var phi_1391_: bool;
+    var phi_1392_: bool;
+    var phi_1393_: bool;
+    var phi_1394_: bool;
+    var phi_1398_: bool;
+    var phi_1426_: f32;
+    var phi_1429_: bool;
+    var phi_1430_: u32;
+    var phi_1441_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e60 = id_1;
@@ -440,28 +440,28 @@ fn function_() {
             if (_e131 == _e133) {
                 let _e136 = samples.member[_e81.shift].normal[2u];
                 let _e138 = global[2u];
-                phi_373_ = (_e136 == _e138);
-                phi_374_ = false;
+                phi_374_ = (_e136 == _e138);
+                phi_375_ = false;
             } else {
-                phi_373_ = bool();
-                phi_374_ = true;
+                phi_374_ = bool();
+                phi_375_ = true;
             }
-            let _e141 = phi_373_;
-            let _e143 = phi_374_;
-            phi_375_ = _e141;
-            phi_376_ = _e143;
+            let _e141 = phi_374_;
+            let _e143 = phi_375_;
+            phi_376_ = _e141;
+            phi_377_ = _e143;
         } else {
-            phi_375_ = bool();
-            phi_376_ = true;
+            phi_376_ = bool();
+            phi_377_ = true;
         }
-        let _e145 = phi_375_;
-        let _e147 = phi_376_;
+        let _e145 = phi_376_;
+        let _e147 = phi_377_;
         if _e147 {
-            phi_380_ = false;
+            phi_381_ = false;
         } else {
-            phi_380_ = _e145;
+            phi_381_ = _e145;
         }
-        let _e149 = phi_380_;
+        let _e149 = phi_381_;
         if !(_e149) {
             let _e152 = samples.member[_e81.shift].position;
             let _e154 = p.member.light.place;
@@ -475,64 +475,64 @@ fn function_() {
                 let _e187 = p.member.light.axis;
                 let _e199 = p.member.light.place[3u];
                 if (_e199 == 0f) {
-                    phi_451_ = true;
+                    phi_452_ = true;
                 } else {
                     let _e202 = p.member.light.range_squared;
                     if (_e185 <= _e202) {
                         let _e205 = p.member.light.cos_outer;
-                        phi_450_ = (-((((_e167 * _e187.x) + (_e168 * _e187.y)) + (_e169 * _e187.z))) >= (_e205 * sqrt(_e185)));
+                        phi_451_ = (-((((_e167 * _e187.x) + (_e168 * _e187.y)) + (_e169 * _e187.z))) >= (_e205 * sqrt(_e185)));
                     } else {
-                        phi_450_ = false;
+                        phi_451_ = false;
                     }
-                    let _e210 = phi_450_;
-                    phi_451_ = _e210;
+                    let _e210 = phi_451_;
+                    phi_452_ = _e210;
                 }
-                let _e212 = phi_451_;
+                let _e212 = phi_452_;
                 if _e212 {
                     let _e214 = samples.member[_e81.shift].flags;
                     let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
-                    phi_463_ = false;
+                    phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
+                    phi_464_ = false;
                 } else {
-                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_463_ = true;
+                    phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_464_ = true;
                 }
-                let _e233 = phi_462_;
-                let _e235 = phi_463_;
-                phi_464_ = _e233;
-                phi_465_ = _e235;
+                let _e233 = phi_463_;
+                let _e235 = phi_464_;
+                phi_465_ = _e233;
+                phi_466_ = _e235;
             } else {
-                phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_465_ = true;
+                phi_465_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_466_ = true;
             }
-            let _e237 = phi_464_;
-            let _e239 = phi_465_;
+            let _e237 = phi_465_;
+            let _e239 = phi_466_;
             if _e239 {
                 let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
-                phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
+                phi_473_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
             } else {
-                phi_472_ = _e237;
+                phi_473_ = _e237;
             }
-            let _e256 = phi_472_;
-            phi_476_ = _e256;
+            let _e256 = phi_473_;
+            phi_477_ = _e256;
         } else {
             let _e262 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e268 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e262.unnamed.visibility, false), _e262.unnamed_1);
-            phi_476_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e268.unnamed, true);
+            phi_477_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e268.unnamed, true);
         }
-        let _e273 = phi_476_;
+        let _e273 = phi_477_;
         if _e273.unnamed_1 {
-            phi_1301_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
+            phi_1319_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
         } else {
             let _e278 = (_e120 < 0.5f);
             if (_e120 > 0f) {
-                phi_489_ = (_e120 < 1f);
+                phi_490_ = (_e120 < 1f);
             } else {
-                phi_489_ = false;
+                phi_490_ = false;
             }
-            let _e282 = phi_489_;
+            let _e282 = phi_490_;
             let _e284 = samples.member[_e81.shift].position;
             let _e288 = p.member.previous.eye;
             let _e290 = (_e115.x - _e288.x);
@@ -558,740 +558,742 @@ fn function_() {
             let _e433 = (((((((_e290 * _e306.x) + (_e292 * _e306.y)) + (_e294 * _e306.z)) / ((((_e316.x * _e316.x) + (_e316.y * _e316.y)) + (_e316.z * _e316.z)) * _e304)) - ((((_e359 * _e377.x) + (_e362 * _e377.y)) + (_e365 * _e377.z)) / ((((_e387.x * _e387.x) + (_e387.y * _e387.y)) + (_e387.z * _e387.z)) * _e375))) * 0.5f) * f32(_e431));
             let _e437 = p.member.current.size[1u];
             let _e439 = (((((((_e290 * _e331.x) + (_e292 * _e331.y)) + (_e294 * _e331.z)) / ((((_e341.x * _e341.x) + (_e341.y * _e341.y)) + (_e341.z * _e341.z)) * _e304)) - ((((_e359 * _e402.x) + (_e362 * _e402.y)) + (_e365 * _e402.z)) / ((((_e412.x * _e412.x) + (_e412.y * _e412.y)) + (_e412.z * _e412.z)) * _e375))) * -0.5f) * f32(_e437));
-            let _e443 = p.member.current.size[0u];
-            let _e445 = p.member.current.size[1u];
-            let _e449 = ((f32(_e60.x) + 0.5f) + _e433);
-            if (_e449 > -8388608f) {
-                let _e461 = f32(select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449)));
-                if (_e461 > _e449) {
-                    phi_675_ = 1f;
+            let _e443 = p.member.current.grid[0u];
+            let _e445 = p.member.current.grid[1u];
+            let _e465 = p.member.current.size[0u];
+            let _e467 = p.member.current.size[1u];
+            let _e469 = ((f32(_e60.x) + ((f32((_e60.y & (_e445 - 1u))) + 0.5f) / f32(_e445))) + _e433);
+            if (_e469 > -8388608f) {
+                let _e481 = f32(select(0i, select(select(i32(_e469), i32(-2147483648), (_e469 < bitcast<f32>(3472883712u))), 2147483647i, (_e469 > bitcast<f32>(1325400063u))), (_e469 == _e469)));
+                if (_e481 > _e469) {
+                    phi_695_ = 1f;
                 } else {
-                    phi_675_ = 0f;
+                    phi_695_ = 0f;
                 }
-                let _e464 = phi_675_;
-                if (_e449 < 8388608f) {
-                    phi_680_ = (_e461 - _e464);
-                    phi_681_ = false;
+                let _e484 = phi_695_;
+                if (_e469 < 8388608f) {
+                    phi_700_ = (_e481 - _e484);
+                    phi_701_ = false;
                 } else {
-                    phi_680_ = f32();
-                    phi_681_ = true;
+                    phi_700_ = f32();
+                    phi_701_ = true;
                 }
-                let _e467 = phi_680_;
-                let _e469 = phi_681_;
-                phi_682_ = _e467;
-                phi_683_ = _e469;
+                let _e487 = phi_700_;
+                let _e489 = phi_701_;
+                phi_702_ = _e487;
+                phi_703_ = _e489;
             } else {
-                phi_682_ = f32();
-                phi_683_ = true;
+                phi_702_ = f32();
+                phi_703_ = true;
             }
-            let _e471 = phi_682_;
-            let _e473 = phi_683_;
-            if _e473 {
-                phi_687_ = _e449;
+            let _e491 = phi_702_;
+            let _e493 = phi_703_;
+            if _e493 {
+                phi_707_ = _e469;
             } else {
-                phi_687_ = _e471;
+                phi_707_ = _e491;
             }
-            let _e475 = phi_687_;
-            let _e478 = ((f32(_e60.y) + 0.5f) + _e439);
-            if (_e478 > -8388608f) {
-                let _e490 = f32(select(0i, select(select(i32(_e478), i32(-2147483648), (_e478 < bitcast<f32>(3472883712u))), 2147483647i, (_e478 > bitcast<f32>(1325400063u))), (_e478 == _e478)));
-                if (_e490 > _e478) {
-                    phi_710_ = 1f;
+            let _e495 = phi_707_;
+            let _e496 = ((f32(_e60.y) + ((f32((_e60.x & (_e443 - 1u))) + 0.5f) / f32(_e443))) + _e439);
+            if (_e496 > -8388608f) {
+                let _e508 = f32(select(0i, select(select(i32(_e496), i32(-2147483648), (_e496 < bitcast<f32>(3472883712u))), 2147483647i, (_e496 > bitcast<f32>(1325400063u))), (_e496 == _e496)));
+                if (_e508 > _e496) {
+                    phi_728_ = 1f;
                 } else {
-                    phi_710_ = 0f;
+                    phi_728_ = 0f;
                 }
-                let _e493 = phi_710_;
-                if (_e478 < 8388608f) {
-                    phi_715_ = (_e490 - _e493);
-                    phi_716_ = false;
+                let _e511 = phi_728_;
+                if (_e496 < 8388608f) {
+                    phi_733_ = (_e508 - _e511);
+                    phi_734_ = false;
                 } else {
-                    phi_715_ = f32();
-                    phi_716_ = true;
+                    phi_733_ = f32();
+                    phi_734_ = true;
                 }
-                let _e496 = phi_715_;
-                let _e498 = phi_716_;
-                phi_717_ = _e496;
-                phi_718_ = _e498;
+                let _e514 = phi_733_;
+                let _e516 = phi_734_;
+                phi_735_ = _e514;
+                phi_736_ = _e516;
             } else {
-                phi_717_ = f32();
-                phi_718_ = true;
+                phi_735_ = f32();
+                phi_736_ = true;
             }
-            let _e500 = phi_717_;
-            let _e502 = phi_718_;
-            if _e502 {
-                phi_722_ = _e478;
+            let _e518 = phi_735_;
+            let _e520 = phi_736_;
+            if _e520 {
+                phi_740_ = _e496;
             } else {
-                phi_722_ = _e500;
+                phi_740_ = _e518;
             }
-            let _e504 = phi_722_;
-            if (_e475 >= 0f) {
-                if (_e504 >= 0f) {
-                    if (_e475 < f32(_e443)) {
-                        let _e510 = (_e504 < f32(_e445));
+            let _e522 = phi_740_;
+            if (_e495 >= 0f) {
+                if (_e522 >= 0f) {
+                    if (_e495 < f32(_e465)) {
+                        let _e528 = (_e522 < f32(_e467));
                         if (_e433 == 0f) {
-                            phi_743_ = (_e439 == 0f);
+                            phi_761_ = (_e439 == 0f);
                         } else {
-                            phi_743_ = false;
+                            phi_761_ = false;
                         }
-                        let _e514 = phi_743_;
-                        if _e510 {
-                            phi_762_ = vec2<u32>(select(select(u32(_e475), 0u, (_e475 < bitcast<f32>(0u))), 4294967295u, (_e475 > bitcast<f32>(1333788671u))), select(select(u32(_e504), 0u, (_e504 < bitcast<f32>(0u))), 4294967295u, (_e504 > bitcast<f32>(1333788671u))));
-                            phi_763_ = false;
+                        let _e532 = phi_761_;
+                        if _e528 {
+                            phi_780_ = vec2<u32>(select(select(u32(_e495), 0u, (_e495 < bitcast<f32>(0u))), 4294967295u, (_e495 > bitcast<f32>(1333788671u))), select(select(u32(_e522), 0u, (_e522 < bitcast<f32>(0u))), 4294967295u, (_e522 > bitcast<f32>(1333788671u))));
+                            phi_781_ = false;
                         } else {
-                            phi_762_ = vec2<u32>();
-                            phi_763_ = true;
+                            phi_780_ = vec2<u32>();
+                            phi_781_ = true;
                         }
-                        let _e531 = phi_762_;
-                        let _e533 = phi_763_;
-                        phi_764_ = _e514;
-                        phi_765_ = _e510;
-                        phi_766_ = _e531;
-                        phi_767_ = _e514;
-                        phi_768_ = _e510;
-                        phi_769_ = false;
-                        phi_770_ = _e533;
+                        let _e549 = phi_780_;
+                        let _e551 = phi_781_;
+                        phi_782_ = _e532;
+                        phi_783_ = _e528;
+                        phi_784_ = _e549;
+                        phi_785_ = _e532;
+                        phi_786_ = _e528;
+                        phi_787_ = false;
+                        phi_788_ = _e551;
                     } else {
-                        phi_764_ = bool();
-                        phi_765_ = bool();
-                        phi_766_ = vec2<u32>();
-                        phi_767_ = bool();
-                        phi_768_ = bool();
-                        phi_769_ = true;
-                        phi_770_ = false;
+                        phi_782_ = bool();
+                        phi_783_ = bool();
+                        phi_784_ = vec2<u32>();
+                        phi_785_ = bool();
+                        phi_786_ = bool();
+                        phi_787_ = true;
+                        phi_788_ = false;
                     }
-                    let _e535 = phi_764_;
-                    let _e537 = phi_765_;
-                    let _e539 = phi_766_;
-                    let _e541 = phi_767_;
-                    let _e543 = phi_768_;
-                    let _e545 = phi_769_;
-                    let _e547 = phi_770_;
-                    phi_771_ = _e535;
-                    phi_772_ = _e537;
-                    phi_773_ = _e539;
-                    phi_774_ = _e541;
-                    phi_775_ = _e543;
-                    phi_776_ = _e545;
-                    phi_777_ = _e547;
+                    let _e553 = phi_782_;
+                    let _e555 = phi_783_;
+                    let _e557 = phi_784_;
+                    let _e559 = phi_785_;
+                    let _e561 = phi_786_;
+                    let _e563 = phi_787_;
+                    let _e565 = phi_788_;
+                    phi_789_ = _e553;
+                    phi_790_ = _e555;
+                    phi_791_ = _e557;
+                    phi_792_ = _e559;
+                    phi_793_ = _e561;
+                    phi_794_ = _e563;
+                    phi_795_ = _e565;
                 } else {
-                    phi_771_ = bool();
-                    phi_772_ = bool();
-                    phi_773_ = vec2<u32>();
-                    phi_774_ = bool();
-                    phi_775_ = bool();
-                    phi_776_ = true;
-                    phi_777_ = false;
+                    phi_789_ = bool();
+                    phi_790_ = bool();
+                    phi_791_ = vec2<u32>();
+                    phi_792_ = bool();
+                    phi_793_ = bool();
+                    phi_794_ = true;
+                    phi_795_ = false;
                 }
-                let _e549 = phi_771_;
-                let _e551 = phi_772_;
-                let _e553 = phi_773_;
-                let _e555 = phi_774_;
-                let _e557 = phi_775_;
-                let _e559 = phi_776_;
-                let _e561 = phi_777_;
-                phi_778_ = _e549;
-                phi_779_ = _e551;
-                phi_780_ = _e553;
-                phi_781_ = _e555;
-                phi_782_ = _e557;
-                phi_783_ = _e559;
-                phi_784_ = _e561;
+                let _e567 = phi_789_;
+                let _e569 = phi_790_;
+                let _e571 = phi_791_;
+                let _e573 = phi_792_;
+                let _e575 = phi_793_;
+                let _e577 = phi_794_;
+                let _e579 = phi_795_;
+                phi_796_ = _e567;
+                phi_797_ = _e569;
+                phi_798_ = _e571;
+                phi_799_ = _e573;
+                phi_800_ = _e575;
+                phi_801_ = _e577;
+                phi_802_ = _e579;
             } else {
-                phi_778_ = bool();
-                phi_779_ = bool();
-                phi_780_ = vec2<u32>();
-                phi_781_ = bool();
-                phi_782_ = bool();
-                phi_783_ = true;
-                phi_784_ = false;
+                phi_796_ = bool();
+                phi_797_ = bool();
+                phi_798_ = vec2<u32>();
+                phi_799_ = bool();
+                phi_800_ = bool();
+                phi_801_ = true;
+                phi_802_ = false;
             }
-            let _e563 = phi_778_;
-            let _e565 = phi_779_;
-            let _e567 = phi_780_;
-            let _e569 = phi_781_;
-            let _e571 = phi_782_;
-            let _e573 = phi_783_;
-            let _e575 = phi_784_;
-            if _e573 {
+            let _e581 = phi_796_;
+            let _e583 = phi_797_;
+            let _e585 = phi_798_;
+            let _e587 = phi_799_;
+            let _e589 = phi_800_;
+            let _e591 = phi_801_;
+            let _e593 = phi_802_;
+            if _e591 {
                 if (_e433 == 0f) {
-                    phi_793_ = (_e439 == 0f);
+                    phi_811_ = (_e439 == 0f);
                 } else {
-                    phi_793_ = false;
+                    phi_811_ = false;
                 }
-                let _e579 = phi_793_;
-                phi_794_ = _e579;
-                phi_795_ = false;
-                phi_796_ = true;
+                let _e597 = phi_811_;
+                phi_812_ = _e597;
+                phi_813_ = false;
+                phi_814_ = true;
             } else {
-                phi_794_ = _e569;
-                phi_795_ = _e571;
-                phi_796_ = _e575;
+                phi_812_ = _e587;
+                phi_813_ = _e589;
+                phi_814_ = _e593;
             }
-            let _e581 = phi_794_;
-            let _e583 = phi_795_;
-            let _e585 = phi_796_;
-            if _e585 {
-                phi_800_ = _e581;
-                phi_801_ = _e583;
-                phi_802_ = vec2<u32>(_e60.x, _e60.y);
+            let _e599 = phi_812_;
+            let _e601 = phi_813_;
+            let _e603 = phi_814_;
+            if _e603 {
+                phi_818_ = _e599;
+                phi_819_ = _e601;
+                phi_820_ = vec2<u32>(_e60.x, _e60.y);
             } else {
-                phi_800_ = _e563;
-                phi_801_ = _e565;
-                phi_802_ = _e567;
+                phi_818_ = _e581;
+                phi_819_ = _e583;
+                phi_820_ = _e585;
             }
-            let _e587 = phi_800_;
-            let _e589 = phi_801_;
-            let _e591 = phi_802_;
-            let _e601 = lt_mask_Reprojection(vec2<u32>(_e591.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e608 = lt_mask_Reprojection(vec2<u32>(_e601.pixel.x, _e591.y), _e601.is_valid, _e601.has_moved);
-            let _e612 = lt_mask_Reprojection(_e608.pixel, _e589, _e608.has_moved);
-            let _e616 = lt_mask_Reprojection(_e612.pixel, _e612.is_valid, !(_e587));
-            if _e589 {
-                let _e619 = p.member.previous.eye;
-                let _e627 = p.member.previous.forward;
-                let _e636 = (((((_e115.x - _e619.x) * _e627.x) + ((_e115.y - _e619.y) * _e627.y)) + ((_e115.z - _e619.z) * _e627.z)) > 0f);
-                let _e640 = lt_mask_Reprojection(_e616.pixel, _e636, _e616.has_moved);
-                if _e636 {
-                    let _e643 = p.member.previous.eye;
-                    let _e651 = p.member.previous.forward;
-                    let _e659 = ((((_e115.x - _e643.x) * _e651.x) + ((_e115.y - _e643.y) * _e651.y)) + ((_e115.z - _e643.z) * _e651.z));
-                    let _e661 = ((_e591.y * _e112) + _e591.x);
-                    if (_e661 < arrayLength((&last_depths.member))) {
+            let _e605 = phi_818_;
+            let _e607 = phi_819_;
+            let _e609 = phi_820_;
+            let _e619 = lt_mask_Reprojection(vec2<u32>(_e609.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e626 = lt_mask_Reprojection(vec2<u32>(_e619.pixel.x, _e609.y), _e619.is_valid, _e619.has_moved);
+            let _e630 = lt_mask_Reprojection(_e626.pixel, _e607, _e626.has_moved);
+            let _e634 = lt_mask_Reprojection(_e630.pixel, _e630.is_valid, !(_e605));
+            if _e607 {
+                let _e637 = p.member.previous.eye;
+                let _e645 = p.member.previous.forward;
+                let _e654 = (((((_e115.x - _e637.x) * _e645.x) + ((_e115.y - _e637.y) * _e645.y)) + ((_e115.z - _e637.z) * _e645.z)) > 0f);
+                let _e658 = lt_mask_Reprojection(_e634.pixel, _e654, _e634.has_moved);
+                if _e654 {
+                    let _e661 = p.member.previous.eye;
+                    let _e669 = p.member.previous.forward;
+                    let _e677 = ((((_e115.x - _e661.x) * _e669.x) + ((_e115.y - _e661.y) * _e669.y)) + ((_e115.z - _e661.z) * _e669.z));
+                    let _e679 = ((_e609.y * _e112) + _e609.x);
+                    if (_e679 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e665 = last_depths.member[(0u + _e661)];
-                    let _e667 = p.member.depth_tolerance;
-                    let _e670 = abs(_e659);
-                    let _e671 = abs(_e665);
-                    if ((bitcast<u32>(_e671) & 2147483647u) > 2139095040u) {
-                        phi_885_ = true;
+                    let _e683 = last_depths.member[(0u + _e679)];
+                    let _e685 = p.member.depth_tolerance;
+                    let _e688 = abs(_e677);
+                    let _e689 = abs(_e683);
+                    if ((bitcast<u32>(_e689) & 2147483647u) > 2139095040u) {
+                        phi_903_ = true;
                     } else {
-                        let _e675 = (_e671 > _e670);
-                        if _e675 {
+                        let _e693 = (_e689 > _e688);
+                        if _e693 {
                         }
-                        phi_885_ = _e675;
+                        phi_903_ = _e693;
                     }
-                    let _e677 = phi_885_;
-                    if _e677 {
-                        phi_889_ = _e671;
+                    let _e695 = phi_903_;
+                    if _e695 {
+                        phi_907_ = _e689;
                     } else {
-                        phi_889_ = _e670;
+                        phi_907_ = _e688;
                     }
-                    let _e679 = phi_889_;
-                    phi_893_ = lt_mask_Reprojection(_e640.pixel, (abs((_e659 - _e665)) <= (_e667 * _e679)), _e640.has_moved);
+                    let _e697 = phi_907_;
+                    phi_911_ = lt_mask_Reprojection(_e658.pixel, (abs((_e677 - _e683)) <= (_e685 * _e697)), _e658.has_moved);
                 } else {
-                    phi_893_ = _e640;
+                    phi_911_ = _e658;
                 }
-                let _e687 = phi_893_;
-                if _e687.is_valid {
-                    let _e690 = p.member.flags;
-                    phi_902_ = ((_e690 & 1u) != 0u);
-                    phi_903_ = false;
+                let _e705 = phi_911_;
+                if _e705.is_valid {
+                    let _e708 = p.member.flags;
+                    phi_920_ = ((_e708 & 1u) != 0u);
+                    phi_921_ = false;
                 } else {
-                    phi_902_ = bool();
-                    phi_903_ = true;
+                    phi_920_ = bool();
+                    phi_921_ = true;
                 }
-                let _e694 = phi_902_;
-                let _e696 = phi_903_;
-                phi_905_ = _e694;
-                phi_906_ = _e687;
-                phi_907_ = _e687;
-                phi_908_ = _e696;
+                let _e712 = phi_920_;
+                let _e714 = phi_921_;
+                phi_923_ = _e712;
+                phi_924_ = _e705;
+                phi_925_ = _e705;
+                phi_926_ = _e714;
             } else {
-                phi_905_ = bool();
-                phi_906_ = lt_mask_Reprojection();
-                phi_907_ = lt_mask_Reprojection(_e616.pixel, false, _e616.has_moved);
-                phi_908_ = true;
+                phi_923_ = bool();
+                phi_924_ = lt_mask_Reprojection();
+                phi_925_ = lt_mask_Reprojection(_e634.pixel, false, _e634.has_moved);
+                phi_926_ = true;
             }
-            let _e702 = phi_905_;
-            let _e704 = phi_906_;
-            let _e706 = phi_907_;
-            let _e708 = phi_908_;
-            if _e708 {
-                phi_912_ = false;
-                phi_913_ = _e706;
+            let _e720 = phi_923_;
+            let _e722 = phi_924_;
+            let _e724 = phi_925_;
+            let _e726 = phi_926_;
+            if _e726 {
+                phi_930_ = false;
+                phi_931_ = _e724;
             } else {
-                phi_912_ = _e702;
-                phi_913_ = _e704;
+                phi_930_ = _e720;
+                phi_931_ = _e722;
             }
-            let _e710 = phi_912_;
-            let _e712 = phi_913_;
-            let _e716 = lt_mask_Reprojection(_e712.pixel, _e710, _e712.has_moved);
-            let _e718 = p.member.flags;
-            if _e716.has_moved {
-                let _e723 = p.member.flags;
-                phi_927_ = ((_e723 & 4u) == 0u);
+            let _e728 = phi_930_;
+            let _e730 = phi_931_;
+            let _e734 = lt_mask_Reprojection(_e730.pixel, _e728, _e730.has_moved);
+            let _e736 = p.member.flags;
+            if _e734.has_moved {
+                let _e741 = p.member.flags;
+                phi_945_ = ((_e741 & 4u) == 0u);
             } else {
-                phi_927_ = false;
+                phi_945_ = false;
             }
-            let _e727 = phi_927_;
-            if ((_e718 & 2u) != 0u) {
+            let _e745 = phi_945_;
+            if ((_e736 & 2u) != 0u) {
                 if false {
-                    phi_940_ = bool();
-                    phi_941_ = true;
+                    phi_958_ = bool();
+                    phi_959_ = true;
                 } else {
                     if true {
-                        phi_938_ = !(_e727);
-                        phi_939_ = false;
+                        phi_956_ = !(_e745);
+                        phi_957_ = false;
                     } else {
-                        phi_938_ = bool();
-                        phi_939_ = true;
+                        phi_956_ = bool();
+                        phi_957_ = true;
                     }
-                    let _e730 = phi_938_;
-                    let _e732 = phi_939_;
-                    phi_940_ = _e730;
-                    phi_941_ = _e732;
+                    let _e748 = phi_956_;
+                    let _e750 = phi_957_;
+                    phi_958_ = _e748;
+                    phi_959_ = _e750;
                 }
-                let _e734 = phi_940_;
-                let _e736 = phi_941_;
-                phi_942_ = _e734;
-                phi_943_ = _e736;
+                let _e752 = phi_958_;
+                let _e754 = phi_959_;
+                phi_960_ = _e752;
+                phi_961_ = _e754;
             } else {
-                phi_942_ = bool();
-                phi_943_ = true;
+                phi_960_ = bool();
+                phi_961_ = true;
             }
-            let _e738 = phi_942_;
-            let _e740 = phi_943_;
-            if _e740 {
-                phi_947_ = false;
+            let _e756 = phi_960_;
+            let _e758 = phi_961_;
+            if _e758 {
+                phi_965_ = false;
             } else {
-                phi_947_ = _e738;
+                phi_965_ = _e756;
             }
-            let _e742 = phi_947_;
-            let _e743 = lt_mask_Neighbourhood(false, true);
+            let _e760 = phi_965_;
+            let _e761 = lt_mask_Neighbourhood(false, true);
             if _e282 {
-                phi_952_ = _e742;
+                phi_970_ = _e760;
             } else {
-                phi_952_ = false;
+                phi_970_ = false;
             }
-            let _e745 = phi_952_;
-            if _e745 {
-                if _e710 {
-                    if _e716.has_moved {
-                        let _e748 = p.member.moving_pattern;
-                        phi_967_ = _e748;
+            let _e763 = phi_970_;
+            if _e763 {
+                if _e728 {
+                    if _e734.has_moved {
+                        let _e766 = p.member.moving_pattern;
+                        phi_985_ = _e766;
                     } else {
-                        let _e750 = p.member.still_pattern;
-                        phi_967_ = _e750;
+                        let _e768 = p.member.still_pattern;
+                        phi_985_ = _e768;
                     }
-                    let _e752 = phi_967_;
-                    phi_969_ = 0u;
-                    phi_972_ = _e743;
+                    let _e770 = phi_985_;
+                    phi_987_ = 0u;
+                    phi_990_ = _e761;
                     loop {
-                        let _e754 = phi_969_;
-                        let _e756 = phi_972_;
-                        local_1 = _e756;
-                        if (1u <= _e752) {
-                            if (_e752 <= 4u) {
-                                phi_984_ = false;
+                        let _e772 = phi_987_;
+                        let _e774 = phi_990_;
+                        local_1 = _e774;
+                        if (1u <= _e770) {
+                            if (_e770 <= 4u) {
+                                phi_1002_ = false;
                             } else {
-                                phi_984_ = true;
+                                phi_1002_ = true;
                             }
-                            let _e760 = phi_984_;
-                            phi_985_ = _e760;
+                            let _e778 = phi_1002_;
+                            phi_1003_ = _e778;
                         } else {
-                            phi_985_ = true;
+                            phi_1003_ = true;
                         }
-                        let _e762 = phi_985_;
-                        if _e762 {
-                            switch bitcast<i32>(_e752) {
+                        let _e780 = phi_1003_;
+                        if _e780 {
+                            switch bitcast<i32>(_e770) {
                                 case 5: {
-                                    phi_994_ = 4u;
+                                    phi_1012_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_994_ = 25u;
+                                    phi_1012_ = 25u;
                                     break;
                                 }
                                 case 7: {
-                                    phi_994_ = 13u;
+                                    phi_1012_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_994_ = 9u;
+                                    phi_1012_ = 9u;
                                     break;
                                 }
                             }
-                            let _e765 = phi_994_;
-                            phi_995_ = _e765;
+                            let _e783 = phi_1012_;
+                            phi_1013_ = _e783;
                         } else {
-                            phi_995_ = 5u;
+                            phi_1013_ = 5u;
                         }
-                        let _e767 = phi_995_;
-                        let _e768 = (_e754 < _e767);
-                        if _e768 {
-                            let _e774 = p.member.frame;
-                            let _e778 = p.member.current.size[0u];
-                            let _e780 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e752) {
+                        let _e785 = phi_1013_;
+                        let _e786 = (_e772 < _e785);
+                        if _e786 {
+                            let _e792 = p.member.frame;
+                            let _e796 = p.member.current.size[0u];
+                            let _e798 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e770) {
                                 case 1: {
-                                    let _e790 = lt_mask_pattern_plus(_e754);
-                                    phi_1075_ = vec2<i32>(_e790.x, _e790.y);
+                                    let _e808 = lt_mask_pattern_plus(_e772);
+                                    phi_1093_ = vec2<i32>(_e808.x, _e808.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e794 = lt_mask_pattern_cross(_e754);
-                                    phi_1075_ = vec2<i32>(_e794.x, _e794.y);
+                                    let _e812 = lt_mask_pattern_cross(_e772);
+                                    phi_1093_ = vec2<i32>(_e812.x, _e812.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e800 = lt_mask_pattern_plus_or_cross(_e754, ((_e716.pixel.x + _e716.pixel.y) & 1u));
-                                    phi_1075_ = vec2<i32>(_e800.x, _e800.y);
+                                    let _e818 = lt_mask_pattern_plus_or_cross(_e772, ((_e734.pixel.x + _e734.pixel.y) & 1u));
+                                    phi_1093_ = vec2<i32>(_e818.x, _e818.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e805 = lt_mask_pattern_plus_or_cross(_e754, (_e774 & 1u));
-                                    phi_1075_ = vec2<i32>(_e805.x, _e805.y);
+                                    let _e823 = lt_mask_pattern_plus_or_cross(_e772, (_e792 & 1u));
+                                    phi_1093_ = vec2<i32>(_e823.x, _e823.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e774 & 3u)) {
+                                    switch bitcast<i32>((_e792 & 3u)) {
                                         case 0: {
-                                            phi_1055_ = vec2(-1i);
+                                            phi_1073_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_1055_ = vec2(0i);
+                                            phi_1073_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_1055_ = vec2<i32>(0i, -1i);
+                                            phi_1073_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_1055_ = vec2<i32>(-1i, 0i);
+                                            phi_1073_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e816 = phi_1055_;
-                                    phi_1075_ = (_e816 + vec2<i32>(bitcast<i32>((_e754 & 1u)), bitcast<i32>(((_e754 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e834 = phi_1073_;
+                                    phi_1093_ = (_e834 + vec2<i32>(bitcast<i32>((_e772 & 1u)), bitcast<i32>(((_e772 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_1075_ = vec2<i32>((bitcast<i32>((_e754 % 5u)) - 2i), (bitcast<i32>(((_e754 / 5u) % 5u)) - 2i));
+                                    phi_1093_ = vec2<i32>((bitcast<i32>((_e772 % 5u)) - 2i), (bitcast<i32>(((_e772 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 case 7: {
-                                    let _e833 = lt_mask_pattern_diamond(_e754);
-                                    phi_1075_ = vec2<i32>(_e833.x, _e833.y);
+                                    let _e851 = lt_mask_pattern_diamond(_e772);
+                                    phi_1093_ = vec2<i32>(_e851.x, _e851.y);
                                     break;
                                 }
                                 default: {
-                                    phi_1075_ = vec2<i32>((bitcast<i32>((_e754 % 3u)) - 1i), (bitcast<i32>(((_e754 / 3u) % 3u)) - 1i));
+                                    phi_1093_ = vec2<i32>((bitcast<i32>((_e772 % 3u)) - 1i), (bitcast<i32>(((_e772 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e838 = phi_1075_;
-                            let _e841 = lt_mask_pattern_step_clamped(_e716.pixel.x, _e838.x, _e778);
-                            let _e842 = lt_mask_pattern_step_clamped(_e716.pixel.y, _e838.y, _e780);
-                            let _e849 = ((((_e842 * _e112) + _e841) * _e108.words) + _e108.light.word);
+                            let _e856 = phi_1093_;
+                            let _e859 = lt_mask_pattern_step_clamped(_e734.pixel.x, _e856.x, _e796);
+                            let _e860 = lt_mask_pattern_step_clamped(_e734.pixel.y, _e856.y, _e798);
+                            let _e867 = ((((_e860 * _e112) + _e859) * _e108.words) + _e108.light.word);
                             if (_e108.light.shift > 29u) {
-                                let _e853 = (_e849 + 1u);
-                                if (_e853 < _e66) {
+                                let _e871 = (_e867 + 1u);
+                                if (_e871 < _e66) {
                                 } else {
                                     return;
                                 }
-                                let _e857 = last_bits.member[(0u + _e853)];
-                                phi_1102_ = _e857;
+                                let _e875 = last_bits.member[(0u + _e871)];
+                                phi_1120_ = _e875;
                             } else {
-                                phi_1102_ = 0u;
+                                phi_1120_ = 0u;
                             }
-                            let _e859 = phi_1102_;
-                            if (_e849 < _e66) {
+                            let _e877 = phi_1120_;
+                            if (_e867 < _e66) {
                             } else {
                                 return;
                             }
-                            let _e865 = last_bits.member[(0u + _e849)];
-                            let _e868 = (_e865 >> bitcast<u32>((_e108.light.shift & 31u)));
+                            let _e883 = last_bits.member[(0u + _e867)];
+                            let _e886 = (_e883 >> bitcast<u32>((_e108.light.shift & 31u)));
                             if (_e108.light.shift > 29u) {
-                                phi_1121_ = (_e868 | (_e859 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                                phi_1139_ = (_e886 | (_e877 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
                             } else {
-                                phi_1121_ = _e868;
+                                phi_1139_ = _e886;
                             }
-                            let _e876 = phi_1121_;
-                            if ((_e876 & 2u) == 0u) {
-                                phi_1129_ = (_e876 & 1u);
+                            let _e894 = phi_1139_;
+                            if ((_e894 & 2u) == 0u) {
+                                phi_1147_ = (_e894 & 1u);
                             } else {
-                                phi_1129_ = (_e876 & 7u);
+                                phi_1147_ = (_e894 & 7u);
                             }
-                            let _e882 = phi_1129_;
-                            if _e756.any_expands {
-                                phi_1155_ = true;
+                            let _e900 = phi_1147_;
+                            if _e774.any_expands {
+                                phi_1173_ = true;
                             } else {
-                                if ((_e882 & 2u) != 0u) {
-                                    if (((_e882 & 4u) != 0u) != _e278) {
-                                        phi_1146_ = false;
+                                if ((_e900 & 2u) != 0u) {
+                                    if (((_e900 & 4u) != 0u) != _e278) {
+                                        phi_1164_ = false;
                                     } else {
-                                        phi_1146_ = true;
+                                        phi_1164_ = true;
                                     }
-                                    let _e891 = phi_1146_;
-                                    phi_1147_ = _e891;
+                                    let _e909 = phi_1164_;
+                                    phi_1165_ = _e909;
                                 } else {
-                                    phi_1147_ = true;
+                                    phi_1165_ = true;
                                 }
-                                let _e893 = phi_1147_;
-                                if _e893 {
-                                    phi_1154_ = (((_e882 & 1u) != 0u) != _e278);
+                                let _e911 = phi_1165_;
+                                if _e911 {
+                                    phi_1172_ = (((_e900 & 1u) != 0u) != _e278);
                                 } else {
-                                    phi_1154_ = true;
+                                    phi_1172_ = true;
                                 }
-                                let _e898 = phi_1154_;
-                                phi_1155_ = _e898;
+                                let _e916 = phi_1172_;
+                                phi_1173_ = _e916;
                             }
-                            let _e900 = phi_1155_;
-                            if _e756.all_remove {
-                                if (((_e882 & 1u) != 0u) == _e278) {
-                                    if ((_e882 & 2u) != 0u) {
-                                        phi_1173_ = (((_e882 & 4u) != 0u) == _e278);
+                            let _e918 = phi_1173_;
+                            if _e774.all_remove {
+                                if (((_e900 & 1u) != 0u) == _e278) {
+                                    if ((_e900 & 2u) != 0u) {
+                                        phi_1191_ = (((_e900 & 4u) != 0u) == _e278);
                                     } else {
-                                        phi_1173_ = true;
+                                        phi_1191_ = true;
                                     }
-                                    let _e910 = phi_1173_;
-                                    phi_1174_ = _e910;
+                                    let _e928 = phi_1191_;
+                                    phi_1192_ = _e928;
                                 } else {
-                                    phi_1174_ = false;
+                                    phi_1192_ = false;
                                 }
-                                let _e912 = phi_1174_;
-                                phi_1175_ = _e912;
+                                let _e930 = phi_1192_;
+                                phi_1193_ = _e930;
                             } else {
-                                phi_1175_ = false;
+                                phi_1193_ = false;
                             }
-                            let _e914 = phi_1175_;
-                            phi_970_ = (_e754 + 1u);
-                            phi_973_ = lt_mask_Neighbourhood(_e900, _e914);
+                            let _e932 = phi_1193_;
+                            phi_988_ = (_e772 + 1u);
+                            phi_991_ = lt_mask_Neighbourhood(_e918, _e932);
                         } else {
-                            phi_970_ = u32();
-                            phi_973_ = lt_mask_Neighbourhood();
+                            phi_988_ = u32();
+                            phi_991_ = lt_mask_Neighbourhood();
                         }
-                        let _e918 = phi_970_;
-                        let _e920 = phi_973_;
+                        let _e936 = phi_988_;
+                        let _e938 = phi_991_;
                         continue;
                         continuing {
-                            phi_969_ = _e918;
-                            phi_972_ = _e920;
-                            break if !(_e768);
+                            phi_987_ = _e936;
+                            phi_990_ = _e938;
+                            break if !(_e786);
                         }
                     }
-                    let _e1212 = local_1;
-                    phi_1178_ = _e1212;
+                    let _e1230 = local_1;
+                    phi_1196_ = _e1230;
                 } else {
-                    phi_1178_ = _e743;
+                    phi_1196_ = _e761;
                 }
-                let _e923 = phi_1178_;
-                phi_1179_ = _e923;
+                let _e941 = phi_1196_;
+                phi_1197_ = _e941;
             } else {
-                phi_1179_ = _e743;
+                phi_1197_ = _e761;
             }
-            let _e925 = phi_1179_;
-            let _e928 = p.member.frame;
-            let _e930 = p.member.refresh;
-            if (_e930 == 0u) {
-                phi_1212_ = false;
+            let _e943 = phi_1197_;
+            let _e946 = p.member.frame;
+            let _e948 = p.member.refresh;
+            if (_e948 == 0u) {
+                phi_1230_ = false;
             } else {
-                if (_e930 == 0u) {
+                if (_e948 == 0u) {
                     return;
                 }
-                let _e939 = ((_e60.x + (_e60.y * (((_e930 * 5u) / 8u) | 1u))) + (_e928 % _e930));
-                if (_e930 == 0u) {
-                    phi_1211_ = (_e939 == 0u);
+                let _e957 = ((_e60.x + (_e60.y * (((_e948 * 5u) / 8u) | 1u))) + (_e946 % _e948));
+                if (_e948 == 0u) {
+                    phi_1229_ = (_e957 == 0u);
                 } else {
-                    if (_e930 == 0u) {
+                    if (_e948 == 0u) {
                         return;
                     }
-                    phi_1211_ = ((_e939 % _e930) == 0u);
+                    phi_1229_ = ((_e957 % _e948) == 0u);
                 }
-                let _e946 = phi_1211_;
-                phi_1212_ = _e946;
+                let _e964 = phi_1229_;
+                phi_1230_ = _e964;
             }
-            let _e948 = phi_1212_;
+            let _e966 = phi_1230_;
             if (_e120 != 0.5f) {
-                if _e710 {
-                    if _e948 {
-                        phi_1267_ = 6u;
+                if _e728 {
+                    if _e966 {
+                        phi_1285_ = 6u;
                     } else {
                         if _e282 {
-                            phi_1242_ = true;
+                            phi_1260_ = true;
                         } else {
-                            if _e925.any_expands {
-                                phi_1241_ = false;
+                            if _e943.any_expands {
+                                phi_1259_ = false;
                             } else {
-                                phi_1241_ = true;
+                                phi_1259_ = true;
                             }
-                            let _e952 = phi_1241_;
-                            phi_1242_ = _e952;
+                            let _e970 = phi_1259_;
+                            phi_1260_ = _e970;
                         }
-                        let _e954 = phi_1242_;
-                        if _e954 {
+                        let _e972 = phi_1260_;
+                        if _e972 {
                             if _e282 {
-                                if _e742 {
-                                    if _e925.all_remove {
-                                        phi_1255_ = false;
+                                if _e760 {
+                                    if _e943.all_remove {
+                                        phi_1273_ = false;
                                     } else {
-                                        phi_1255_ = true;
+                                        phi_1273_ = true;
                                     }
-                                    let _e956 = phi_1255_;
-                                    phi_1256_ = _e956;
+                                    let _e974 = phi_1273_;
+                                    phi_1274_ = _e974;
                                 } else {
-                                    phi_1256_ = true;
+                                    phi_1274_ = true;
                                 }
-                                let _e958 = phi_1256_;
-                                phi_1257_ = _e958;
+                                let _e976 = phi_1274_;
+                                phi_1275_ = _e976;
                             } else {
-                                phi_1257_ = true;
+                                phi_1275_ = true;
                             }
-                            let _e960 = phi_1257_;
-                            if _e960 {
+                            let _e978 = phi_1275_;
+                            if _e978 {
                                 if _e282 {
-                                    phi_1264_ = 1u;
+                                    phi_1282_ = 1u;
                                 } else {
-                                    phi_1264_ = 0u;
+                                    phi_1282_ = 0u;
                                 }
-                                let _e962 = phi_1264_;
-                                phi_1265_ = _e962;
+                                let _e980 = phi_1282_;
+                                phi_1283_ = _e980;
                             } else {
-                                phi_1265_ = 5u;
+                                phi_1283_ = 5u;
                             }
-                            let _e964 = phi_1265_;
-                            phi_1266_ = _e964;
+                            let _e982 = phi_1283_;
+                            phi_1284_ = _e982;
                         } else {
-                            phi_1266_ = 4u;
+                            phi_1284_ = 4u;
                         }
-                        let _e966 = phi_1266_;
-                        phi_1267_ = _e966;
+                        let _e984 = phi_1284_;
+                        phi_1285_ = _e984;
                     }
-                    let _e968 = phi_1267_;
-                    phi_1268_ = _e968;
+                    let _e986 = phi_1285_;
+                    phi_1286_ = _e986;
                 } else {
-                    phi_1268_ = 3u;
+                    phi_1286_ = 3u;
                 }
-                let _e970 = phi_1268_;
-                phi_1269_ = _e970;
+                let _e988 = phi_1286_;
+                phi_1287_ = _e988;
             } else {
-                phi_1269_ = 2u;
+                phi_1287_ = 2u;
             }
-            let _e972 = phi_1269_;
-            if !((_e972 == 0u)) {
-                phi_1277_ = !((_e972 == 5u));
+            let _e990 = phi_1287_;
+            if !((_e990 == 0u)) {
+                phi_1295_ = !((_e990 == 5u));
             } else {
-                phi_1277_ = false;
+                phi_1295_ = false;
             }
-            let _e978 = phi_1277_;
-            if _e978 {
+            let _e996 = phi_1295_;
+            if _e996 {
                 if _e278 {
-                    phi_1285_ = (2u | 1u);
+                    phi_1303_ = (2u | 1u);
                 } else {
-                    phi_1285_ = 2u;
+                    phi_1303_ = 2u;
                 }
-                let _e981 = phi_1285_;
+                let _e999 = phi_1303_;
                 if false {
-                    phi_1290_ = (_e981 | 4u);
+                    phi_1308_ = (_e999 | 4u);
                 } else {
-                    phi_1290_ = _e981;
+                    phi_1308_ = _e999;
                 }
-                let _e984 = phi_1290_;
-                phi_1295_ = _e984;
+                let _e1002 = phi_1308_;
+                phi_1313_ = _e1002;
             } else {
                 if _e278 {
-                    phi_1294_ = 1u;
+                    phi_1312_ = 1u;
                 } else {
-                    phi_1294_ = 0u;
+                    phi_1312_ = 0u;
                 }
-                let _e986 = phi_1294_;
-                phi_1295_ = _e986;
+                let _e1004 = phi_1312_;
+                phi_1313_ = _e1004;
             }
-            let _e988 = phi_1295_;
+            let _e1006 = phi_1313_;
             if _e278 {
-                phi_1299_ = 0f;
+                phi_1317_ = 0f;
             } else {
-                phi_1299_ = 1f;
+                phi_1317_ = 1f;
             }
-            let _e990 = phi_1299_;
-            phi_1301_ = mask_Masked(_e990, _e988, _e978);
+            let _e1008 = phi_1317_;
+            phi_1319_ = mask_Masked(_e1008, _e1006, _e996);
         }
-        let _e993 = phi_1301_;
-        visibility.member[_e81.shift] = _e993.visibility;
-        let _e998 = p.member.light.number;
-        let _e999 = (_e998 * 3u);
-        let _e1001 = (_e999 % 32u);
-        let _e1003 = p.member.light.mask_words;
-        let _e1005 = ((_e81.shift * _e1003) + (_e999 / 32u));
-        let _e1007 = bits.member[_e1005];
-        bits.member[_e1005] = ((_e1007 & ~((7u << bitcast<u32>((_e1001 & 31u))))) | (_e993.bits << bitcast<u32>((_e1001 & 31u))));
-        if (_e1001 > 29u) {
-            let _e1022 = bits.member[(_e1005 + 1u)];
-            let _e1024 = (32u - _e1001);
-            bits.member[(_e1005 + 1u)] = ((_e1022 & ~((7u >> bitcast<u32>((_e1024 & 31u))))) | (_e993.bits >> bitcast<u32>((_e1024 & 31u))));
+        let _e1011 = phi_1319_;
+        visibility.member[_e81.shift] = _e1011.visibility;
+        let _e1016 = p.member.light.number;
+        let _e1017 = (_e1016 * 3u);
+        let _e1019 = (_e1017 % 32u);
+        let _e1021 = p.member.light.mask_words;
+        let _e1023 = ((_e81.shift * _e1021) + (_e1017 / 32u));
+        let _e1025 = bits.member[_e1023];
+        bits.member[_e1023] = ((_e1025 & ~((7u << bitcast<u32>((_e1019 & 31u))))) | (_e1011.bits << bitcast<u32>((_e1019 & 31u))));
+        if (_e1019 > 29u) {
+            let _e1040 = bits.member[(_e1023 + 1u)];
+            let _e1042 = (32u - _e1019);
+            bits.member[(_e1023 + 1u)] = ((_e1040 & ~((7u >> bitcast<u32>((_e1042 & 31u))))) | (_e1011.bits >> bitcast<u32>((_e1042 & 31u))));
         }
-        let _e1039 = samples.member[_e81.shift].normal[0u];
-        let _e1041 = global[0u];
-        if (_e1039 == _e1041) {
-            let _e1044 = samples.member[_e81.shift].normal[1u];
-            let _e1046 = global[1u];
-            if (_e1044 == _e1046) {
-                let _e1049 = samples.member[_e81.shift].normal[2u];
-                let _e1051 = global[2u];
-                phi_1373_ = (_e1049 == _e1051);
-                phi_1374_ = false;
+        let _e1057 = samples.member[_e81.shift].normal[0u];
+        let _e1059 = global[0u];
+        if (_e1057 == _e1059) {
+            let _e1062 = samples.member[_e81.shift].normal[1u];
+            let _e1064 = global[1u];
+            if (_e1062 == _e1064) {
+                let _e1067 = samples.member[_e81.shift].normal[2u];
+                let _e1069 = global[2u];
+                phi_1391_ = (_e1067 == _e1069);
+                phi_1392_ = false;
             } else {
-                phi_1373_ = bool();
-                phi_1374_ = true;
+                phi_1391_ = bool();
+                phi_1392_ = true;
             }
-            let _e1054 = phi_1373_;
-            let _e1056 = phi_1374_;
-            phi_1375_ = _e1054;
-            phi_1376_ = _e1056;
+            let _e1072 = phi_1391_;
+            let _e1074 = phi_1392_;
+            phi_1393_ = _e1072;
+            phi_1394_ = _e1074;
         } else {
-            phi_1375_ = bool();
-            phi_1376_ = true;
+            phi_1393_ = bool();
+            phi_1394_ = true;
         }
-        let _e1058 = phi_1375_;
-        let _e1060 = phi_1376_;
-        if _e1060 {
-            phi_1380_ = false;
+        let _e1076 = phi_1393_;
+        let _e1078 = phi_1394_;
+        if _e1078 {
+            phi_1398_ = false;
         } else {
-            phi_1380_ = _e1058;
+            phi_1398_ = _e1076;
         }
-        let _e1062 = phi_1380_;
-        if !(_e1062) {
-            let _e1065 = samples.member[_e81.shift].position;
-            let _e1067 = p.member.current.eye;
-            let _e1078 = p.member.current.forward;
-            phi_1408_ = ((((_e1065.x - _e1067.x) * _e1078.x) + ((_e1065.y - _e1067.y) * _e1078.y)) + ((_e1065.z - _e1067.z) * _e1078.z));
+        let _e1080 = phi_1398_;
+        if !(_e1080) {
+            let _e1083 = samples.member[_e81.shift].position;
+            let _e1085 = p.member.current.eye;
+            let _e1096 = p.member.current.forward;
+            phi_1426_ = ((((_e1083.x - _e1085.x) * _e1096.x) + ((_e1083.y - _e1085.y) * _e1096.y)) + ((_e1083.z - _e1085.z) * _e1096.z));
         } else {
-            phi_1408_ = 0f;
+            phi_1426_ = 0f;
         }
-        let _e1088 = phi_1408_;
-        depths.member[_e81.shift] = _e1088;
-        phi_1411_ = _e993.needs_ray;
-        phi_1412_ = _e81.shift;
+        let _e1106 = phi_1426_;
+        depths.member[_e81.shift] = _e1106;
+        phi_1429_ = _e1011.needs_ray;
+        phi_1430_ = _e81.shift;
     } else {
-        phi_1411_ = false;
-        phi_1412_ = 0u;
+        phi_1429_ = false;
+        phi_1430_ = 0u;
     }
-    let _e1092 = phi_1411_;
-    let _e1094 = phi_1412_;
+    let _e1110 = phi_1429_;
+    let _e1112 = phi_1430_;
     if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1092 {
-        let _e1098 = atomicAdd((&shared_[0u]), 1u);
-        phi_1423_ = _e1098;
+    if _e1110 {
+        let _e1116 = atomicAdd((&shared_[0u]), 1u);
+        phi_1441_ = _e1116;
     } else {
-        phi_1423_ = 0u;
+        phi_1441_ = 0u;
     }
-    let _e1100 = phi_1423_;
+    let _e1118 = phi_1441_;
     workgroupBarrier();
     if (_e61 == 0u) {
-        let _e1104 = atomicLoad((&shared_[0u]));
-        let _e1105 = atomicAdd((&list.member[3u]), _e1104);
-        atomicStore((&shared_[1u]), _e1105);
+        let _e1122 = atomicLoad((&shared_[0u]));
+        let _e1123 = atomicAdd((&list.member[3u]), _e1122);
+        atomicStore((&shared_[1u]), _e1123);
     }
     workgroupBarrier();
-    if _e1092 {
-        let _e1108 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1108) + _e1100)]), _e1094);
+    if _e1110 {
+        let _e1126 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1126) + _e1118)]), _e1112);
     }
     return;
 }

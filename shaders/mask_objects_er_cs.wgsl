@@ -8,7 +8,7 @@ struct abi_CameraParams {
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_LightParams {
@@ -120,274 +120,274 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_176_: lt_mask_LightPlace;
-    var phi_177_: bool;
-    var phi_178_: lt_mask_LightPlace;
-    var phi_179_: bool;
-    var phi_184_: lt_mask_LightPlace;
+    var phi_177_: lt_mask_LightPlace;
+    var phi_178_: bool;
+    var phi_179_: lt_mask_LightPlace;
+    var phi_180_: bool;
+    var phi_185_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_176_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_177_ = false;
+            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_178_ = false;
         } else {
-            phi_176_ = lt_mask_LightPlace();
-            phi_177_ = true;
+            phi_177_ = lt_mask_LightPlace();
+            phi_178_ = true;
         }
-        let _e68 = phi_176_;
-        let _e70 = phi_177_;
-        phi_178_ = _e68;
-        phi_179_ = _e70;
+        let _e68 = phi_177_;
+        let _e70 = phi_178_;
+        phi_179_ = _e68;
+        phi_180_ = _e70;
     } else {
-        phi_178_ = lt_mask_LightPlace();
-        phi_179_ = true;
+        phi_179_ = lt_mask_LightPlace();
+        phi_180_ = true;
     }
-    let _e72 = phi_178_;
-    let _e74 = phi_179_;
+    let _e72 = phi_179_;
+    let _e74 = phi_180_;
     if _e74 {
-        phi_184_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_184_ = _e72;
+        phi_185_ = _e72;
     }
-    let _e79 = phi_184_;
+    let _e79 = phi_185_;
     return lt_mask_LightPlace(_e79.word, _e79.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_202_: vec2<i32>;
+    var phi_203_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_202_ = vec2(0i);
+            phi_203_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_202_ = vec2<i32>(0i, -1i);
+            phi_203_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_202_ = vec2<i32>(-1i, 0i);
+            phi_203_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_202_ = vec2<i32>(1i, 0i);
+            phi_203_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_202_ = vec2<i32>(0i, 1i);
+            phi_203_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e64 = phi_202_;
+    let _e64 = phi_203_;
     return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_220_: vec2<i32>;
+    var phi_221_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_220_ = vec2(0i);
+            phi_221_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_220_ = vec2(-1i);
+            phi_221_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_220_ = vec2<i32>(1i, -1i);
+            phi_221_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_220_ = vec2<i32>(-1i, 1i);
+            phi_221_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_220_ = vec2(1i);
+            phi_221_ = vec2(1i);
             break;
         }
     }
-    let _e64 = phi_220_;
+    let _e64 = phi_221_;
     return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_239_: vec2<i32>;
+    var phi_240_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e58 = lt_mask_pattern_plus(param_5);
-        phi_239_ = vec2<i32>(_e58.x, _e58.y);
+        phi_240_ = vec2<i32>(_e58.x, _e58.y);
     } else {
         let _e62 = lt_mask_pattern_cross(param_5);
-        phi_239_ = vec2<i32>(_e62.x, _e62.y);
+        phi_240_ = vec2<i32>(_e62.x, _e62.y);
     }
-    let _e67 = phi_239_;
+    let _e67 = phi_240_;
     return vec2<i32>(_e67.x, _e67.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_264_: vec2<i32>;
+    var phi_265_: vec2<i32>;
 
     let _e56 = (param_7 % 13u);
     switch bitcast<i32>(_e56) {
         case 9: {
-            phi_264_ = vec2<i32>(0i, -2i);
+            phi_265_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_264_ = vec2<i32>(-2i, 0i);
+            phi_265_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_264_ = vec2<i32>(2i, 0i);
+            phi_265_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_264_ = vec2<i32>(0i, 2i);
+            phi_265_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_264_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
+            phi_265_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e71 = phi_264_;
+    let _e71 = phi_265_;
     return vec2<i32>(_e71.x, _e71.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_285_: u32;
     var phi_286_: u32;
+    var phi_287_: u32;
 
     let _e59 = (bitcast<i32>(param_8) + param_9);
     if (_e59 < 0i) {
-        phi_286_ = 0u;
+        phi_287_ = 0u;
     } else {
         if (_e59 >= bitcast<i32>(param_10)) {
-            phi_285_ = (param_10 - 1u);
+            phi_286_ = (param_10 - 1u);
         } else {
-            phi_285_ = bitcast<u32>(_e59);
+            phi_286_ = bitcast<u32>(_e59);
         }
-        let _e66 = phi_285_;
-        phi_286_ = _e66;
+        let _e66 = phi_286_;
+        phi_287_ = _e66;
     }
-    let _e68 = phi_286_;
+    let _e68 = phi_287_;
     return _e68;
 }
 
 fn function_() {
-    var phi_362_: bool;
     var phi_363_: bool;
     var phi_364_: bool;
     var phi_365_: bool;
-    var phi_369_: bool;
-    var phi_439_: bool;
+    var phi_366_: bool;
+    var phi_370_: bool;
     var phi_440_: bool;
-    var phi_451_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_452_: bool;
-    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_454_: bool;
-    var phi_461_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_465_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_478_: bool;
-    var phi_664_: f32;
-    var phi_669_: f32;
-    var phi_670_: bool;
-    var phi_671_: f32;
-    var phi_672_: bool;
-    var phi_676_: f32;
-    var phi_699_: f32;
-    var phi_704_: f32;
-    var phi_705_: bool;
-    var phi_706_: f32;
-    var phi_707_: bool;
-    var phi_711_: f32;
-    var phi_732_: bool;
-    var phi_751_: vec2<u32>;
-    var phi_752_: bool;
-    var phi_753_: bool;
-    var phi_754_: bool;
-    var phi_755_: vec2<u32>;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_760_: bool;
-    var phi_761_: bool;
-    var phi_762_: vec2<u32>;
-    var phi_763_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: bool;
-    var phi_767_: bool;
-    var phi_768_: bool;
+    var phi_441_: bool;
+    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_453_: bool;
+    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_455_: bool;
+    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_479_: bool;
+    var phi_684_: f32;
+    var phi_689_: f32;
+    var phi_690_: bool;
+    var phi_691_: f32;
+    var phi_692_: bool;
+    var phi_696_: f32;
+    var phi_717_: f32;
+    var phi_722_: f32;
+    var phi_723_: bool;
+    var phi_724_: f32;
+    var phi_725_: bool;
+    var phi_729_: f32;
+    var phi_750_: bool;
     var phi_769_: vec2<u32>;
     var phi_770_: bool;
     var phi_771_: bool;
     var phi_772_: bool;
-    var phi_773_: bool;
+    var phi_773_: vec2<u32>;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_777_: bool;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: vec2<u32>;
+    var phi_781_: bool;
     var phi_782_: bool;
     var phi_783_: bool;
     var phi_784_: bool;
     var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: vec2<u32>;
+    var phi_788_: bool;
     var phi_789_: bool;
     var phi_790_: bool;
-    var phi_791_: vec2<u32>;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_833_: bool;
-    var phi_834_: lt_mask_Reprojection;
-    var phi_835_: lt_mask_Reprojection;
-    var phi_836_: bool;
-    var phi_840_: bool;
-    var phi_841_: lt_mask_Reprojection;
-    var phi_869_: u32;
-    var phi_871_: u32;
-    var phi_874_: lt_mask_Neighbourhood;
-    var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_896_: u32;
-    var phi_897_: u32;
-    var phi_957_: vec2<i32>;
-    var phi_977_: vec2<i32>;
-    var phi_1002_: u32;
-    var phi_1021_: u32;
-    var phi_1029_: u32;
-    var phi_1046_: bool;
-    var phi_1047_: bool;
-    var phi_1054_: bool;
-    var phi_1055_: bool;
+    var phi_791_: bool;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_803_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
+    var phi_809_: vec2<u32>;
+    var phi_848_: bool;
+    var phi_849_: bool;
+    var phi_851_: bool;
+    var phi_852_: lt_mask_Reprojection;
+    var phi_853_: lt_mask_Reprojection;
+    var phi_854_: bool;
+    var phi_858_: bool;
+    var phi_859_: lt_mask_Reprojection;
+    var phi_887_: u32;
+    var phi_889_: u32;
+    var phi_892_: lt_mask_Neighbourhood;
+    var phi_904_: bool;
+    var phi_905_: bool;
+    var phi_914_: u32;
+    var phi_915_: u32;
+    var phi_975_: vec2<i32>;
+    var phi_995_: vec2<i32>;
+    var phi_1020_: u32;
+    var phi_1039_: u32;
+    var phi_1047_: u32;
+    var phi_1064_: bool;
+    var phi_1065_: bool;
+    var phi_1072_: bool;
     var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
-    var phi_872_: u32;
-    var phi_875_: lt_mask_Neighbourhood;
-    var phi_1078_: lt_mask_Neighbourhood;
-    var phi_1079_: lt_mask_Neighbourhood;
-    var phi_1080_: lt_mask_Neighbourhood;
-    var phi_1112_: bool;
-    var phi_1113_: bool;
-    var phi_1142_: bool;
-    var phi_1143_: bool;
-    var phi_1156_: bool;
-    var phi_1157_: bool;
-    var phi_1158_: bool;
-    var phi_1165_: u32;
-    var phi_1166_: u32;
-    var phi_1167_: u32;
-    var phi_1168_: u32;
-    var phi_1169_: u32;
-    var phi_1170_: u32;
-    var phi_1178_: bool;
+    var phi_1091_: bool;
+    var phi_1092_: bool;
+    var phi_1093_: bool;
+    var phi_890_: u32;
+    var phi_893_: lt_mask_Neighbourhood;
+    var phi_1096_: lt_mask_Neighbourhood;
+    var phi_1097_: lt_mask_Neighbourhood;
+    var phi_1098_: lt_mask_Neighbourhood;
+    var phi_1130_: bool;
+    var phi_1131_: bool;
+    var phi_1160_: bool;
+    var phi_1161_: bool;
+    var phi_1174_: bool;
+    var phi_1175_: bool;
+    var phi_1176_: bool;
+    var phi_1183_: u32;
+    var phi_1184_: u32;
+    var phi_1185_: u32;
     var phi_1186_: u32;
-    var phi_1191_: u32;
-    var phi_1195_: u32;
-    var phi_1196_: u32;
-    var phi_1200_: f32;
-    var phi_1202_: mask_Masked;
-    var phi_1252_: bool;
-    var phi_1253_: u32;
-    var phi_1264_: u32;
+    var phi_1187_: u32;
+    var phi_1188_: u32;
+    var phi_1196_: bool;
+    var phi_1204_: u32;
+    var phi_1209_: u32;
+    var phi_1213_: u32;
+    var phi_1214_: u32;
+    var phi_1218_: f32;
+    var phi_1220_: mask_Masked;
+    var phi_1270_: bool;
+    var phi_1271_: u32;
+    var phi_1282_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e55 = id_1;
@@ -412,28 +412,28 @@ fn function_() {
             if (_e107 == _e109) {
                 let _e112 = samples.member[_e72.shift].normal[2u];
                 let _e114 = global[2u];
-                phi_362_ = (_e112 == _e114);
-                phi_363_ = false;
+                phi_363_ = (_e112 == _e114);
+                phi_364_ = false;
             } else {
-                phi_362_ = bool();
-                phi_363_ = true;
+                phi_363_ = bool();
+                phi_364_ = true;
             }
-            let _e117 = phi_362_;
-            let _e119 = phi_363_;
-            phi_364_ = _e117;
-            phi_365_ = _e119;
+            let _e117 = phi_363_;
+            let _e119 = phi_364_;
+            phi_365_ = _e117;
+            phi_366_ = _e119;
         } else {
-            phi_364_ = bool();
-            phi_365_ = true;
+            phi_365_ = bool();
+            phi_366_ = true;
         }
-        let _e121 = phi_364_;
-        let _e123 = phi_365_;
+        let _e121 = phi_365_;
+        let _e123 = phi_366_;
         if _e123 {
-            phi_369_ = false;
+            phi_370_ = false;
         } else {
-            phi_369_ = _e121;
+            phi_370_ = _e121;
         }
-        let _e125 = phi_369_;
+        let _e125 = phi_370_;
         if !(_e125) {
             let _e128 = samples.member[_e72.shift].position;
             let _e130 = p.member.light.place;
@@ -447,64 +447,64 @@ fn function_() {
                 let _e163 = p.member.light.axis;
                 let _e175 = p.member.light.place[3u];
                 if (_e175 == 0f) {
-                    phi_440_ = true;
+                    phi_441_ = true;
                 } else {
                     let _e178 = p.member.light.range_squared;
                     if (_e161 <= _e178) {
                         let _e181 = p.member.light.cos_outer;
-                        phi_439_ = (-((((_e143 * _e163.x) + (_e144 * _e163.y)) + (_e145 * _e163.z))) >= (_e181 * sqrt(_e161)));
+                        phi_440_ = (-((((_e143 * _e163.x) + (_e144 * _e163.y)) + (_e145 * _e163.z))) >= (_e181 * sqrt(_e161)));
                     } else {
-                        phi_439_ = false;
+                        phi_440_ = false;
                     }
-                    let _e186 = phi_439_;
-                    phi_440_ = _e186;
+                    let _e186 = phi_440_;
+                    phi_441_ = _e186;
                 }
-                let _e188 = phi_440_;
+                let _e188 = phi_441_;
                 if _e188 {
                     let _e190 = samples.member[_e72.shift].flags;
                     let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e198.unnamed.visibility, false), _e198.unnamed_1);
-                    phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, ((_e190 & 1u) == 0u));
-                    phi_452_ = false;
+                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, ((_e190 & 1u) == 0u));
+                    phi_453_ = false;
                 } else {
-                    phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_452_ = true;
+                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_453_ = true;
                 }
-                let _e209 = phi_451_;
-                let _e211 = phi_452_;
-                phi_453_ = _e209;
-                phi_454_ = _e211;
+                let _e209 = phi_452_;
+                let _e211 = phi_453_;
+                phi_454_ = _e209;
+                phi_455_ = _e211;
             } else {
-                phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_454_ = true;
+                phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_455_ = true;
             }
-            let _e213 = phi_453_;
-            let _e215 = phi_454_;
+            let _e213 = phi_454_;
+            let _e215 = phi_455_;
             if _e215 {
                 let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-                phi_461_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+                phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
             } else {
-                phi_461_ = _e213;
+                phi_462_ = _e213;
             }
-            let _e232 = phi_461_;
-            phi_465_ = _e232;
+            let _e232 = phi_462_;
+            phi_466_ = _e232;
         } else {
             let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e244 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e238.unnamed.visibility, false), _e238.unnamed_1);
-            phi_465_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e244.unnamed, true);
+            phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e244.unnamed, true);
         }
-        let _e249 = phi_465_;
+        let _e249 = phi_466_;
         if _e249.unnamed_1 {
-            phi_1202_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
+            phi_1220_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
         } else {
             let _e254 = (_e96 < 0.5f);
             if (_e96 > 0f) {
-                phi_478_ = (_e96 < 1f);
+                phi_479_ = (_e96 < 1f);
             } else {
-                phi_478_ = false;
+                phi_479_ = false;
             }
-            let _e258 = phi_478_;
+            let _e258 = phi_479_;
             let _e260 = samples.member[_e72.shift].position;
             let _e264 = p.member.previous.eye;
             let _e266 = (_e91.x - _e264.x);
@@ -530,628 +530,630 @@ fn function_() {
             let _e409 = (((((((_e266 * _e282.x) + (_e268 * _e282.y)) + (_e270 * _e282.z)) / ((((_e292.x * _e292.x) + (_e292.y * _e292.y)) + (_e292.z * _e292.z)) * _e280)) - ((((_e335 * _e353.x) + (_e338 * _e353.y)) + (_e341 * _e353.z)) / ((((_e363.x * _e363.x) + (_e363.y * _e363.y)) + (_e363.z * _e363.z)) * _e351))) * 0.5f) * f32(_e407));
             let _e413 = p.member.current.size[1u];
             let _e415 = (((((((_e266 * _e307.x) + (_e268 * _e307.y)) + (_e270 * _e307.z)) / ((((_e317.x * _e317.x) + (_e317.y * _e317.y)) + (_e317.z * _e317.z)) * _e280)) - ((((_e335 * _e378.x) + (_e338 * _e378.y)) + (_e341 * _e378.z)) / ((((_e388.x * _e388.x) + (_e388.y * _e388.y)) + (_e388.z * _e388.z)) * _e351))) * -0.5f) * f32(_e413));
-            let _e419 = p.member.current.size[0u];
-            let _e421 = p.member.current.size[1u];
-            let _e425 = ((f32(_e55.x) + 0.5f) + _e409);
-            if (_e425 > -8388608f) {
-                let _e437 = f32(select(0i, select(select(i32(_e425), i32(-2147483648), (_e425 < bitcast<f32>(3472883712u))), 2147483647i, (_e425 > bitcast<f32>(1325400063u))), (_e425 == _e425)));
-                if (_e437 > _e425) {
-                    phi_664_ = 1f;
+            let _e419 = p.member.current.grid[0u];
+            let _e421 = p.member.current.grid[1u];
+            let _e441 = p.member.current.size[0u];
+            let _e443 = p.member.current.size[1u];
+            let _e445 = ((f32(_e55.x) + ((f32((_e55.y & (_e421 - 1u))) + 0.5f) / f32(_e421))) + _e409);
+            if (_e445 > -8388608f) {
+                let _e457 = f32(select(0i, select(select(i32(_e445), i32(-2147483648), (_e445 < bitcast<f32>(3472883712u))), 2147483647i, (_e445 > bitcast<f32>(1325400063u))), (_e445 == _e445)));
+                if (_e457 > _e445) {
+                    phi_684_ = 1f;
                 } else {
-                    phi_664_ = 0f;
+                    phi_684_ = 0f;
                 }
-                let _e440 = phi_664_;
-                if (_e425 < 8388608f) {
-                    phi_669_ = (_e437 - _e440);
-                    phi_670_ = false;
+                let _e460 = phi_684_;
+                if (_e445 < 8388608f) {
+                    phi_689_ = (_e457 - _e460);
+                    phi_690_ = false;
                 } else {
-                    phi_669_ = f32();
-                    phi_670_ = true;
+                    phi_689_ = f32();
+                    phi_690_ = true;
                 }
-                let _e443 = phi_669_;
-                let _e445 = phi_670_;
-                phi_671_ = _e443;
-                phi_672_ = _e445;
+                let _e463 = phi_689_;
+                let _e465 = phi_690_;
+                phi_691_ = _e463;
+                phi_692_ = _e465;
             } else {
-                phi_671_ = f32();
-                phi_672_ = true;
+                phi_691_ = f32();
+                phi_692_ = true;
             }
-            let _e447 = phi_671_;
-            let _e449 = phi_672_;
-            if _e449 {
-                phi_676_ = _e425;
+            let _e467 = phi_691_;
+            let _e469 = phi_692_;
+            if _e469 {
+                phi_696_ = _e445;
             } else {
-                phi_676_ = _e447;
+                phi_696_ = _e467;
             }
-            let _e451 = phi_676_;
-            let _e454 = ((f32(_e55.y) + 0.5f) + _e415);
-            if (_e454 > -8388608f) {
-                let _e466 = f32(select(0i, select(select(i32(_e454), i32(-2147483648), (_e454 < bitcast<f32>(3472883712u))), 2147483647i, (_e454 > bitcast<f32>(1325400063u))), (_e454 == _e454)));
-                if (_e466 > _e454) {
-                    phi_699_ = 1f;
+            let _e471 = phi_696_;
+            let _e472 = ((f32(_e55.y) + ((f32((_e55.x & (_e419 - 1u))) + 0.5f) / f32(_e419))) + _e415);
+            if (_e472 > -8388608f) {
+                let _e484 = f32(select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < bitcast<f32>(3472883712u))), 2147483647i, (_e472 > bitcast<f32>(1325400063u))), (_e472 == _e472)));
+                if (_e484 > _e472) {
+                    phi_717_ = 1f;
                 } else {
-                    phi_699_ = 0f;
+                    phi_717_ = 0f;
                 }
-                let _e469 = phi_699_;
-                if (_e454 < 8388608f) {
-                    phi_704_ = (_e466 - _e469);
-                    phi_705_ = false;
+                let _e487 = phi_717_;
+                if (_e472 < 8388608f) {
+                    phi_722_ = (_e484 - _e487);
+                    phi_723_ = false;
                 } else {
-                    phi_704_ = f32();
-                    phi_705_ = true;
+                    phi_722_ = f32();
+                    phi_723_ = true;
                 }
-                let _e472 = phi_704_;
-                let _e474 = phi_705_;
-                phi_706_ = _e472;
-                phi_707_ = _e474;
+                let _e490 = phi_722_;
+                let _e492 = phi_723_;
+                phi_724_ = _e490;
+                phi_725_ = _e492;
             } else {
-                phi_706_ = f32();
-                phi_707_ = true;
+                phi_724_ = f32();
+                phi_725_ = true;
             }
-            let _e476 = phi_706_;
-            let _e478 = phi_707_;
-            if _e478 {
-                phi_711_ = _e454;
+            let _e494 = phi_724_;
+            let _e496 = phi_725_;
+            if _e496 {
+                phi_729_ = _e472;
             } else {
-                phi_711_ = _e476;
+                phi_729_ = _e494;
             }
-            let _e480 = phi_711_;
-            if (_e451 >= 0f) {
-                if (_e480 >= 0f) {
-                    if (_e451 < f32(_e419)) {
-                        let _e486 = (_e480 < f32(_e421));
+            let _e498 = phi_729_;
+            if (_e471 >= 0f) {
+                if (_e498 >= 0f) {
+                    if (_e471 < f32(_e441)) {
+                        let _e504 = (_e498 < f32(_e443));
                         if (_e409 == 0f) {
-                            phi_732_ = (_e415 == 0f);
+                            phi_750_ = (_e415 == 0f);
                         } else {
-                            phi_732_ = false;
+                            phi_750_ = false;
                         }
-                        let _e490 = phi_732_;
-                        if _e486 {
-                            phi_751_ = vec2<u32>(select(select(u32(_e451), 0u, (_e451 < bitcast<f32>(0u))), 4294967295u, (_e451 > bitcast<f32>(1333788671u))), select(select(u32(_e480), 0u, (_e480 < bitcast<f32>(0u))), 4294967295u, (_e480 > bitcast<f32>(1333788671u))));
-                            phi_752_ = false;
+                        let _e508 = phi_750_;
+                        if _e504 {
+                            phi_769_ = vec2<u32>(select(select(u32(_e471), 0u, (_e471 < bitcast<f32>(0u))), 4294967295u, (_e471 > bitcast<f32>(1333788671u))), select(select(u32(_e498), 0u, (_e498 < bitcast<f32>(0u))), 4294967295u, (_e498 > bitcast<f32>(1333788671u))));
+                            phi_770_ = false;
                         } else {
-                            phi_751_ = vec2<u32>();
-                            phi_752_ = true;
+                            phi_769_ = vec2<u32>();
+                            phi_770_ = true;
                         }
-                        let _e507 = phi_751_;
-                        let _e509 = phi_752_;
-                        phi_753_ = _e490;
-                        phi_754_ = _e486;
-                        phi_755_ = _e507;
-                        phi_756_ = _e490;
-                        phi_757_ = _e486;
-                        phi_758_ = false;
-                        phi_759_ = _e509;
+                        let _e525 = phi_769_;
+                        let _e527 = phi_770_;
+                        phi_771_ = _e508;
+                        phi_772_ = _e504;
+                        phi_773_ = _e525;
+                        phi_774_ = _e508;
+                        phi_775_ = _e504;
+                        phi_776_ = false;
+                        phi_777_ = _e527;
                     } else {
-                        phi_753_ = bool();
-                        phi_754_ = bool();
-                        phi_755_ = vec2<u32>();
-                        phi_756_ = bool();
-                        phi_757_ = bool();
-                        phi_758_ = true;
-                        phi_759_ = false;
+                        phi_771_ = bool();
+                        phi_772_ = bool();
+                        phi_773_ = vec2<u32>();
+                        phi_774_ = bool();
+                        phi_775_ = bool();
+                        phi_776_ = true;
+                        phi_777_ = false;
                     }
-                    let _e511 = phi_753_;
-                    let _e513 = phi_754_;
-                    let _e515 = phi_755_;
-                    let _e517 = phi_756_;
-                    let _e519 = phi_757_;
-                    let _e521 = phi_758_;
-                    let _e523 = phi_759_;
-                    phi_760_ = _e511;
-                    phi_761_ = _e513;
-                    phi_762_ = _e515;
-                    phi_763_ = _e517;
-                    phi_764_ = _e519;
-                    phi_765_ = _e521;
-                    phi_766_ = _e523;
+                    let _e529 = phi_771_;
+                    let _e531 = phi_772_;
+                    let _e533 = phi_773_;
+                    let _e535 = phi_774_;
+                    let _e537 = phi_775_;
+                    let _e539 = phi_776_;
+                    let _e541 = phi_777_;
+                    phi_778_ = _e529;
+                    phi_779_ = _e531;
+                    phi_780_ = _e533;
+                    phi_781_ = _e535;
+                    phi_782_ = _e537;
+                    phi_783_ = _e539;
+                    phi_784_ = _e541;
                 } else {
-                    phi_760_ = bool();
-                    phi_761_ = bool();
-                    phi_762_ = vec2<u32>();
-                    phi_763_ = bool();
-                    phi_764_ = bool();
-                    phi_765_ = true;
-                    phi_766_ = false;
+                    phi_778_ = bool();
+                    phi_779_ = bool();
+                    phi_780_ = vec2<u32>();
+                    phi_781_ = bool();
+                    phi_782_ = bool();
+                    phi_783_ = true;
+                    phi_784_ = false;
                 }
-                let _e525 = phi_760_;
-                let _e527 = phi_761_;
-                let _e529 = phi_762_;
-                let _e531 = phi_763_;
-                let _e533 = phi_764_;
-                let _e535 = phi_765_;
-                let _e537 = phi_766_;
-                phi_767_ = _e525;
-                phi_768_ = _e527;
-                phi_769_ = _e529;
-                phi_770_ = _e531;
-                phi_771_ = _e533;
-                phi_772_ = _e535;
-                phi_773_ = _e537;
+                let _e543 = phi_778_;
+                let _e545 = phi_779_;
+                let _e547 = phi_780_;
+                let _e549 = phi_781_;
+                let _e551 = phi_782_;
+                let _e553 = phi_783_;
+                let _e555 = phi_784_;
+                phi_785_ = _e543;
+                phi_786_ = _e545;
+                phi_787_ = _e547;
+                phi_788_ = _e549;
+                phi_789_ = _e551;
+                phi_790_ = _e553;
+                phi_791_ = _e555;
             } else {
-                phi_767_ = bool();
-                phi_768_ = bool();
-                phi_769_ = vec2<u32>();
-                phi_770_ = bool();
-                phi_771_ = bool();
-                phi_772_ = true;
-                phi_773_ = false;
+                phi_785_ = bool();
+                phi_786_ = bool();
+                phi_787_ = vec2<u32>();
+                phi_788_ = bool();
+                phi_789_ = bool();
+                phi_790_ = true;
+                phi_791_ = false;
             }
-            let _e539 = phi_767_;
-            let _e541 = phi_768_;
-            let _e543 = phi_769_;
-            let _e545 = phi_770_;
-            let _e547 = phi_771_;
-            let _e549 = phi_772_;
-            let _e551 = phi_773_;
-            if _e549 {
+            let _e557 = phi_785_;
+            let _e559 = phi_786_;
+            let _e561 = phi_787_;
+            let _e563 = phi_788_;
+            let _e565 = phi_789_;
+            let _e567 = phi_790_;
+            let _e569 = phi_791_;
+            if _e567 {
                 if (_e409 == 0f) {
-                    phi_782_ = (_e415 == 0f);
+                    phi_800_ = (_e415 == 0f);
                 } else {
-                    phi_782_ = false;
+                    phi_800_ = false;
                 }
-                let _e555 = phi_782_;
-                phi_783_ = _e555;
-                phi_784_ = false;
-                phi_785_ = true;
+                let _e573 = phi_800_;
+                phi_801_ = _e573;
+                phi_802_ = false;
+                phi_803_ = true;
             } else {
-                phi_783_ = _e545;
-                phi_784_ = _e547;
-                phi_785_ = _e551;
+                phi_801_ = _e563;
+                phi_802_ = _e565;
+                phi_803_ = _e569;
             }
-            let _e557 = phi_783_;
-            let _e559 = phi_784_;
-            let _e561 = phi_785_;
-            if _e561 {
-                phi_789_ = _e557;
-                phi_790_ = _e559;
-                phi_791_ = vec2<u32>(_e55.x, _e55.y);
+            let _e575 = phi_801_;
+            let _e577 = phi_802_;
+            let _e579 = phi_803_;
+            if _e579 {
+                phi_807_ = _e575;
+                phi_808_ = _e577;
+                phi_809_ = vec2<u32>(_e55.x, _e55.y);
             } else {
-                phi_789_ = _e539;
-                phi_790_ = _e541;
-                phi_791_ = _e543;
+                phi_807_ = _e557;
+                phi_808_ = _e559;
+                phi_809_ = _e561;
             }
-            let _e563 = phi_789_;
-            let _e565 = phi_790_;
-            let _e567 = phi_791_;
-            let _e577 = lt_mask_Reprojection(vec2<u32>(_e567.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e584 = lt_mask_Reprojection(vec2<u32>(_e577.pixel.x, _e567.y), _e577.is_valid, _e577.has_moved);
-            let _e588 = lt_mask_Reprojection(_e584.pixel, _e565, _e584.has_moved);
-            let _e592 = lt_mask_Reprojection(_e588.pixel, _e588.is_valid, !(_e563));
-            if _e565 {
-                let _e595 = p.member.previous.eye;
-                let _e603 = p.member.previous.forward;
-                let _e612 = (((((_e91.x - _e595.x) * _e603.x) + ((_e91.y - _e595.y) * _e603.y)) + ((_e91.z - _e595.z) * _e603.z)) > 0f);
-                let _e616 = lt_mask_Reprojection(_e592.pixel, _e612, _e592.has_moved);
-                if _e612 {
-                    let _e618 = p.member.flags;
-                    phi_830_ = ((_e618 & 1u) != 0u);
-                    phi_831_ = false;
+            let _e581 = phi_807_;
+            let _e583 = phi_808_;
+            let _e585 = phi_809_;
+            let _e595 = lt_mask_Reprojection(vec2<u32>(_e585.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e602 = lt_mask_Reprojection(vec2<u32>(_e595.pixel.x, _e585.y), _e595.is_valid, _e595.has_moved);
+            let _e606 = lt_mask_Reprojection(_e602.pixel, _e583, _e602.has_moved);
+            let _e610 = lt_mask_Reprojection(_e606.pixel, _e606.is_valid, !(_e581));
+            if _e583 {
+                let _e613 = p.member.previous.eye;
+                let _e621 = p.member.previous.forward;
+                let _e630 = (((((_e91.x - _e613.x) * _e621.x) + ((_e91.y - _e613.y) * _e621.y)) + ((_e91.z - _e613.z) * _e621.z)) > 0f);
+                let _e634 = lt_mask_Reprojection(_e610.pixel, _e630, _e610.has_moved);
+                if _e630 {
+                    let _e636 = p.member.flags;
+                    phi_848_ = ((_e636 & 1u) != 0u);
+                    phi_849_ = false;
                 } else {
-                    phi_830_ = bool();
-                    phi_831_ = true;
+                    phi_848_ = bool();
+                    phi_849_ = true;
                 }
-                let _e622 = phi_830_;
-                let _e624 = phi_831_;
-                phi_833_ = _e622;
-                phi_834_ = _e616;
-                phi_835_ = _e616;
-                phi_836_ = _e624;
+                let _e640 = phi_848_;
+                let _e642 = phi_849_;
+                phi_851_ = _e640;
+                phi_852_ = _e634;
+                phi_853_ = _e634;
+                phi_854_ = _e642;
             } else {
-                phi_833_ = bool();
-                phi_834_ = lt_mask_Reprojection();
-                phi_835_ = lt_mask_Reprojection(_e592.pixel, false, _e592.has_moved);
-                phi_836_ = true;
+                phi_851_ = bool();
+                phi_852_ = lt_mask_Reprojection();
+                phi_853_ = lt_mask_Reprojection(_e610.pixel, false, _e610.has_moved);
+                phi_854_ = true;
             }
-            let _e630 = phi_833_;
-            let _e632 = phi_834_;
-            let _e634 = phi_835_;
-            let _e636 = phi_836_;
-            if _e636 {
-                phi_840_ = false;
-                phi_841_ = _e634;
+            let _e648 = phi_851_;
+            let _e650 = phi_852_;
+            let _e652 = phi_853_;
+            let _e654 = phi_854_;
+            if _e654 {
+                phi_858_ = false;
+                phi_859_ = _e652;
             } else {
-                phi_840_ = _e630;
-                phi_841_ = _e632;
+                phi_858_ = _e648;
+                phi_859_ = _e650;
             }
-            let _e638 = phi_840_;
-            let _e640 = phi_841_;
-            let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
-            if _e644.has_moved {
+            let _e656 = phi_858_;
+            let _e658 = phi_859_;
+            let _e662 = lt_mask_Reprojection(_e658.pixel, _e656, _e658.has_moved);
+            if _e662.has_moved {
             }
-            let _e650 = lt_mask_Neighbourhood(false, true);
+            let _e668 = lt_mask_Neighbourhood(false, true);
             if _e258 {
-                phi_1080_ = _e650;
+                phi_1098_ = _e668;
             } else {
                 if true {
-                    if _e638 {
-                        if _e644.has_moved {
-                            let _e653 = p.member.moving_pattern;
-                            phi_869_ = _e653;
+                    if _e656 {
+                        if _e662.has_moved {
+                            let _e671 = p.member.moving_pattern;
+                            phi_887_ = _e671;
                         } else {
-                            let _e655 = p.member.still_pattern;
-                            phi_869_ = _e655;
+                            let _e673 = p.member.still_pattern;
+                            phi_887_ = _e673;
                         }
-                        let _e657 = phi_869_;
-                        phi_871_ = 0u;
-                        phi_874_ = _e650;
+                        let _e675 = phi_887_;
+                        phi_889_ = 0u;
+                        phi_892_ = _e668;
                         loop {
-                            let _e659 = phi_871_;
-                            let _e661 = phi_874_;
-                            local_1 = _e661;
-                            if (1u <= _e657) {
-                                if (_e657 <= 4u) {
-                                    phi_886_ = false;
+                            let _e677 = phi_889_;
+                            let _e679 = phi_892_;
+                            local_1 = _e679;
+                            if (1u <= _e675) {
+                                if (_e675 <= 4u) {
+                                    phi_904_ = false;
                                 } else {
-                                    phi_886_ = true;
+                                    phi_904_ = true;
                                 }
-                                let _e665 = phi_886_;
-                                phi_887_ = _e665;
+                                let _e683 = phi_904_;
+                                phi_905_ = _e683;
                             } else {
-                                phi_887_ = true;
+                                phi_905_ = true;
                             }
-                            let _e667 = phi_887_;
-                            if _e667 {
-                                switch bitcast<i32>(_e657) {
+                            let _e685 = phi_905_;
+                            if _e685 {
+                                switch bitcast<i32>(_e675) {
                                     case 5: {
-                                        phi_896_ = 4u;
+                                        phi_914_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_896_ = 25u;
+                                        phi_914_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_896_ = 13u;
+                                        phi_914_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_896_ = 9u;
+                                        phi_914_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e670 = phi_896_;
-                                phi_897_ = _e670;
+                                let _e688 = phi_914_;
+                                phi_915_ = _e688;
                             } else {
-                                phi_897_ = 5u;
+                                phi_915_ = 5u;
                             }
-                            let _e672 = phi_897_;
-                            let _e673 = (_e659 < _e672);
-                            if _e673 {
-                                let _e679 = p.member.frame;
-                                let _e683 = p.member.current.size[0u];
-                                let _e685 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e657) {
+                            let _e690 = phi_915_;
+                            let _e691 = (_e677 < _e690);
+                            if _e691 {
+                                let _e697 = p.member.frame;
+                                let _e701 = p.member.current.size[0u];
+                                let _e703 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e675) {
                                     case 1: {
-                                        let _e695 = lt_mask_pattern_plus(_e659);
-                                        phi_977_ = vec2<i32>(_e695.x, _e695.y);
+                                        let _e713 = lt_mask_pattern_plus(_e677);
+                                        phi_995_ = vec2<i32>(_e713.x, _e713.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e699 = lt_mask_pattern_cross(_e659);
-                                        phi_977_ = vec2<i32>(_e699.x, _e699.y);
+                                        let _e717 = lt_mask_pattern_cross(_e677);
+                                        phi_995_ = vec2<i32>(_e717.x, _e717.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e705 = lt_mask_pattern_plus_or_cross(_e659, ((_e644.pixel.x + _e644.pixel.y) & 1u));
-                                        phi_977_ = vec2<i32>(_e705.x, _e705.y);
+                                        let _e723 = lt_mask_pattern_plus_or_cross(_e677, ((_e662.pixel.x + _e662.pixel.y) & 1u));
+                                        phi_995_ = vec2<i32>(_e723.x, _e723.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e710 = lt_mask_pattern_plus_or_cross(_e659, (_e679 & 1u));
-                                        phi_977_ = vec2<i32>(_e710.x, _e710.y);
+                                        let _e728 = lt_mask_pattern_plus_or_cross(_e677, (_e697 & 1u));
+                                        phi_995_ = vec2<i32>(_e728.x, _e728.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e679 & 3u)) {
+                                        switch bitcast<i32>((_e697 & 3u)) {
                                             case 0: {
-                                                phi_957_ = vec2(-1i);
+                                                phi_975_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_957_ = vec2(0i);
+                                                phi_975_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_957_ = vec2<i32>(0i, -1i);
+                                                phi_975_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_957_ = vec2<i32>(-1i, 0i);
+                                                phi_975_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e721 = phi_957_;
-                                        phi_977_ = (_e721 + vec2<i32>(bitcast<i32>((_e659 & 1u)), bitcast<i32>(((_e659 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e739 = phi_975_;
+                                        phi_995_ = (_e739 + vec2<i32>(bitcast<i32>((_e677 & 1u)), bitcast<i32>(((_e677 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_977_ = vec2<i32>((bitcast<i32>((_e659 % 5u)) - 2i), (bitcast<i32>(((_e659 / 5u) % 5u)) - 2i));
+                                        phi_995_ = vec2<i32>((bitcast<i32>((_e677 % 5u)) - 2i), (bitcast<i32>(((_e677 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e738 = lt_mask_pattern_diamond(_e659);
-                                        phi_977_ = vec2<i32>(_e738.x, _e738.y);
+                                        let _e756 = lt_mask_pattern_diamond(_e677);
+                                        phi_995_ = vec2<i32>(_e756.x, _e756.y);
                                         break;
                                     }
                                     default: {
-                                        phi_977_ = vec2<i32>((bitcast<i32>((_e659 % 3u)) - 1i), (bitcast<i32>(((_e659 / 3u) % 3u)) - 1i));
+                                        phi_995_ = vec2<i32>((bitcast<i32>((_e677 % 3u)) - 1i), (bitcast<i32>(((_e677 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e743 = phi_977_;
-                                let _e746 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e743.x, _e683);
-                                let _e747 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e743.y, _e685);
-                                let _e751 = ((((_e747 * _e88) + _e746) * _e84) + (_e80 / 32u));
+                                let _e761 = phi_995_;
+                                let _e764 = lt_mask_pattern_step_clamped(_e662.pixel.x, _e761.x, _e701);
+                                let _e765 = lt_mask_pattern_step_clamped(_e662.pixel.y, _e761.y, _e703);
+                                let _e769 = ((((_e765 * _e88) + _e764) * _e84) + (_e80 / 32u));
                                 if (_e82 > 29u) {
-                                    let _e753 = (_e751 + 1u);
-                                    if (_e753 < _e61) {
+                                    let _e771 = (_e769 + 1u);
+                                    if (_e771 < _e61) {
                                     } else {
                                         return;
                                     }
-                                    let _e757 = last_bits.member[(0u + _e753)];
-                                    phi_1002_ = _e757;
+                                    let _e775 = last_bits.member[(0u + _e771)];
+                                    phi_1020_ = _e775;
                                 } else {
-                                    phi_1002_ = 0u;
+                                    phi_1020_ = 0u;
                                 }
-                                let _e759 = phi_1002_;
-                                if (_e751 < _e61) {
+                                let _e777 = phi_1020_;
+                                if (_e769 < _e61) {
                                 } else {
                                     return;
                                 }
-                                let _e763 = last_bits.member[(0u + _e751)];
-                                let _e766 = (_e763 >> bitcast<u32>((_e82 & 31u)));
+                                let _e781 = last_bits.member[(0u + _e769)];
+                                let _e784 = (_e781 >> bitcast<u32>((_e82 & 31u)));
                                 if (_e82 > 29u) {
-                                    phi_1021_ = (_e766 | (_e759 << bitcast<u32>(((32u - _e82) & 31u))));
+                                    phi_1039_ = (_e784 | (_e777 << bitcast<u32>(((32u - _e82) & 31u))));
                                 } else {
-                                    phi_1021_ = _e766;
+                                    phi_1039_ = _e784;
                                 }
-                                let _e774 = phi_1021_;
-                                if ((_e774 & 2u) == 0u) {
-                                    phi_1029_ = (_e774 & 1u);
+                                let _e792 = phi_1039_;
+                                if ((_e792 & 2u) == 0u) {
+                                    phi_1047_ = (_e792 & 1u);
                                 } else {
-                                    phi_1029_ = (_e774 & 7u);
+                                    phi_1047_ = (_e792 & 7u);
                                 }
-                                let _e780 = phi_1029_;
-                                if _e661.any_expands {
-                                    phi_1055_ = true;
+                                let _e798 = phi_1047_;
+                                if _e679.any_expands {
+                                    phi_1073_ = true;
                                 } else {
-                                    if ((_e780 & 2u) != 0u) {
-                                        if (((_e780 & 4u) != 0u) != _e254) {
-                                            phi_1046_ = false;
+                                    if ((_e798 & 2u) != 0u) {
+                                        if (((_e798 & 4u) != 0u) != _e254) {
+                                            phi_1064_ = false;
                                         } else {
-                                            phi_1046_ = true;
+                                            phi_1064_ = true;
                                         }
-                                        let _e789 = phi_1046_;
-                                        phi_1047_ = _e789;
+                                        let _e807 = phi_1064_;
+                                        phi_1065_ = _e807;
                                     } else {
-                                        phi_1047_ = true;
+                                        phi_1065_ = true;
                                     }
-                                    let _e791 = phi_1047_;
-                                    if _e791 {
-                                        phi_1054_ = (((_e780 & 1u) != 0u) != _e254);
+                                    let _e809 = phi_1065_;
+                                    if _e809 {
+                                        phi_1072_ = (((_e798 & 1u) != 0u) != _e254);
                                     } else {
-                                        phi_1054_ = true;
+                                        phi_1072_ = true;
                                     }
-                                    let _e796 = phi_1054_;
-                                    phi_1055_ = _e796;
+                                    let _e814 = phi_1072_;
+                                    phi_1073_ = _e814;
                                 }
-                                let _e798 = phi_1055_;
-                                if _e661.all_remove {
-                                    if (((_e780 & 1u) != 0u) == _e254) {
-                                        if ((_e780 & 2u) != 0u) {
-                                            phi_1073_ = (((_e780 & 4u) != 0u) == _e254);
+                                let _e816 = phi_1073_;
+                                if _e679.all_remove {
+                                    if (((_e798 & 1u) != 0u) == _e254) {
+                                        if ((_e798 & 2u) != 0u) {
+                                            phi_1091_ = (((_e798 & 4u) != 0u) == _e254);
                                         } else {
-                                            phi_1073_ = true;
+                                            phi_1091_ = true;
                                         }
-                                        let _e808 = phi_1073_;
-                                        phi_1074_ = _e808;
+                                        let _e826 = phi_1091_;
+                                        phi_1092_ = _e826;
                                     } else {
-                                        phi_1074_ = false;
+                                        phi_1092_ = false;
                                     }
-                                    let _e810 = phi_1074_;
-                                    phi_1075_ = _e810;
+                                    let _e828 = phi_1092_;
+                                    phi_1093_ = _e828;
                                 } else {
-                                    phi_1075_ = false;
+                                    phi_1093_ = false;
                                 }
-                                let _e812 = phi_1075_;
-                                phi_872_ = (_e659 + 1u);
-                                phi_875_ = lt_mask_Neighbourhood(_e798, _e812);
+                                let _e830 = phi_1093_;
+                                phi_890_ = (_e677 + 1u);
+                                phi_893_ = lt_mask_Neighbourhood(_e816, _e830);
                             } else {
-                                phi_872_ = u32();
-                                phi_875_ = lt_mask_Neighbourhood();
+                                phi_890_ = u32();
+                                phi_893_ = lt_mask_Neighbourhood();
                             }
-                            let _e816 = phi_872_;
-                            let _e818 = phi_875_;
+                            let _e834 = phi_890_;
+                            let _e836 = phi_893_;
                             continue;
                             continuing {
-                                phi_871_ = _e816;
-                                phi_874_ = _e818;
-                                break if !(_e673);
+                                phi_889_ = _e834;
+                                phi_892_ = _e836;
+                                break if !(_e691);
                             }
                         }
-                        let _e1046 = local_1;
-                        phi_1078_ = _e1046;
+                        let _e1064 = local_1;
+                        phi_1096_ = _e1064;
                     } else {
-                        phi_1078_ = _e650;
+                        phi_1096_ = _e668;
                     }
-                    let _e821 = phi_1078_;
-                    phi_1079_ = _e821;
+                    let _e839 = phi_1096_;
+                    phi_1097_ = _e839;
                 } else {
-                    phi_1079_ = _e650;
+                    phi_1097_ = _e668;
                 }
-                let _e823 = phi_1079_;
-                phi_1080_ = _e823;
+                let _e841 = phi_1097_;
+                phi_1098_ = _e841;
             }
-            let _e825 = phi_1080_;
-            let _e828 = p.member.frame;
-            let _e830 = p.member.refresh;
-            if (_e830 == 0u) {
-                phi_1113_ = false;
+            let _e843 = phi_1098_;
+            let _e846 = p.member.frame;
+            let _e848 = p.member.refresh;
+            if (_e848 == 0u) {
+                phi_1131_ = false;
             } else {
-                if (_e830 == 0u) {
+                if (_e848 == 0u) {
                     return;
                 }
-                let _e839 = ((_e55.x + (_e55.y * (((_e830 * 5u) / 8u) | 1u))) + (_e828 % _e830));
-                if (_e830 == 0u) {
-                    phi_1112_ = (_e839 == 0u);
+                let _e857 = ((_e55.x + (_e55.y * (((_e848 * 5u) / 8u) | 1u))) + (_e846 % _e848));
+                if (_e848 == 0u) {
+                    phi_1130_ = (_e857 == 0u);
                 } else {
-                    if (_e830 == 0u) {
+                    if (_e848 == 0u) {
                         return;
                     }
-                    phi_1112_ = ((_e839 % _e830) == 0u);
+                    phi_1130_ = ((_e857 % _e848) == 0u);
                 }
-                let _e846 = phi_1112_;
-                phi_1113_ = _e846;
+                let _e864 = phi_1130_;
+                phi_1131_ = _e864;
             }
-            let _e848 = phi_1113_;
+            let _e866 = phi_1131_;
             if (_e96 != 0.5f) {
-                if _e638 {
-                    if _e848 {
-                        phi_1168_ = 6u;
+                if _e656 {
+                    if _e866 {
+                        phi_1186_ = 6u;
                     } else {
                         if _e258 {
-                            phi_1143_ = true;
+                            phi_1161_ = true;
                         } else {
-                            if _e825.any_expands {
-                                phi_1142_ = false;
+                            if _e843.any_expands {
+                                phi_1160_ = false;
                             } else {
-                                phi_1142_ = true;
+                                phi_1160_ = true;
                             }
-                            let _e852 = phi_1142_;
-                            phi_1143_ = _e852;
+                            let _e870 = phi_1160_;
+                            phi_1161_ = _e870;
                         }
-                        let _e854 = phi_1143_;
-                        if _e854 {
+                        let _e872 = phi_1161_;
+                        if _e872 {
                             if _e258 {
                                 if false {
-                                    if _e825.all_remove {
-                                        phi_1156_ = false;
+                                    if _e843.all_remove {
+                                        phi_1174_ = false;
                                     } else {
-                                        phi_1156_ = true;
+                                        phi_1174_ = true;
                                     }
-                                    let _e856 = phi_1156_;
-                                    phi_1157_ = _e856;
+                                    let _e874 = phi_1174_;
+                                    phi_1175_ = _e874;
                                 } else {
-                                    phi_1157_ = true;
+                                    phi_1175_ = true;
                                 }
-                                let _e858 = phi_1157_;
-                                phi_1158_ = _e858;
+                                let _e876 = phi_1175_;
+                                phi_1176_ = _e876;
                             } else {
-                                phi_1158_ = true;
+                                phi_1176_ = true;
                             }
-                            let _e860 = phi_1158_;
-                            if _e860 {
+                            let _e878 = phi_1176_;
+                            if _e878 {
                                 if _e258 {
-                                    phi_1165_ = 1u;
+                                    phi_1183_ = 1u;
                                 } else {
-                                    phi_1165_ = 0u;
+                                    phi_1183_ = 0u;
                                 }
-                                let _e862 = phi_1165_;
-                                phi_1166_ = _e862;
+                                let _e880 = phi_1183_;
+                                phi_1184_ = _e880;
                             } else {
-                                phi_1166_ = 5u;
+                                phi_1184_ = 5u;
                             }
-                            let _e864 = phi_1166_;
-                            phi_1167_ = _e864;
+                            let _e882 = phi_1184_;
+                            phi_1185_ = _e882;
                         } else {
-                            phi_1167_ = 4u;
+                            phi_1185_ = 4u;
                         }
-                        let _e866 = phi_1167_;
-                        phi_1168_ = _e866;
+                        let _e884 = phi_1185_;
+                        phi_1186_ = _e884;
                     }
-                    let _e868 = phi_1168_;
-                    phi_1169_ = _e868;
+                    let _e886 = phi_1186_;
+                    phi_1187_ = _e886;
                 } else {
-                    phi_1169_ = 3u;
+                    phi_1187_ = 3u;
                 }
-                let _e870 = phi_1169_;
-                phi_1170_ = _e870;
+                let _e888 = phi_1187_;
+                phi_1188_ = _e888;
             } else {
-                phi_1170_ = 2u;
+                phi_1188_ = 2u;
             }
-            let _e872 = phi_1170_;
-            if !((_e872 == 0u)) {
-                phi_1178_ = !((_e872 == 5u));
+            let _e890 = phi_1188_;
+            if !((_e890 == 0u)) {
+                phi_1196_ = !((_e890 == 5u));
             } else {
-                phi_1178_ = false;
+                phi_1196_ = false;
             }
-            let _e878 = phi_1178_;
-            if _e878 {
+            let _e896 = phi_1196_;
+            if _e896 {
                 if _e254 {
-                    phi_1186_ = (2u | 1u);
+                    phi_1204_ = (2u | 1u);
                 } else {
-                    phi_1186_ = 2u;
+                    phi_1204_ = 2u;
                 }
-                let _e881 = phi_1186_;
+                let _e899 = phi_1204_;
                 if false {
-                    phi_1191_ = (_e881 | 4u);
+                    phi_1209_ = (_e899 | 4u);
                 } else {
-                    phi_1191_ = _e881;
+                    phi_1209_ = _e899;
                 }
-                let _e884 = phi_1191_;
-                phi_1196_ = _e884;
+                let _e902 = phi_1209_;
+                phi_1214_ = _e902;
             } else {
                 if _e254 {
-                    phi_1195_ = 1u;
+                    phi_1213_ = 1u;
                 } else {
-                    phi_1195_ = 0u;
+                    phi_1213_ = 0u;
                 }
-                let _e886 = phi_1195_;
-                phi_1196_ = _e886;
+                let _e904 = phi_1213_;
+                phi_1214_ = _e904;
             }
-            let _e888 = phi_1196_;
+            let _e906 = phi_1214_;
             if _e254 {
-                phi_1200_ = 0f;
+                phi_1218_ = 0f;
             } else {
-                phi_1200_ = 1f;
+                phi_1218_ = 1f;
             }
-            let _e890 = phi_1200_;
-            phi_1202_ = mask_Masked(_e890, _e888, _e878);
+            let _e908 = phi_1218_;
+            phi_1220_ = mask_Masked(_e908, _e906, _e896);
         }
-        let _e893 = phi_1202_;
-        visibility.member[_e72.shift] = _e893.visibility;
-        let _e898 = p.member.light.number;
-        let _e899 = (_e898 * 3u);
-        let _e901 = (_e899 % 32u);
-        let _e903 = p.member.light.mask_words;
-        let _e905 = ((_e72.shift * _e903) + (_e899 / 32u));
-        let _e907 = bits.member[_e905];
-        bits.member[_e905] = ((_e907 & ~((7u << bitcast<u32>((_e901 & 31u))))) | (_e893.bits << bitcast<u32>((_e901 & 31u))));
-        if (_e901 > 29u) {
-            let _e922 = bits.member[(_e905 + 1u)];
-            let _e924 = (32u - _e901);
-            bits.member[(_e905 + 1u)] = ((_e922 & ~((7u >> bitcast<u32>((_e924 & 31u))))) | (_e893.bits >> bitcast<u32>((_e924 & 31u))));
+        let _e911 = phi_1220_;
+        visibility.member[_e72.shift] = _e911.visibility;
+        let _e916 = p.member.light.number;
+        let _e917 = (_e916 * 3u);
+        let _e919 = (_e917 % 32u);
+        let _e921 = p.member.light.mask_words;
+        let _e923 = ((_e72.shift * _e921) + (_e917 / 32u));
+        let _e925 = bits.member[_e923];
+        bits.member[_e923] = ((_e925 & ~((7u << bitcast<u32>((_e919 & 31u))))) | (_e911.bits << bitcast<u32>((_e919 & 31u))));
+        if (_e919 > 29u) {
+            let _e940 = bits.member[(_e923 + 1u)];
+            let _e942 = (32u - _e919);
+            bits.member[(_e923 + 1u)] = ((_e940 & ~((7u >> bitcast<u32>((_e942 & 31u))))) | (_e911.bits >> bitcast<u32>((_e942 & 31u))));
         }
-        phi_1252_ = _e893.needs_ray;
-        phi_1253_ = _e72.shift;
+        phi_1270_ = _e911.needs_ray;
+        phi_1271_ = _e72.shift;
     } else {
-        phi_1252_ = false;
-        phi_1253_ = 0u;
+        phi_1270_ = false;
+        phi_1271_ = 0u;
     }
-    let _e938 = phi_1252_;
-    let _e940 = phi_1253_;
+    let _e956 = phi_1270_;
+    let _e958 = phi_1271_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e938 {
-        let _e944 = atomicAdd((&shared_[0u]), 1u);
-        phi_1264_ = _e944;
+    if _e956 {
+        let _e962 = atomicAdd((&shared_[0u]), 1u);
+        phi_1282_ = _e962;
     } else {
-        phi_1264_ = 0u;
+        phi_1282_ = 0u;
     }
-    let _e946 = phi_1264_;
+    let _e964 = phi_1282_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e950 = atomicLoad((&shared_[0u]));
-        let _e951 = atomicAdd((&list.member[3u]), _e950);
-        atomicStore((&shared_[1u]), _e951);
+        let _e968 = atomicLoad((&shared_[0u]));
+        let _e969 = atomicAdd((&list.member[3u]), _e968);
+        atomicStore((&shared_[1u]), _e969);
     }
     workgroupBarrier();
-    if _e938 {
-        let _e954 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e954) + _e946)]), _e940);
+    if _e956 {
+        let _e972 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e972) + _e964)]), _e958);
     }
     return;
 }

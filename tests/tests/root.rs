@@ -11,6 +11,7 @@ mod lights;
 mod mask;
 mod moving_lights;
 mod real_scenes;
+mod samples;
 mod several_lights;
 mod translucency;
 mod twin;

@@ -9,7 +9,7 @@ use crate::{documents, leak_tracing, workspace};
 /// Whose tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Paper {
-    /// Aila and Laine 2004: Table 1, close-ups, the hair ball
+    /// Aila and Laine 2004: Table 1, close-ups, the hair ball, samples per pixel
     AliasFree,
     /// Kern, Brüll and Grosch 2024: Tables 2 and 3, Figures 8 and 10, the scale test
     LeakTracing,
@@ -70,6 +70,8 @@ pub fn run(args: &Args) -> Result<()> {
                     "8",
                     "--hairs",
                     "50",
+                    "--sampled",
+                    "random:10000",
                     "--repeats",
                     "1",
                 ]);

@@ -3,7 +3,7 @@
 use anyhow::Context;
 use clap::{Args, value_parser};
 use lt_math::glam::{UVec2, Vec3};
-use lt_render::{BackendKind, RenderError, Session, Setup, Technique, Upkeep};
+use lt_render::{BackendKind, RenderError, SampleGrid, Session, Setup, Technique, Upkeep};
 use lt_scene::{Camera, Light, LightKind, Scene, Source};
 
 use crate::{
@@ -22,6 +22,10 @@ pub struct SceneArgs {
     /// Picture size in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = values::size, help_heading = "View and light")]
     pub size: UVec2,
+    /// Samples per pixel: 1, 2, 4, 8, 16 or 32. Shadows are found, and errors and rays counted, sample by sample; pictures are their
+    /// mean
+    #[arg(long, value_name = "N", default_value = "1", value_parser = values::samples, help_heading = "View and light")]
+    pub samples: SampleGrid,
     /// Where to run: auto takes a GPU unless it is a software one, else the CPU
     #[arg(long, value_name = "cpu|gpu|auto", default_value = "auto", help_heading = "Machine")]
     pub backend: BackendKind,
@@ -158,6 +162,7 @@ impl SceneArgs {
 
     fn setup(&self, scene: &Scene) -> Result<Setup, Usage> {
         let mut setup = Setup::for_scene(scene, self.size.x, self.size.y);
+        setup.samples = self.samples;
         if let Some(index) = self.camera {
             setup.camera = pick("--camera", index, &scene.cameras)?;
         }
@@ -289,6 +294,8 @@ mod tests {
             ["--epsilon", "0.5"],
             ["--time", "inf"],
             ["--light-dir", "0,0,0"],
+            ["--samples", "3"],
+            ["--samples", "64"],
         ] {
             assert!(parse(&words).is_err(), "{words:?}");
         }

@@ -167,7 +167,7 @@ pub trait Backend {
     /// [`RenderError::Gpu`] when the device fails.
     fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError>;
 
-    /// Shades the samples under these lights, at least one, sRGB.
+    /// Shades the samples under these lights, at least one, and gives the pixels' means, sRGB.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails.
@@ -179,9 +179,9 @@ pub trait Backend {
 pub struct ShadedLight<'a> {
     /// Camera and haze, the same for all lights of a picture, and the light.
     pub params: ShadeParams,
-    /// Row by row.
+    /// Sample by sample, row by row.
     pub visibility: &'a [f32],
-    /// Row by row; empty for white.
+    /// Likewise; empty for white.
     pub tint: &'a [Vec3],
 }
 

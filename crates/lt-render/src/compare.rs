@@ -1,10 +1,12 @@
 //! Techniques side by side: the same scene, the same samples, interleaved repeats, judged against full ray tracing.
+//!
+//! Where pixels have several samples, whatever is counted is counted sample by sample: wrong ones, those with geometry, rays.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use crate::{EffectPlan, Frame, MaskBits, PassKind, RenderError, Session, Technique, metrics};
+use crate::{EffectPlan, Frame, MaskBits, PassKind, RenderError, SampleGrid, Session, Technique, metrics};
 
 /// How to measure.
 #[derive(Clone, Debug)]
@@ -132,7 +134,9 @@ pub struct PlayOptions {
 pub struct Comparison {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Pixels with geometry.
+    /// Samples of a pixel.
+    pub samples: SampleGrid,
+    /// Pixels, or samples, with geometry.
     pub valid_pixels: u64,
     /// Full ray tracing.
     pub reference: Frame,
@@ -140,6 +144,14 @@ pub struct Comparison {
     pub reference_picture: Vec<[u8; 4]>,
     /// In the order asked for.
     pub rows: Vec<Row>,
+}
+
+impl Comparison {
+    /// Width and height in samples: of visibilities, doubts and masks.
+    pub fn size_in_samples(&self) -> [u32; 2] {
+        let grid = self.samples.size();
+        [self.size[0] * grid.x, self.size[1] * grid.y]
+    }
 }
 
 /// Runs every technique and judges it. `progress(done, total, what)` is called before each step.
@@ -210,7 +222,7 @@ pub fn compare_frames(
         if frame_index > 0 {
             step(session, frame_index)?;
         }
-        let size = session.setup().size.to_array();
+        let size = session.setup().size_in_samples().to_array();
         let valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
         let mut frames: Vec<Frame> = Vec::new();
         for (i, job) in jobs.iter().enumerate() {
@@ -294,7 +306,8 @@ fn judge(
     runs: &[Vec<Vec<crate::Pass>>],
     options: &CompareOptions,
 ) -> Result<Comparison, RenderError> {
-    let size = session.setup().size;
+    let (size, samples) = (session.setup().size, session.setup().samples);
+    let in_samples = session.setup().size_in_samples().to_array();
     let valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
     let valid_pixels = valid.iter().filter(|v| **v).count() as u64;
     let mut pictures = Vec::with_capacity(jobs.len());
@@ -314,7 +327,7 @@ fn judge(
             continue;
         }
         let total_ms = median_of(&runs[i], |_| true);
-        let lights = LightStats::each([size.x, size.y], &valid, &reference, &frame);
+        let lights = LightStats::each(in_samples, &valid, &reference, &frame);
         rows.push(Row {
             technique: jobs[i],
             plan: session.plan(&jobs[i]),
@@ -334,7 +347,7 @@ fn judge(
         });
     }
     rows.sort_by_key(|r| wanted.iter().position(|t| *t == r.technique));
-    Ok(Comparison { size: [size.x, size.y], valid_pixels, reference, reference_picture, rows })
+    Ok(Comparison { size: [size.x, size.y], samples, valid_pixels, reference, reference_picture, rows })
 }
 
 /// Median over the repeats of the summed time of the passes that `wanted` names; `None` if any lacks a timestamp.

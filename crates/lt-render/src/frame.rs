@@ -62,6 +62,9 @@ pub struct Pass {
 
 /// The shadows of one frame, read back.
 ///
+/// What is said of a pixel here is said of a sample where pixels have several ([`Setup::samples`](crate::Setup::samples)): the
+/// picture of all samples, row by row.
+///
 /// Of several lights, [`Frame::lights`] holds each one's own, and the rest sums them up.
 #[derive(Clone, Debug)]
 pub struct Frame {

@@ -255,7 +255,7 @@ mod tests {
             forward,
             pad2: 0,
             size: UVec2::ONE,
-            pad3: UVec2::ZERO,
+            grid: UVec2::ONE,
         }
     }
 

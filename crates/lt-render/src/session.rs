@@ -206,7 +206,7 @@ impl Session {
         &self.setup
     }
 
-    /// Visible samples, row by row from the top.
+    /// Visible samples, row by row from the top: those of all pixels as one picture ([`Setup::size_in_samples`]).
     pub fn samples(&self) -> &[Sample] {
         &self.samples
     }
@@ -289,7 +289,7 @@ impl Session {
         Ok(frame)
     }
 
-    /// The picture with the frame's visibility and tint, row by row, sRGB.
+    /// The picture with the frame's visibility and tint, pixels row by row, sRGB; the mean over a pixel's samples.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails.
@@ -370,7 +370,7 @@ impl Session {
             projection,
             light: for_kernels,
             test,
-            size: self.setup.size,
+            size: self.setup.size_in_samples(),
             map_size,
             epsilon: technique.epsilon,
             root: self.scene.root,
@@ -566,8 +566,8 @@ pub(crate) fn camera_params(setup: &Setup, root: u32) -> CameraParams {
         pad1: 0,
         forward,
         pad2: 0,
-        size: setup.size,
-        pad3: UVec2::ZERO,
+        size: setup.size_in_samples(),
+        grid: setup.samples.size(),
     }
 }
 

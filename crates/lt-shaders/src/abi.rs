@@ -7,7 +7,7 @@ use bytemuck::{Pod, Zeroable};
 use lt_math::LightProjection;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 
-/// What the camera sees through the centre of one pixel.
+/// What the camera sees through one sample of a pixel.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Sample {
@@ -55,10 +55,10 @@ pub struct CameraParams {
     pub forward: Vec3,
     /// Explicit padding.
     pub pad2: u32,
-    /// Picture size in pixels.
+    /// Picture size in samples: columns and rows of the grid that passes run on.
     pub size: UVec2,
-    /// Explicit padding.
-    pub pad3: UVec2,
+    /// A pixel's columns and rows of samples, powers of two ([`crate::sampling`]); 1 × 1 for one sample a pixel.
+    pub grid: UVec2,
 }
 
 /// A light as kernels see it.
@@ -109,7 +109,7 @@ pub struct ShadowParams {
     pub light: LightParams,
     /// Parameters of the shadow test, in the order its kernel documents.
     pub test: Vec4,
-    /// Picture size in pixels.
+    /// Picture size in samples.
     pub size: UVec2,
     /// Map size in texels (square).
     pub map_size: u32,

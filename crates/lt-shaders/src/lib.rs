@@ -41,6 +41,7 @@ pub mod gbuffer;
 pub mod geometry;
 pub mod mask;
 pub mod resolve;
+pub mod sampling;
 pub mod shade;
 pub mod surface;
 pub mod texture;

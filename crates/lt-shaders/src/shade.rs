@@ -1,6 +1,6 @@
 //! Shading good enough to look at: lights times visibility, sky from above, haze with distance.
 
-use lt_math::glam::{UVec2, Vec3};
+use lt_math::glam::{UVec2, Vec3, Vec4};
 
 use crate::{
     abi::{LightParams, Sample, ShadeParams},
@@ -26,13 +26,58 @@ pub fn light_on(sample: &Sample, reaching: Vec3, p: &ShadeParams) -> Vec3 {
     if strength > 0.0 { p.light_color.truncate() * (reaching * strength) } else { Vec3::ZERO }
 }
 
-/// Colour of one pixel, sRGB in three bytes from the lowest, alpha 255. `light` is what all lights give: see [`light_on`]. Of
-/// the parameters, camera and haze are read.
+/// Colour of a pixel's only sample, sRGB in three bytes from the lowest, alpha 255. `light` is what all lights give: see
+/// [`light_on`]. Of the parameters, camera and haze are read.
 #[inline]
-pub fn shade(px: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> u32 {
-    let view = view_direction(px, &p.camera);
+pub fn shade(at: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> u32 {
+    pack_srgb(color(at, sample, light, p))
+}
+
+/// Samples and the light that they receive.
+pub trait LitSource: Copy {
+    /// Sample `at` of the picture, and what all lights give to it: see [`light_on`].
+    fn lit(&self, at: UVec2) -> (Sample, Vec3);
+}
+
+/// Samples and light row by row.
+#[derive(Clone, Copy)]
+pub struct LitRows<'a> {
+    /// Samples.
+    pub samples: &'a [Sample],
+    /// What all lights give to each.
+    pub light: &'a [Vec4],
+    /// Samples in a row.
+    pub width: u32,
+}
+
+impl LitSource for LitRows<'_> {
+    #[inline]
+    fn lit(&self, at: UVec2) -> (Sample, Vec3) {
+        let i = (at.y * self.width + at.x) as usize;
+        (self.samples[i], self.light[i].truncate())
+    }
+}
+
+/// Colour of pixel `px`, the mean over its samples, taken before tone and encoding; as from [`shade`].
+pub fn shade_mean<L: LitSource>(px: UVec2, lit: L, p: &ShadeParams) -> u32 {
+    let grid = p.camera.grid;
+    let mut sum = Vec3::ZERO;
+    let mut i = 0;
+    while i < grid.x * grid.y {
+        let at = px * grid + UVec2::new(i % grid.x, i / grid.x);
+        let (sample, light) = lit.lit(at);
+        sum += color(at, &sample, light, p);
+        i += 1;
+    }
+    pack_srgb(sum / (grid.x * grid.y) as f32)
+}
+
+/// Linear RGB of sample `at`.
+#[inline]
+fn color(at: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> Vec3 {
+    let view = view_direction(at, &p.camera);
     if !sample.is_valid() {
-        return pack_srgb(sky(view));
+        return sky(view);
     }
     let n = sample.shading_normal;
     let up = 0.5 + 0.5 * n.y;
@@ -42,7 +87,7 @@ pub fn shade(px: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> u32 {
     let lit = unpack_albedo(sample.albedo) * (light + ambient * form);
     let distance = (sample.position - p.camera.eye).length();
     let haze = 1.0 - 1.0 / (1.0 + distance * p.light_color.w);
-    pack_srgb(lit.lerp(HORIZON, haze))
+    lit.lerp(HORIZON, haze)
 }
 
 /// Share of a light's strength that arrives from `to_light` away: 1 from directional lights, 1 / distance² within a spot

@@ -1,5 +1,5 @@
 //! The measurements of "Alias-Free Shadow Maps" (Aila and Laine 2004), ours beside the paper's: random triangles of constant total
-//! area, close-ups of them, and a hair ball that lets light through.
+//! area, close-ups of them, and a hair ball that lets light through; and what several samples per pixel cost.
 //!
 //! `cargo xtask papers alias-free` runs this and keeps the tables. Counters are the paper's own and depend on no machine. Every
 //! answer is compared with the ray tracer's; a difference ends the run.
@@ -14,6 +14,7 @@ mod hair;
 mod options;
 mod plot;
 mod random;
+mod samples;
 mod table;
 
 use std::path::Path;
@@ -42,7 +43,12 @@ fn main() -> Outcome<()> {
         eprintln!("strands:{hairs}");
         hair.push(hair::measure(hairs, &options)?);
     }
-    let text = table::markdown(&rows, &close, &hair);
+    let mut sampled = Vec::new();
+    for name in options.sampled.iter().filter(|name| *name != "none") {
+        eprintln!("{name}, 1 to 32 samples per pixel");
+        sampled.push(samples::measure(name, &options)?);
+    }
+    let text = table::markdown(&rows, &close, &hair, &sampled);
     println!("{text}");
     if let Some(folder) = &options.out {
         std::fs::create_dir_all(folder)?;

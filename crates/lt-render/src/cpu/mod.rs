@@ -32,7 +32,7 @@ use lt_shaders::camera::{
 use lt_shaders::evaluate::settle;
 use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
-use lt_shaders::shade::{light_on, shade};
+use lt_shaders::shade::{LitSource, light_on, shade_mean};
 use rayon::prelude::*;
 use shadow::PixelMs;
 use tiles::{BLOCK, Tiles};
@@ -262,25 +262,32 @@ impl Backend for CpuBackend {
     }
 
     fn shade(&mut self, lights: &[ShadedLight<'_>]) -> Result<Vec<[u8; 4]>, RenderError> {
-        let (size, tiles) = (self.tiles.size(), self.tiles);
         let Some(first) = lights.first() else { return Ok(Vec::new()) };
-        let mut picture = vec![0u32; tiles.len()];
-        picture.par_chunks_mut(BLOCK).zip(self.samples.par_chunks(BLOCK)).enumerate().for_each(
-            |(block, (out, samples))| {
-                for (i, (word, sample)) in out.iter_mut().zip(samples).enumerate() {
-                    if let Some(px) = tiles.pixel(block, i) {
-                        let at = (px.y * size.x + px.x) as usize;
-                        let given = |l: &ShadedLight<'_>| {
-                            let reaching = l.tint.get(at).map_or(Vec3::ONE, |t| *t) * l.visibility[at];
-                            light_on(sample, reaching, &l.params)
-                        };
-                        let light = lights.iter().fold(Vec3::ZERO, |sum, l| sum + given(l));
-                        *word = shade(px, sample, light, &first.params);
-                    }
-                }
-            },
-        );
-        Ok(tiles.to_rows(&picture).into_iter().map(u32::to_le_bytes).collect())
+        let lit = LitTiles { tiles: self.tiles, samples: &self.samples, lights };
+        let pixels = self.tiles.size() / first.params.camera.grid;
+        let row =
+            |y| (0..pixels.x).map(move |x| shade_mean(UVec2::new(x, y), lit, &first.params).to_le_bytes());
+        Ok((0..pixels.y).into_par_iter().flat_map_iter(row).collect())
+    }
+}
+
+/// Samples in tile order and the lights that reach them.
+#[derive(Clone, Copy)]
+struct LitTiles<'a> {
+    tiles: Tiles,
+    samples: &'a [Sample],
+    lights: &'a [ShadedLight<'a>],
+}
+
+impl LitSource for LitTiles<'_> {
+    fn lit(&self, at: UVec2) -> (Sample, Vec3) {
+        let sample = self.samples[self.tiles.index(at)];
+        let i = (at.y * self.tiles.size().x + at.x) as usize;
+        let given = |l: &ShadedLight<'_>| {
+            let reaching = l.tint.get(i).map_or(Vec3::ONE, |t| *t) * l.visibility[i];
+            light_on(&sample, reaching, &l.params)
+        };
+        (sample, self.lights.iter().fold(Vec3::ZERO, |sum, l| sum + given(l)))
     }
 }
 

@@ -113,7 +113,7 @@ impl Allocator {
         if bytes > most {
             return Err(self.error(format!(
                 "{what} need {bytes} bytes in one buffer, the device allows {most}: use a smaller scene, picture or map, \
-                 or --backend cpu"
+                 fewer samples per pixel, or --backend cpu"
             )));
         }
         Ok(())

@@ -145,6 +145,7 @@ impl GpuBackend {
         Ok((0..self.pixels() as u32).map(|i| place.read(&words, i)).collect())
     }
 
+    /// Samples of the picture.
     fn pixels(&self) -> u64 {
         u64::from(self.frame.size.x) * u64::from(self.frame.size.y)
     }
@@ -261,7 +262,7 @@ impl Backend for GpuBackend {
             self.recorder.add_light(&mut encoder, &mut self.frame, &light.params)?;
             self.queue.submit([encoder.finish()]);
         }
-        let bytes = self.pixels() * 4;
+        let bytes = self.pixels() * 4 / u64::from(first.params.camera.grid.element_product());
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let picture = self.recorder.allocator().empty("picture", bytes, usage)?;
         let mut encoder = self.new_encoder();

@@ -519,7 +519,8 @@ impl Recorder {
         Ok(())
     }
 
-    /// Shades the frame's samples with the lights added so far into `picture`, one sRGB word per pixel, and forgets the lights.
+    /// Shades the frame's samples with the lights added so far into `picture`, one sRGB word per pixel, the mean over its samples,
+    /// and forgets the lights.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when a uniform cannot be made, or no light was added.
@@ -533,7 +534,8 @@ impl Recorder {
         let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
         let light = frame.light.take().ok_or_else(|| self.unprepared())?;
         let bindings = [&uniform, &frame.samples, &light, picture];
-        self.dispatch(encoder, "shade_cs", &bindings, grid(frame.size))
+        let name = if p.camera.grid == UVec2::ONE { "shade_cs" } else { "shade_mean_cs" };
+        self.dispatch(encoder, name, &bindings, grid(p.camera.size / p.camera.grid))
     }
 
     fn dispatch(
