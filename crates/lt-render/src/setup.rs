@@ -28,7 +28,7 @@ pub struct Setup {
     pub upkeep: Upkeep,
 }
 
-/// Most samples of a picture: 1920 × 1080 pixels of 32, and a little more. Each takes [`BYTES_PER_SAMPLE`].
+/// Most samples of a picture: 1920 × 1080 pixels of 32, and a little more, which take about 8 GiB on the CPU.
 pub const MAX_SAMPLES: u64 = 1 << 26;
 /// What a sample takes at least on the CPU: twice the visible sample (in tiles and in rows), and twice its shadow.
 const BYTES_PER_SAMPLE: u64 =
