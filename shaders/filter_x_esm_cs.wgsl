@@ -18,13 +18,13 @@ struct abi_FilterParams {
     pad: vec2<u32>,
 }
 
-struct type_23 {
+struct type_22 {
     member: abi_FilterParams,
 }
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> p: type_23;
+var<uniform> p: type_22;
 @group(0) @binding(1) 
 var<storage> depths: type_8;
 @group(0) @binding(2) 

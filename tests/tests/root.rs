@@ -6,6 +6,7 @@ mod cold;
 mod effects;
 mod hard;
 mod laws;
+mod layers;
 mod light;
 mod lights;
 mod mask;

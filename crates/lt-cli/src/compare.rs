@@ -49,7 +49,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
         false => flips(session, &comparison)?,
     };
     let summary = Summary::of(&opened.name, session);
-    let is_valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
+    let is_valid = session.valid_samples();
 
     let mut out = std::io::stdout().lock();
     writeln!(out, "{}\n\n{}", summary.headline(), text_table(&comparison))?;
@@ -215,8 +215,9 @@ fn light_table(comparison: &Comparison) -> String {
     )
 }
 
-/// Per technique: picture, signed errors and rays as PNG, visibility and doubt as EXR, sample by sample; and the reference.
-fn write_images(dir: &Path, comparison: &Comparison, is_valid: &[bool]) -> anyhow::Result<()> {
+/// Per technique: picture, signed errors and rays as PNG, visibility and doubt of the first layer as EXR, sample by sample; and the
+/// reference.
+fn write_images(dir: &Path, comparison: &Comparison, is_valid: &[Vec<bool>]) -> anyhow::Result<()> {
     let reference = Picture::new(comparison.size, comparison.reference_picture.clone());
     write_png(dir.join("reference.png"), &reference)?;
     comparison.rows.par_iter().try_for_each(|row| {

@@ -99,6 +99,7 @@ fn frame(visibility: Vec<f32>, doubt: bool) -> Frame {
         mask: Vec::new(),
         map_draws: 0,
         lights: Vec::new(),
+        layers: Vec::new(),
     }
 }
 
@@ -128,6 +129,7 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
             object_motion: false,
             reuse: false,
             tint: false,
+            layers: 1,
             effects: vec![effect],
         },
         rays_per_pixel: rays as f64 / 8.0,

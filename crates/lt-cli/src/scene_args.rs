@@ -74,6 +74,10 @@ pub struct SceneArgs {
     /// Let translucent surfaces (blended, or with KHR_materials_transmission) tint the light; else they block it or not
     #[arg(long, help_heading = "Scene")]
     pub translucent: bool,
+    /// See through translucent surfaces: so many layers of what lies behind one another, each with shadows of its own; the last one
+    /// hides the rest [default: 1]
+    #[arg(long, value_name = "N", requires = "translucent", value_parser = value_parser!(u32).range(1..=16), help_heading = "Scene")]
+    pub layers: Option<u32>,
     /// Shadow map resolution, a multiple of 64 [default: 2048]
     #[arg(long, value_name = "N", value_parser = values::map_size, help_heading = "Techniques")]
     pub map_size: Option<u32>,
@@ -171,6 +175,7 @@ impl SceneArgs {
         setup.more_lights = lights.collect();
         self.aim(&mut setup.camera)?;
         setup.packing.traces_translucency = self.translucent;
+        setup.packing.layers_behind = self.layers.map_or(0, |layers| layers - 1);
         setup.map_size = self.map_size.unwrap_or(setup.map_size);
         Ok(setup)
     }
@@ -299,6 +304,7 @@ mod tests {
         ] {
             assert!(parse(&words).is_err(), "{words:?}");
         }
+        assert!(parse(&["--layers", "2"]).is_err() && parse(&["--layers", "17", "--translucent"]).is_err());
         assert!(parse(&["--light", "0", "--light-dir", "0,-1,0"]).is_err());
         assert!(parse(&["--light", "0", "--lights", "all"]).is_err());
         assert!(parse(&["--light", "0", "--light-pos", "0,-1,0"]).is_err());

@@ -1,6 +1,7 @@
 //! Techniques side by side: the same scene, the same samples, interleaved repeats, judged against full ray tracing.
 //!
-//! Where pixels have several samples, whatever is counted is counted sample by sample: wrong ones, those with geometry, rays.
+//! Where pixels have several samples, or the camera sees several layers, whatever is counted is counted sample by sample, in all
+//! layers: wrong ones, those with geometry, rays.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -79,7 +80,7 @@ impl LightStats {
     }
 
     /// Of every light, in a frame and against the truth.
-    fn each(size: [u32; 2], valid: &[bool], truth: &Frame, frame: &Frame) -> Vec<Self> {
+    fn each(size: [u32; 2], valid: &[Vec<bool>], truth: &Frame, frame: &Frame) -> Vec<Self> {
         let errors = metrics::errors_by_light(size, valid, truth, frame);
         errors.into_iter().zip(frame.each_light()).map(|(errors, f)| Self { errors, rays: f.rays }).collect()
     }
@@ -223,7 +224,7 @@ pub fn compare_frames(
             step(session, frame_index)?;
         }
         let size = session.setup().size_in_samples().to_array();
-        let valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
+        let valid = session.valid_samples();
         let mut frames: Vec<Frame> = Vec::new();
         for (i, job) in jobs.iter().enumerate() {
             if is_cancelled.load(Ordering::Relaxed) {
@@ -275,10 +276,11 @@ pub fn frames_to_settle(frames: &[FrameStats]) -> usize {
     frames.iter().rposition(|f| wrong(f) != wrong(last)).map_or(0, |i| i + 1)
 }
 
-/// Pixels whose visibility differs, bit by bit; those of several lights together.
+/// Pixels whose visibility differs, bit by bit; those of several lights and layers together.
 pub fn flips(a: &Frame, b: &Frame) -> u64 {
     let differs = |(a, b): &(&f32, &f32)| a.to_bits() != b.to_bits();
-    let lights = a.each_light().iter().zip(b.each_light());
+    let layers = a.each_layer().iter().zip(b.each_layer());
+    let lights = layers.flat_map(|(a, b)| a.each_light().iter().zip(b.each_light()));
     lights.map(|(a, b)| a.visibility.iter().zip(&b.visibility).filter(differs).count() as u64).sum()
 }
 
@@ -308,8 +310,8 @@ fn judge(
 ) -> Result<Comparison, RenderError> {
     let (size, samples) = (session.setup().size, session.setup().samples);
     let in_samples = session.setup().size_in_samples().to_array();
-    let valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
-    let valid_pixels = valid.iter().filter(|v| **v).count() as u64;
+    let valid = session.valid_samples();
+    let valid_pixels = valid.iter().flatten().filter(|v| **v).count() as u64;
     let mut pictures = Vec::with_capacity(jobs.len());
     for frame in &frames {
         pictures.push(session.shade(frame)?);

@@ -249,7 +249,7 @@ mod tests {
             eye,
             root: 0,
             right,
-            pad0: 0,
+            layers_behind: 0,
             up,
             pad1: 0,
             forward,

@@ -12,7 +12,7 @@ use crate::{Packing, RenderError, SampleGrid, Upkeep, technique::MAX_MAP_SIZE};
 pub struct Setup {
     /// Picture size in pixels, each side 1 to 16384.
     pub size: UVec2,
-    /// Samples of a pixel; those of all pixels are [`MAX_SAMPLES`] at most.
+    /// Samples of a pixel; those of all pixels and layers are [`MAX_SAMPLES`] at most.
     pub samples: SampleGrid,
     /// Who looks.
     pub camera: Camera,
@@ -30,6 +30,8 @@ pub struct Setup {
 
 /// Most samples of a picture: 1920 × 1080 pixels of 32, and a little more, which take about 8 GiB on the CPU.
 pub const MAX_SAMPLES: u64 = 1 << 26;
+/// Most layers of what the camera sees.
+const MAX_LAYERS: u64 = 16;
 /// What a sample takes at least on the CPU: twice the visible sample (in tiles and in rows), and twice its shadow.
 const BYTES_PER_SAMPLE: u64 =
     2 * size_of::<Sample>() as u64 + 2 * (size_of::<f32>() + size_of::<bool>()) as u64;
@@ -71,15 +73,21 @@ impl Setup {
                 self.size.x, self.size.y
             ));
         }
+        let layers = 1 + u64::from(self.packing.layers_behind);
+        if layers > MAX_LAYERS || (layers > 1 && !self.packing.traces_translucency) {
+            return bad(format!(
+                "{layers} layers: must be 1 to {MAX_LAYERS}, and more than 1 only where translucency is traced (--translucent)"
+            ));
+        }
         let (pixels, each) =
-            (u64::from(self.size.x) * u64::from(self.size.y), u64::from(self.samples.count()));
+            (u64::from(self.size.x) * u64::from(self.size.y), u64::from(self.samples.count()) * layers);
         let most = MAX_SAMPLES / each;
         if pixels > most {
             let gib = (pixels * each * BYTES_PER_SAMPLE) as f64 / f64::from(1 << 30);
             return bad(format!(
-                "picture size {}×{} at {each} samples per pixel needs {gib:.1} GiB for its samples: with so many, a picture may \
-                 have up to {most} pixels; make it smaller or take fewer samples",
-                self.size.x, self.size.y
+                "picture size {}×{} at {} samples per pixel in {layers} layers needs {gib:.1} GiB for its samples: with so many, a \
+                 picture may have up to {most} pixels; make it smaller or take fewer samples",
+                self.size.x, self.size.y, self.samples
             ));
         }
         let c = &self.camera;

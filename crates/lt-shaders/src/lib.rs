@@ -39,6 +39,7 @@ pub mod evaluate;
 pub mod filter;
 pub mod gbuffer;
 pub mod geometry;
+pub mod layers;
 pub mod mask;
 pub mod resolve;
 pub mod sampling;

@@ -260,7 +260,7 @@ mod tests {
             eye,
             root: 0,
             right: Vec3::X * 4.0 / 3.0,
-            pad0: 0,
+            layers_behind: 0,
             up: Vec3::Y,
             pad1: 0,
             forward: Vec3::NEG_Z,

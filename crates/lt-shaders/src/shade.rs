@@ -3,7 +3,7 @@
 use lt_math::glam::{UVec2, Vec3, Vec4};
 
 use crate::{
-    abi::{LightParams, Sample, ShadeParams},
+    abi::{LightParams, Sample, ShadeParams, Sight},
     camera::view_direction,
     evaluate::to_light,
 };
@@ -33,48 +33,69 @@ pub fn shade(at: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> u32 {
     pack_srgb(color(at, sample, light, p))
 }
 
-/// Samples and the light that they receive.
-pub trait LitSource: Copy {
-    /// Sample `at` of the picture, and what all lights give to it: see [`light_on`].
-    fn lit(&self, at: UVec2) -> (Sample, Vec3);
+/// A picture's samples in linear light.
+pub trait LinearSource: Copy {
+    /// Linear RGB of sample `at`.
+    fn linear(&self, at: UVec2) -> Vec3;
 }
 
-/// Samples and light row by row.
+/// Samples and the light that they receive, row by row.
 #[derive(Clone, Copy)]
 pub struct LitRows<'a> {
     /// Samples.
     pub samples: &'a [Sample],
-    /// What all lights give to each.
+    /// What all lights give to each: see [`light_on`].
     pub light: &'a [Vec4],
+    /// As for [`shade`].
+    pub params: &'a ShadeParams,
+}
+
+impl LinearSource for LitRows<'_> {
+    #[inline]
+    fn linear(&self, at: UVec2) -> Vec3 {
+        let i = (at.y * self.params.camera.size.x + at.x) as usize;
+        color(at, &self.samples[i], self.light[i].truncate(), self.params)
+    }
+}
+
+/// Finished colours, row by row.
+#[derive(Clone, Copy)]
+pub struct ColorRows<'a> {
+    /// Linear RGB.
+    pub colors: &'a [Vec4],
     /// Samples in a row.
     pub width: u32,
 }
 
-impl LitSource for LitRows<'_> {
+impl LinearSource for ColorRows<'_> {
     #[inline]
-    fn lit(&self, at: UVec2) -> (Sample, Vec3) {
-        let i = (at.y * self.width + at.x) as usize;
-        (self.samples[i], self.light[i].truncate())
+    fn linear(&self, at: UVec2) -> Vec3 {
+        self.colors[(at.y * self.width + at.x) as usize].truncate()
     }
 }
 
-/// Colour of pixel `px`, the mean over its samples, taken before tone and encoding; as from [`shade`].
-pub fn shade_mean<L: LitSource>(px: UVec2, lit: L, p: &ShadeParams) -> u32 {
-    let grid = p.camera.grid;
+/// Colour of pixel `px`, the mean over its `grid` of samples, taken before tone and encoding; as from [`shade`].
+pub fn shade_mean<S: LinearSource>(px: UVec2, grid: UVec2, source: S) -> u32 {
     let mut sum = Vec3::ZERO;
     let mut i = 0;
     while i < grid.x * grid.y {
-        let at = px * grid + UVec2::new(i % grid.x, i / grid.x);
-        let (sample, light) = lit.lit(at);
-        sum += color(at, &sample, light, p);
+        sum += source.linear(px * grid + UVec2::new(i % grid.x, i / grid.x));
         i += 1;
     }
     pack_srgb(sum / (grid.x * grid.y) as f32)
 }
 
-/// Linear RGB of sample `at`.
+/// What one layer of sample `at` adds to its colour, linear RGB: what it scatters, as far as the layers before let it pass; the
+/// sky where it is the first that shows nothing. Layers add up to the sample. `light` as for [`shade`].
 #[inline]
-fn color(at: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> Vec3 {
+pub fn layer_color(at: UVec2, sample: &Sample, sight: &Sight, light: Vec3, p: &ShadeParams) -> Vec3 {
+    let share = if sample.is_valid() { sample.scattered() } else { 1.0 };
+    sight.passes() * (color(at, sample, light, p) * share)
+}
+
+/// Linear RGB of sample `at`; `light` and parameters as for [`shade`].
+#[inline]
+pub fn color(at: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> Vec3 {
     let view = view_direction(at, &p.camera);
     if !sample.is_valid() {
         return sky(view);

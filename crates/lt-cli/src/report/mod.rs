@@ -64,7 +64,7 @@ impl Report {
     pub fn new(
         summary: &Summary,
         comparison: &Comparison,
-        is_valid: &[bool],
+        is_valid: &[Vec<bool>],
         playback: Option<&Playback>,
     ) -> anyhow::Result<Self> {
         let best = frontier_of(comparison);
@@ -187,13 +187,17 @@ mod tests {
     use crate::fixture;
 
     fn page() -> String {
-        Report::new(&fixture::summary(), &fixture::comparison(), &[true; 8], None).unwrap().render().unwrap()
+        Report::new(&fixture::summary(), &fixture::comparison(), &[vec![true; 8]], None)
+            .unwrap()
+            .render()
+            .unwrap()
     }
 
     #[test]
     fn several_frames_get_plots_and_masks() {
         let (comparison, playback) = fixture::played();
-        let report = Report::new(&fixture::summary(), &comparison, &[true; 8], Some(&playback)).unwrap();
+        let report =
+            Report::new(&fixture::summary(), &comparison, &[vec![true; 8]], Some(&playback)).unwrap();
         let played = report.render().unwrap();
         assert!(played.contains("Over the frames") && played.contains("Temporal mask"));
         assert!(!page().contains("Over the frames"));

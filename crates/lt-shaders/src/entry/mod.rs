@@ -9,6 +9,7 @@ pub mod doubt;
 pub mod evaluate;
 pub mod filter;
 pub mod gbuffer;
+pub mod layers;
 pub mod mask;
 pub mod resolve;
 pub mod shade;
