@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -278,61 +278,106 @@ fn function_() {
     var phi_437_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_454_: bool;
-    var phi_475_: bool;
-    var phi_486_: bool;
-    var phi_487_: bool;
-    var phi_488_: bool;
-    var phi_489_: bool;
-    var phi_490_: bool;
-    var phi_491_: bool;
-    var phi_495_: bool;
-    var phi_500_: bool;
-    var phi_514_: u32;
-    var phi_516_: u32;
-    var phi_519_: lt_mask_Neighbourhood;
+    var phi_502_: u32;
+    var phi_521_: u32;
+    var phi_529_: u32;
+    var phi_530_: u32;
     var phi_531_: bool;
-    var phi_532_: bool;
-    var phi_541_: u32;
-    var phi_542_: u32;
-    var phi_602_: vec2<i32>;
-    var phi_622_: vec2<i32>;
-    var phi_647_: u32;
-    var phi_666_: u32;
-    var phi_674_: u32;
-    var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_718_: bool;
-    var phi_719_: bool;
-    var phi_720_: bool;
-    var phi_517_: u32;
-    var phi_520_: lt_mask_Neighbourhood;
-    var phi_723_: lt_mask_Neighbourhood;
-    var phi_724_: lt_mask_Neighbourhood;
-    var phi_756_: bool;
+    var phi_532_: u32;
+    var phi_533_: bool;
+    var phi_534_: bool;
+    var phi_535_: u32;
+    var phi_536_: bool;
+    var phi_537_: bool;
+    var phi_541_: bool;
+    var phi_545_: u32;
+    var phi_550_: bool;
+    var phi_571_: u32;
+    var phi_573_: u32;
+    var phi_576_: lt_mask_Neighbourhood;
+    var phi_588_: bool;
+    var phi_589_: bool;
+    var phi_598_: u32;
+    var phi_599_: u32;
+    var phi_659_: vec2<i32>;
+    var phi_679_: vec2<i32>;
+    var phi_704_: u32;
+    var phi_723_: u32;
+    var phi_731_: u32;
     var phi_757_: bool;
-    var phi_786_: bool;
-    var phi_787_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_760_: bool;
+    var phi_761_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_773_: bool;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_791_: bool;
+    var phi_792_: bool;
+    var phi_799_: bool;
     var phi_800_: bool;
     var phi_801_: bool;
     var phi_802_: bool;
-    var phi_809_: u32;
-    var phi_810_: u32;
-    var phi_811_: u32;
-    var phi_812_: u32;
-    var phi_813_: u32;
-    var phi_814_: u32;
-    var phi_822_: bool;
-    var phi_830_: u32;
-    var phi_835_: u32;
-    var phi_839_: u32;
-    var phi_840_: u32;
-    var phi_844_: f32;
-    var phi_846_: mask_Masked;
-    var phi_896_: bool;
-    var phi_897_: u32;
-    var phi_908_: u32;
+    var phi_803_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
+    var phi_809_: bool;
+    var phi_813_: bool;
+    var phi_814_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_839_: bool;
+    var phi_574_: u32;
+    var phi_577_: lt_mask_Neighbourhood;
+    var phi_842_: lt_mask_Neighbourhood;
+    var phi_843_: lt_mask_Neighbourhood;
+    var phi_844_: lt_mask_Neighbourhood;
+    var phi_876_: bool;
+    var phi_877_: bool;
+    var phi_899_: bool;
+    var phi_900_: bool;
+    var phi_901_: bool;
+    var phi_905_: bool;
+    var phi_927_: bool;
+    var phi_928_: bool;
+    var phi_941_: bool;
+    var phi_942_: bool;
+    var phi_943_: bool;
+    var phi_950_: u32;
+    var phi_951_: u32;
+    var phi_952_: u32;
+    var phi_953_: u32;
+    var phi_954_: u32;
+    var phi_955_: u32;
+    var phi_956_: u32;
+    var phi_968_: bool;
+    var phi_969_: bool;
+    var phi_970_: bool;
+    var phi_971_: bool;
+    var phi_975_: bool;
+    var phi_981_: bool;
+    var phi_989_: u32;
+    var phi_994_: u32;
+    var phi_1003_: u32;
+    var phi_1008_: u32;
+    var phi_1012_: u32;
+    var phi_1013_: u32;
+    var phi_1014_: u32;
+    var phi_1018_: f32;
+    var phi_1020_: mask_Masked;
+    var phi_1070_: bool;
+    var phi_1071_: u32;
+    var phi_1082_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e42 = id_1;
@@ -344,6 +389,7 @@ fn function_() {
     if (bitcast<i32>(_e58.word) != 0i) {
         let _e65 = p.member.light.number;
         let _e66 = (_e65 * 3u);
+        let _e67 = (_e66 / 32u);
         let _e68 = (_e66 % 32u);
         let _e70 = p.member.light.mask_words;
         let _e74 = p.member.current.size[0u];
@@ -440,7 +486,7 @@ fn function_() {
         }
         let _e232 = phi_441_;
         if _e232.unnamed_1 {
-            phi_846_ = mask_Masked(_e232.unnamed.visibility, 0u, false);
+            phi_1020_ = mask_Masked(_e232.unnamed.visibility, 0u, false);
         } else {
             let _e237 = (_e79 < 0.5f);
             if (_e79 > 0f) {
@@ -452,439 +498,680 @@ fn function_() {
             let _e243 = p.member.flags;
             let _e245 = ((_e243 & 1u) != 0u);
             let _e247 = p.member.flags;
-            if false {
-                let _e251 = p.member.flags;
-                phi_475_ = ((_e251 & 4u) == 0u);
+            let _e249 = ((_e247 & 2u) != 0u);
+            let _e251 = p.member.flags;
+            if ((_e251 & 4u) == 0u) {
+                phi_535_ = u32();
+                phi_536_ = true;
+                phi_537_ = false;
             } else {
-                phi_475_ = false;
-            }
-            let _e255 = phi_475_;
-            if ((_e247 & 2u) != 0u) {
-                if false {
-                    phi_488_ = bool();
-                    phi_489_ = true;
-                } else {
-                    if true {
-                        phi_486_ = !(_e255);
-                        phi_487_ = false;
-                    } else {
-                        phi_486_ = bool();
-                        phi_487_ = true;
-                    }
-                    let _e258 = phi_486_;
-                    let _e260 = phi_487_;
-                    phi_488_ = _e258;
-                    phi_489_ = _e260;
-                }
-                let _e262 = phi_488_;
-                let _e264 = phi_489_;
-                phi_490_ = _e262;
-                phi_491_ = _e264;
-            } else {
-                phi_490_ = bool();
-                phi_491_ = true;
-            }
-            let _e266 = phi_490_;
-            let _e268 = phi_491_;
-            if _e268 {
-                phi_495_ = false;
-            } else {
-                phi_495_ = _e266;
-            }
-            let _e270 = phi_495_;
-            let _e271 = lt_mask_Neighbourhood(false, true);
-            if _e241 {
-                phi_500_ = _e270;
-            } else {
-                phi_500_ = true;
-            }
-            let _e273 = phi_500_;
-            if _e273 {
                 if _e245 {
-                    if false {
-                        let _e275 = p.member.moving_pattern;
-                        phi_514_ = _e275;
-                    } else {
-                        let _e277 = p.member.still_pattern;
-                        phi_514_ = _e277;
-                    }
-                    let _e279 = phi_514_;
-                    phi_516_ = 0u;
-                    phi_519_ = _e271;
-                    loop {
-                        let _e281 = phi_516_;
-                        let _e283 = phi_519_;
-                        local_1 = _e283;
-                        if (1u <= _e279) {
-                            if (_e279 <= 4u) {
-                                phi_531_ = false;
-                            } else {
-                                phi_531_ = true;
-                            }
-                            let _e287 = phi_531_;
-                            phi_532_ = _e287;
-                        } else {
-                            phi_532_ = true;
-                        }
-                        let _e289 = phi_532_;
-                        if _e289 {
-                            switch bitcast<i32>(_e279) {
-                                case 5: {
-                                    phi_541_ = 4u;
-                                    break;
-                                }
-                                case 6: {
-                                    phi_541_ = 25u;
-                                    break;
-                                }
-                                case 7: {
-                                    phi_541_ = 13u;
-                                    break;
-                                }
-                                default: {
-                                    phi_541_ = 9u;
-                                    break;
-                                }
-                            }
-                            let _e292 = phi_541_;
-                            phi_542_ = _e292;
-                        } else {
-                            phi_542_ = 5u;
-                        }
-                        let _e294 = phi_542_;
-                        let _e295 = (_e281 < _e294);
-                        if _e295 {
-                            let _e297 = p.member.frame;
-                            let _e301 = p.member.current.size[0u];
-                            let _e303 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e279) {
-                                case 1: {
-                                    let _e313 = lt_mask_pattern_plus(_e281);
-                                    phi_622_ = vec2<i32>(_e313.x, _e313.y);
-                                    break;
-                                }
-                                case 2: {
-                                    let _e317 = lt_mask_pattern_cross(_e281);
-                                    phi_622_ = vec2<i32>(_e317.x, _e317.y);
-                                    break;
-                                }
-                                case 3: {
-                                    let _e323 = lt_mask_pattern_plus_or_cross(_e281, ((_e42.x + _e42.y) & 1u));
-                                    phi_622_ = vec2<i32>(_e323.x, _e323.y);
-                                    break;
-                                }
-                                case 4: {
-                                    let _e328 = lt_mask_pattern_plus_or_cross(_e281, (_e297 & 1u));
-                                    phi_622_ = vec2<i32>(_e328.x, _e328.y);
-                                    break;
-                                }
-                                case 5: {
-                                    switch bitcast<i32>((_e297 & 3u)) {
-                                        case 0: {
-                                            phi_602_ = vec2(-1i);
-                                            break;
-                                        }
-                                        case 1: {
-                                            phi_602_ = vec2(0i);
-                                            break;
-                                        }
-                                        case 2: {
-                                            phi_602_ = vec2<i32>(0i, -1i);
-                                            break;
-                                        }
-                                        default: {
-                                            phi_602_ = vec2<i32>(-1i, 0i);
-                                            break;
-                                        }
-                                    }
-                                    let _e339 = phi_602_;
-                                    phi_622_ = (_e339 + vec2<i32>(bitcast<i32>((_e281 & 1u)), bitcast<i32>(((_e281 >> bitcast<u32>(1i)) & 1u))));
-                                    break;
-                                }
-                                case 6: {
-                                    phi_622_ = vec2<i32>((bitcast<i32>((_e281 % 5u)) - 2i), (bitcast<i32>(((_e281 / 5u) % 5u)) - 2i));
-                                    break;
-                                }
-                                case 7: {
-                                    let _e356 = lt_mask_pattern_diamond(_e281);
-                                    phi_622_ = vec2<i32>(_e356.x, _e356.y);
-                                    break;
-                                }
-                                default: {
-                                    phi_622_ = vec2<i32>((bitcast<i32>((_e281 % 3u)) - 1i), (bitcast<i32>(((_e281 / 3u) % 3u)) - 1i));
-                                    break;
-                                }
-                            }
-                            let _e361 = phi_622_;
-                            let _e364 = lt_mask_pattern_step_clamped(_e42.x, _e361.x, _e301);
-                            let _e365 = lt_mask_pattern_step_clamped(_e42.y, _e361.y, _e303);
-                            let _e369 = ((((_e365 * _e74) + _e364) * _e70) + (_e66 / 32u));
-                            if (_e68 > 29u) {
-                                let _e371 = (_e369 + 1u);
-                                if (_e371 < _e48) {
-                                } else {
-                                    return;
-                                }
-                                let _e375 = last_bits.member[(0u + _e371)];
-                                phi_647_ = _e375;
-                            } else {
-                                phi_647_ = 0u;
-                            }
-                            let _e377 = phi_647_;
-                            if (_e369 < _e48) {
+                    if !(false) {
+                        let _e258 = ((((_e42.y * _e74) + _e42.x) * _e70) + _e67);
+                        if (_e68 > 29u) {
+                            let _e260 = (_e258 + 1u);
+                            if (_e260 < _e48) {
                             } else {
                                 return;
                             }
-                            let _e381 = last_bits.member[(0u + _e369)];
-                            let _e384 = (_e381 >> bitcast<u32>((_e68 & 31u)));
-                            if (_e68 > 29u) {
-                                phi_666_ = (_e384 | (_e377 << bitcast<u32>(((32u - _e68) & 31u))));
-                            } else {
-                                phi_666_ = _e384;
-                            }
-                            let _e392 = phi_666_;
-                            if ((_e392 & 2u) == 0u) {
-                                phi_674_ = (_e392 & 1u);
-                            } else {
-                                phi_674_ = (_e392 & 7u);
-                            }
-                            let _e398 = phi_674_;
-                            if _e283.any_expands {
-                                phi_700_ = true;
-                            } else {
-                                if ((_e398 & 2u) != 0u) {
-                                    if (((_e398 & 4u) != 0u) != _e237) {
-                                        phi_691_ = false;
-                                    } else {
-                                        phi_691_ = true;
-                                    }
-                                    let _e407 = phi_691_;
-                                    phi_692_ = _e407;
-                                } else {
-                                    phi_692_ = true;
-                                }
-                                let _e409 = phi_692_;
-                                if _e409 {
-                                    phi_699_ = (((_e398 & 1u) != 0u) != _e237);
-                                } else {
-                                    phi_699_ = true;
-                                }
-                                let _e414 = phi_699_;
-                                phi_700_ = _e414;
-                            }
-                            let _e416 = phi_700_;
-                            if _e283.all_remove {
-                                if (((_e398 & 1u) != 0u) == _e237) {
-                                    if ((_e398 & 2u) != 0u) {
-                                        phi_718_ = (((_e398 & 4u) != 0u) == _e237);
-                                    } else {
-                                        phi_718_ = true;
-                                    }
-                                    let _e426 = phi_718_;
-                                    phi_719_ = _e426;
-                                } else {
-                                    phi_719_ = false;
-                                }
-                                let _e428 = phi_719_;
-                                phi_720_ = _e428;
-                            } else {
-                                phi_720_ = false;
-                            }
-                            let _e430 = phi_720_;
-                            phi_517_ = (_e281 + 1u);
-                            phi_520_ = lt_mask_Neighbourhood(_e416, _e430);
+                            let _e264 = last_bits.member[(0u + _e260)];
+                            phi_502_ = _e264;
                         } else {
-                            phi_517_ = u32();
-                            phi_520_ = lt_mask_Neighbourhood();
+                            phi_502_ = 0u;
                         }
-                        let _e434 = phi_517_;
-                        let _e436 = phi_520_;
-                        continue;
-                        continuing {
-                            phi_516_ = _e434;
-                            phi_519_ = _e436;
-                            break if !(_e295);
+                        let _e266 = phi_502_;
+                        if (_e258 < _e48) {
+                        } else {
+                            return;
                         }
+                        let _e270 = last_bits.member[(0u + _e258)];
+                        let _e273 = (_e270 >> bitcast<u32>((_e68 & 31u)));
+                        if (_e68 > 29u) {
+                            phi_521_ = (_e273 | (_e266 << bitcast<u32>(((32u - _e68) & 31u))));
+                        } else {
+                            phi_521_ = _e273;
+                        }
+                        let _e281 = phi_521_;
+                        if ((_e281 & 2u) == 0u) {
+                            phi_529_ = (_e281 & 1u);
+                        } else {
+                            phi_529_ = (_e281 & 7u);
+                        }
+                        let _e287 = phi_529_;
+                        phi_530_ = _e287;
+                        phi_531_ = false;
+                    } else {
+                        phi_530_ = u32();
+                        phi_531_ = true;
                     }
-                    let _e620 = local_1;
-                    phi_723_ = _e620;
+                    let _e289 = phi_530_;
+                    let _e291 = phi_531_;
+                    phi_532_ = _e289;
+                    phi_533_ = false;
+                    phi_534_ = _e291;
                 } else {
-                    phi_723_ = _e271;
+                    phi_532_ = u32();
+                    phi_533_ = true;
+                    phi_534_ = false;
                 }
-                let _e439 = phi_723_;
-                phi_724_ = _e439;
-            } else {
-                phi_724_ = _e271;
+                let _e293 = phi_532_;
+                let _e295 = phi_533_;
+                let _e297 = phi_534_;
+                phi_535_ = _e293;
+                phi_536_ = _e295;
+                phi_537_ = _e297;
             }
-            let _e441 = phi_724_;
-            let _e444 = p.member.frame;
-            let _e446 = p.member.refresh;
-            if (_e446 == 0u) {
-                phi_757_ = false;
+            let _e299 = phi_535_;
+            let _e301 = phi_536_;
+            let _e303 = phi_537_;
+            if _e301 {
+                phi_541_ = true;
             } else {
-                if (_e446 == 0u) {
+                phi_541_ = _e303;
+            }
+            let _e305 = phi_541_;
+            if _e305 {
+                phi_545_ = 0u;
+            } else {
+                phi_545_ = _e299;
+            }
+            let _e307 = phi_545_;
+            let _e308 = lt_mask_Neighbourhood(false, true);
+            if _e241 {
+                phi_550_ = _e249;
+            } else {
+                phi_550_ = true;
+            }
+            let _e310 = phi_550_;
+            if _e310 {
+                if _e245 {
+                    if ((_e307 & 2u) != 0u) {
+                        phi_842_ = _e308;
+                    } else {
+                        let _e314 = p.member.expansion;
+                        if false {
+                            let _e316 = p.member.moving_pattern;
+                            phi_571_ = _e316;
+                        } else {
+                            let _e318 = p.member.still_pattern;
+                            phi_571_ = _e318;
+                        }
+                        let _e320 = phi_571_;
+                        phi_573_ = 0u;
+                        phi_576_ = _e308;
+                        loop {
+                            let _e322 = phi_573_;
+                            let _e324 = phi_576_;
+                            local_1 = _e324;
+                            if (1u <= _e320) {
+                                if (_e320 <= 4u) {
+                                    phi_588_ = false;
+                                } else {
+                                    phi_588_ = true;
+                                }
+                                let _e328 = phi_588_;
+                                phi_589_ = _e328;
+                            } else {
+                                phi_589_ = true;
+                            }
+                            let _e330 = phi_589_;
+                            if _e330 {
+                                switch bitcast<i32>(_e320) {
+                                    case 5: {
+                                        phi_598_ = 4u;
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_598_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_598_ = 13u;
+                                        break;
+                                    }
+                                    default: {
+                                        phi_598_ = 9u;
+                                        break;
+                                    }
+                                }
+                                let _e333 = phi_598_;
+                                phi_599_ = _e333;
+                            } else {
+                                phi_599_ = 5u;
+                            }
+                            let _e335 = phi_599_;
+                            let _e336 = (_e322 < _e335);
+                            if _e336 {
+                                let _e338 = p.member.frame;
+                                let _e342 = p.member.current.size[0u];
+                                let _e344 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e320) {
+                                    case 1: {
+                                        let _e354 = lt_mask_pattern_plus(_e322);
+                                        phi_679_ = vec2<i32>(_e354.x, _e354.y);
+                                        break;
+                                    }
+                                    case 2: {
+                                        let _e358 = lt_mask_pattern_cross(_e322);
+                                        phi_679_ = vec2<i32>(_e358.x, _e358.y);
+                                        break;
+                                    }
+                                    case 3: {
+                                        let _e364 = lt_mask_pattern_plus_or_cross(_e322, ((_e42.x + _e42.y) & 1u));
+                                        phi_679_ = vec2<i32>(_e364.x, _e364.y);
+                                        break;
+                                    }
+                                    case 4: {
+                                        let _e369 = lt_mask_pattern_plus_or_cross(_e322, (_e338 & 1u));
+                                        phi_679_ = vec2<i32>(_e369.x, _e369.y);
+                                        break;
+                                    }
+                                    case 5: {
+                                        switch bitcast<i32>((_e338 & 3u)) {
+                                            case 0: {
+                                                phi_659_ = vec2(-1i);
+                                                break;
+                                            }
+                                            case 1: {
+                                                phi_659_ = vec2(0i);
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_659_ = vec2<i32>(0i, -1i);
+                                                break;
+                                            }
+                                            default: {
+                                                phi_659_ = vec2<i32>(-1i, 0i);
+                                                break;
+                                            }
+                                        }
+                                        let _e380 = phi_659_;
+                                        phi_679_ = (_e380 + vec2<i32>(bitcast<i32>((_e322 & 1u)), bitcast<i32>(((_e322 >> bitcast<u32>(1i)) & 1u))));
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_679_ = vec2<i32>((bitcast<i32>((_e322 % 5u)) - 2i), (bitcast<i32>(((_e322 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e397 = lt_mask_pattern_diamond(_e322);
+                                        phi_679_ = vec2<i32>(_e397.x, _e397.y);
+                                        break;
+                                    }
+                                    default: {
+                                        phi_679_ = vec2<i32>((bitcast<i32>((_e322 % 3u)) - 1i), (bitcast<i32>(((_e322 / 3u) % 3u)) - 1i));
+                                        break;
+                                    }
+                                }
+                                let _e402 = phi_679_;
+                                let _e405 = lt_mask_pattern_step_clamped(_e42.x, _e402.x, _e342);
+                                let _e406 = lt_mask_pattern_step_clamped(_e42.y, _e402.y, _e344);
+                                let _e410 = ((((_e406 * _e74) + _e405) * _e70) + _e67);
+                                if (_e68 > 29u) {
+                                    let _e412 = (_e410 + 1u);
+                                    if (_e412 < _e48) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e416 = last_bits.member[(0u + _e412)];
+                                    phi_704_ = _e416;
+                                } else {
+                                    phi_704_ = 0u;
+                                }
+                                let _e418 = phi_704_;
+                                if (_e410 < _e48) {
+                                } else {
+                                    return;
+                                }
+                                let _e422 = last_bits.member[(0u + _e410)];
+                                let _e425 = (_e422 >> bitcast<u32>((_e68 & 31u)));
+                                if (_e68 > 29u) {
+                                    phi_723_ = (_e425 | (_e418 << bitcast<u32>(((32u - _e68) & 31u))));
+                                } else {
+                                    phi_723_ = _e425;
+                                }
+                                let _e433 = phi_723_;
+                                if ((_e433 & 2u) == 0u) {
+                                    phi_731_ = (_e433 & 1u);
+                                } else {
+                                    phi_731_ = (_e433 & 7u);
+                                }
+                                let _e439 = phi_731_;
+                                if _e324.any_expands {
+                                    phi_819_ = true;
+                                } else {
+                                    if ((_e439 & 2u) != 0u) {
+                                        let _e446 = (((_e439 & 4u) != 0u) != _e237);
+                                        switch bitcast<i32>(_e314) {
+                                            case 1: {
+                                                phi_759_ = bool();
+                                                phi_760_ = false;
+                                                phi_761_ = true;
+                                                phi_762_ = false;
+                                                phi_763_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e446 {
+                                                    phi_757_ = (((_e439 & 4u) != 0u) != ((_e439 & 1u) != 0u));
+                                                    phi_758_ = false;
+                                                } else {
+                                                    phi_757_ = bool();
+                                                    phi_758_ = true;
+                                                }
+                                                let _e454 = phi_757_;
+                                                let _e456 = phi_758_;
+                                                phi_759_ = _e454;
+                                                phi_760_ = false;
+                                                phi_761_ = false;
+                                                phi_762_ = _e456;
+                                                phi_763_ = _e446;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_759_ = bool();
+                                                phi_760_ = true;
+                                                phi_761_ = false;
+                                                phi_762_ = false;
+                                                phi_763_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e458 = phi_759_;
+                                        let _e460 = phi_760_;
+                                        let _e462 = phi_761_;
+                                        let _e464 = phi_762_;
+                                        let _e466 = phi_763_;
+                                        phi_771_ = _e446;
+                                        phi_772_ = _e458;
+                                        phi_773_ = _e460;
+                                        phi_774_ = _e462;
+                                        phi_775_ = _e464;
+                                        phi_776_ = _e466;
+                                    } else {
+                                        switch bitcast<i32>(_e314) {
+                                            case 1: {
+                                                phi_768_ = false;
+                                                phi_769_ = true;
+                                                phi_770_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_768_ = false;
+                                                phi_769_ = false;
+                                                phi_770_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_768_ = true;
+                                                phi_769_ = false;
+                                                phi_770_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e469 = phi_768_;
+                                        let _e471 = phi_769_;
+                                        let _e473 = phi_770_;
+                                        phi_771_ = false;
+                                        phi_772_ = bool();
+                                        phi_773_ = _e469;
+                                        phi_774_ = _e471;
+                                        phi_775_ = _e473;
+                                        phi_776_ = false;
+                                    }
+                                    let _e475 = phi_771_;
+                                    let _e477 = phi_772_;
+                                    let _e479 = phi_773_;
+                                    let _e481 = phi_774_;
+                                    let _e483 = phi_775_;
+                                    let _e485 = phi_776_;
+                                    if _e479 {
+                                        if ((_e439 & 2u) != 0u) {
+                                            if (((_e439 & 4u) != 0u) != _e237) {
+                                                phi_791_ = false;
+                                            } else {
+                                                phi_791_ = true;
+                                            }
+                                            let _e492 = phi_791_;
+                                            phi_792_ = _e492;
+                                        } else {
+                                            phi_792_ = true;
+                                        }
+                                        let _e494 = phi_792_;
+                                        if _e494 {
+                                            phi_799_ = (((_e439 & 1u) != 0u) != _e237);
+                                        } else {
+                                            phi_799_ = true;
+                                        }
+                                        let _e499 = phi_799_;
+                                        phi_800_ = _e499;
+                                        phi_801_ = false;
+                                        phi_802_ = false;
+                                        phi_803_ = false;
+                                    } else {
+                                        phi_800_ = bool();
+                                        phi_801_ = _e481;
+                                        phi_802_ = _e483;
+                                        phi_803_ = _e485;
+                                    }
+                                    let _e501 = phi_800_;
+                                    let _e503 = phi_801_;
+                                    let _e505 = phi_802_;
+                                    let _e507 = phi_803_;
+                                    if _e503 {
+                                        phi_807_ = _e475;
+                                        phi_808_ = false;
+                                        phi_809_ = false;
+                                    } else {
+                                        phi_807_ = _e501;
+                                        phi_808_ = _e505;
+                                        phi_809_ = _e507;
+                                    }
+                                    let _e509 = phi_807_;
+                                    let _e511 = phi_808_;
+                                    let _e513 = phi_809_;
+                                    if _e511 {
+                                        phi_813_ = false;
+                                        phi_814_ = true;
+                                    } else {
+                                        phi_813_ = _e477;
+                                        phi_814_ = _e513;
+                                    }
+                                    let _e515 = phi_813_;
+                                    let _e517 = phi_814_;
+                                    if _e517 {
+                                        phi_818_ = _e515;
+                                    } else {
+                                        phi_818_ = _e509;
+                                    }
+                                    let _e519 = phi_818_;
+                                    phi_819_ = _e519;
+                                }
+                                let _e521 = phi_819_;
+                                if _e324.all_remove {
+                                    if (((_e439 & 1u) != 0u) == _e237) {
+                                        if ((_e439 & 2u) != 0u) {
+                                            phi_837_ = (((_e439 & 4u) != 0u) == _e237);
+                                        } else {
+                                            phi_837_ = true;
+                                        }
+                                        let _e531 = phi_837_;
+                                        phi_838_ = _e531;
+                                    } else {
+                                        phi_838_ = false;
+                                    }
+                                    let _e533 = phi_838_;
+                                    phi_839_ = _e533;
+                                } else {
+                                    phi_839_ = false;
+                                }
+                                let _e535 = phi_839_;
+                                phi_574_ = (_e322 + 1u);
+                                phi_577_ = lt_mask_Neighbourhood(_e521, _e535);
+                            } else {
+                                phi_574_ = u32();
+                                phi_577_ = lt_mask_Neighbourhood();
+                            }
+                            let _e539 = phi_574_;
+                            let _e541 = phi_577_;
+                            continue;
+                            continuing {
+                                phi_573_ = _e539;
+                                phi_576_ = _e541;
+                                break if !(_e336);
+                            }
+                        }
+                        let _e792 = local_1;
+                        phi_842_ = _e792;
+                    }
+                    let _e544 = phi_842_;
+                    phi_843_ = _e544;
+                } else {
+                    phi_843_ = _e308;
+                }
+                let _e546 = phi_843_;
+                phi_844_ = _e546;
+            } else {
+                phi_844_ = _e308;
+            }
+            let _e548 = phi_844_;
+            let _e551 = p.member.frame;
+            let _e553 = p.member.refresh;
+            if (_e553 == 0u) {
+                phi_877_ = false;
+            } else {
+                if (_e553 == 0u) {
                     return;
                 }
-                let _e455 = ((_e42.x + (_e42.y * (((_e446 * 5u) / 8u) | 1u))) + (_e444 % _e446));
-                if (_e446 == 0u) {
-                    phi_756_ = (_e455 == 0u);
+                let _e562 = ((_e42.x + (_e42.y * (((_e553 * 5u) / 8u) | 1u))) + (_e551 % _e553));
+                if (_e553 == 0u) {
+                    phi_876_ = (_e562 == 0u);
                 } else {
-                    if (_e446 == 0u) {
+                    if (_e553 == 0u) {
                         return;
                     }
-                    phi_756_ = ((_e455 % _e446) == 0u);
+                    phi_876_ = ((_e562 % _e553) == 0u);
                 }
-                let _e462 = phi_756_;
-                phi_757_ = _e462;
+                let _e569 = phi_876_;
+                phi_877_ = _e569;
             }
-            let _e464 = phi_757_;
-            if (_e79 != 0.5f) {
-                if _e245 {
-                    if _e464 {
-                        phi_812_ = 6u;
-                    } else {
-                        if _e241 {
-                            phi_787_ = true;
+            let _e571 = phi_877_;
+            if _e245 {
+                if _e571 {
+                    phi_899_ = bool();
+                } else {
+                    phi_899_ = ((_e307 & 2u) != 0u);
+                }
+                let _e577 = phi_899_;
+                phi_900_ = _e577;
+                phi_901_ = _e571;
+            } else {
+                phi_900_ = bool();
+                phi_901_ = true;
+            }
+            let _e579 = phi_900_;
+            let _e581 = phi_901_;
+            if _e581 {
+                phi_905_ = false;
+            } else {
+                phi_905_ = _e579;
+            }
+            let _e583 = phi_905_;
+            if _e583 {
+                phi_956_ = 7u;
+            } else {
+                if (_e79 != 0.5f) {
+                    if _e245 {
+                        if _e571 {
+                            phi_953_ = 6u;
                         } else {
-                            if _e441.any_expands {
-                                phi_786_ = false;
-                            } else {
-                                phi_786_ = true;
-                            }
-                            let _e468 = phi_786_;
-                            phi_787_ = _e468;
-                        }
-                        let _e470 = phi_787_;
-                        if _e470 {
                             if _e241 {
-                                if _e270 {
-                                    if _e441.all_remove {
-                                        phi_800_ = false;
-                                    } else {
-                                        phi_800_ = true;
-                                    }
-                                    let _e472 = phi_800_;
-                                    phi_801_ = _e472;
-                                } else {
-                                    phi_801_ = true;
-                                }
-                                let _e474 = phi_801_;
-                                phi_802_ = _e474;
+                                phi_928_ = true;
                             } else {
-                                phi_802_ = true;
+                                if _e548.any_expands {
+                                    phi_927_ = false;
+                                } else {
+                                    phi_927_ = true;
+                                }
+                                let _e585 = phi_927_;
+                                phi_928_ = _e585;
                             }
-                            let _e476 = phi_802_;
-                            if _e476 {
+                            let _e587 = phi_928_;
+                            if _e587 {
                                 if _e241 {
-                                    phi_809_ = 1u;
+                                    if _e249 {
+                                        if _e548.all_remove {
+                                            phi_941_ = false;
+                                        } else {
+                                            phi_941_ = true;
+                                        }
+                                        let _e589 = phi_941_;
+                                        phi_942_ = _e589;
+                                    } else {
+                                        phi_942_ = true;
+                                    }
+                                    let _e591 = phi_942_;
+                                    phi_943_ = _e591;
                                 } else {
-                                    phi_809_ = 0u;
+                                    phi_943_ = true;
                                 }
-                                let _e478 = phi_809_;
-                                phi_810_ = _e478;
+                                let _e593 = phi_943_;
+                                if _e593 {
+                                    if _e241 {
+                                        phi_950_ = 1u;
+                                    } else {
+                                        phi_950_ = 0u;
+                                    }
+                                    let _e595 = phi_950_;
+                                    phi_951_ = _e595;
+                                } else {
+                                    phi_951_ = 5u;
+                                }
+                                let _e597 = phi_951_;
+                                phi_952_ = _e597;
                             } else {
-                                phi_810_ = 5u;
+                                phi_952_ = 4u;
                             }
-                            let _e480 = phi_810_;
-                            phi_811_ = _e480;
-                        } else {
-                            phi_811_ = 4u;
+                            let _e599 = phi_952_;
+                            phi_953_ = _e599;
                         }
-                        let _e482 = phi_811_;
-                        phi_812_ = _e482;
+                        let _e601 = phi_953_;
+                        phi_954_ = _e601;
+                    } else {
+                        phi_954_ = 3u;
                     }
-                    let _e484 = phi_812_;
-                    phi_813_ = _e484;
+                    let _e603 = phi_954_;
+                    phi_955_ = _e603;
                 } else {
-                    phi_813_ = 3u;
+                    phi_955_ = 2u;
                 }
-                let _e486 = phi_813_;
-                phi_814_ = _e486;
-            } else {
-                phi_814_ = 2u;
+                let _e605 = phi_955_;
+                phi_956_ = _e605;
             }
-            let _e488 = phi_814_;
-            if !((_e488 == 0u)) {
-                phi_822_ = !((_e488 == 5u));
+            let _e607 = phi_956_;
+            if !((_e607 == 0u)) {
+                if !((_e607 == 5u)) {
+                    phi_968_ = !(_e583);
+                    phi_969_ = false;
+                } else {
+                    phi_968_ = bool();
+                    phi_969_ = true;
+                }
+                let _e614 = phi_968_;
+                let _e616 = phi_969_;
+                phi_970_ = _e614;
+                phi_971_ = _e616;
             } else {
-                phi_822_ = false;
+                phi_970_ = bool();
+                phi_971_ = true;
             }
-            let _e494 = phi_822_;
-            if _e494 {
+            let _e618 = phi_970_;
+            let _e620 = phi_971_;
+            if _e620 {
+                phi_975_ = false;
+            } else {
+                phi_975_ = _e618;
+            }
+            let _e622 = phi_975_;
+            if _e583 {
+                phi_981_ = ((_e307 & 4u) != 0u);
+            } else {
+                phi_981_ = _e237;
+            }
+            let _e626 = phi_981_;
+            if _e622 {
                 if _e237 {
-                    phi_830_ = (2u | 1u);
+                    phi_989_ = (2u | 1u);
                 } else {
-                    phi_830_ = 2u;
+                    phi_989_ = 2u;
                 }
-                let _e497 = phi_830_;
+                let _e629 = phi_989_;
                 if false {
-                    phi_835_ = (_e497 | 4u);
+                    phi_994_ = (_e629 | 4u);
                 } else {
-                    phi_835_ = _e497;
+                    phi_994_ = _e629;
                 }
-                let _e500 = phi_835_;
-                phi_840_ = _e500;
+                let _e632 = phi_994_;
+                phi_1014_ = _e632;
             } else {
-                if _e237 {
-                    phi_839_ = 1u;
+                if (_e607 == 7u) {
+                    if _e237 {
+                        phi_1003_ = (2u | 1u);
+                    } else {
+                        phi_1003_ = 2u;
+                    }
+                    let _e636 = phi_1003_;
+                    if _e626 {
+                        phi_1008_ = (_e636 | 4u);
+                    } else {
+                        phi_1008_ = _e636;
+                    }
+                    let _e639 = phi_1008_;
+                    phi_1013_ = _e639;
                 } else {
-                    phi_839_ = 0u;
+                    if _e237 {
+                        phi_1012_ = 1u;
+                    } else {
+                        phi_1012_ = 0u;
+                    }
+                    let _e641 = phi_1012_;
+                    phi_1013_ = _e641;
                 }
-                let _e502 = phi_839_;
-                phi_840_ = _e502;
+                let _e643 = phi_1013_;
+                phi_1014_ = _e643;
             }
-            let _e504 = phi_840_;
-            if _e237 {
-                phi_844_ = 0f;
+            let _e645 = phi_1014_;
+            if _e626 {
+                phi_1018_ = 0f;
             } else {
-                phi_844_ = 1f;
+                phi_1018_ = 1f;
             }
-            let _e506 = phi_844_;
-            phi_846_ = mask_Masked(_e506, _e504, _e494);
+            let _e647 = phi_1018_;
+            phi_1020_ = mask_Masked(_e647, _e645, _e622);
         }
-        let _e509 = phi_846_;
-        visibility.member[_e58.shift] = _e509.visibility;
-        let _e514 = p.member.light.number;
-        let _e515 = (_e514 * 3u);
-        let _e517 = (_e515 % 32u);
-        let _e519 = p.member.light.mask_words;
-        let _e521 = ((_e58.shift * _e519) + (_e515 / 32u));
-        let _e523 = bits.member[_e521];
-        bits.member[_e521] = ((_e523 & ~((7u << bitcast<u32>((_e517 & 31u))))) | (_e509.bits << bitcast<u32>((_e517 & 31u))));
-        if (_e517 > 29u) {
-            let _e538 = bits.member[(_e521 + 1u)];
-            let _e540 = (32u - _e517);
-            bits.member[(_e521 + 1u)] = ((_e538 & ~((7u >> bitcast<u32>((_e540 & 31u))))) | (_e509.bits >> bitcast<u32>((_e540 & 31u))));
+        let _e650 = phi_1020_;
+        visibility.member[_e58.shift] = _e650.visibility;
+        let _e655 = p.member.light.number;
+        let _e656 = (_e655 * 3u);
+        let _e658 = (_e656 % 32u);
+        let _e660 = p.member.light.mask_words;
+        let _e662 = ((_e58.shift * _e660) + (_e656 / 32u));
+        let _e664 = bits.member[_e662];
+        bits.member[_e662] = ((_e664 & ~((7u << bitcast<u32>((_e658 & 31u))))) | (_e650.bits << bitcast<u32>((_e658 & 31u))));
+        if (_e658 > 29u) {
+            let _e679 = bits.member[(_e662 + 1u)];
+            let _e681 = (32u - _e658);
+            bits.member[(_e662 + 1u)] = ((_e679 & ~((7u >> bitcast<u32>((_e681 & 31u))))) | (_e650.bits >> bitcast<u32>((_e681 & 31u))));
         }
-        phi_896_ = _e509.needs_ray;
-        phi_897_ = _e58.shift;
+        phi_1070_ = _e650.needs_ray;
+        phi_1071_ = _e58.shift;
     } else {
-        phi_896_ = false;
-        phi_897_ = 0u;
+        phi_1070_ = false;
+        phi_1071_ = 0u;
     }
-    let _e554 = phi_896_;
-    let _e556 = phi_897_;
+    let _e695 = phi_1070_;
+    let _e697 = phi_1071_;
     if (_e43 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e554 {
-        let _e560 = atomicAdd((&shared_[0u]), 1u);
-        phi_908_ = _e560;
+    if _e695 {
+        let _e701 = atomicAdd((&shared_[0u]), 1u);
+        phi_1082_ = _e701;
     } else {
-        phi_908_ = 0u;
+        phi_1082_ = 0u;
     }
-    let _e562 = phi_908_;
+    let _e703 = phi_1082_;
     workgroupBarrier();
     if (_e43 == 0u) {
-        let _e566 = atomicLoad((&shared_[0u]));
-        let _e567 = atomicAdd((&list.member[3u]), _e566);
-        atomicStore((&shared_[1u]), _e567);
+        let _e707 = atomicLoad((&shared_[0u]));
+        let _e708 = atomicAdd((&list.member[3u]), _e707);
+        atomicStore((&shared_[1u]), _e708);
     }
     workgroupBarrier();
-    if _e554 {
-        let _e570 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e570) + _e562)]), _e556);
+    if _e695 {
+        let _e711 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e711) + _e703)]), _e697);
     }
     return;
 }

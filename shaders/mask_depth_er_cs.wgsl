@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -290,59 +290,99 @@ fn function_() {
     var phi_523_: bool;
     var phi_527_: f32;
     var phi_538_: bool;
-    var phi_564_: u32;
-    var phi_566_: u32;
-    var phi_569_: lt_mask_Neighbourhood;
-    var phi_581_: bool;
+    var phi_544_: bool;
+    var phi_565_: u32;
+    var phi_567_: u32;
+    var phi_570_: lt_mask_Neighbourhood;
     var phi_582_: bool;
-    var phi_591_: u32;
+    var phi_583_: bool;
     var phi_592_: u32;
-    var phi_652_: vec2<i32>;
-    var phi_672_: vec2<i32>;
-    var phi_699_: u32;
-    var phi_718_: u32;
-    var phi_726_: u32;
-    var phi_743_: bool;
-    var phi_744_: bool;
-    var phi_751_: bool;
-    var phi_752_: bool;
+    var phi_593_: u32;
+    var phi_653_: vec2<i32>;
+    var phi_673_: vec2<i32>;
+    var phi_700_: u32;
+    var phi_719_: u32;
+    var phi_727_: u32;
+    var phi_753_: bool;
+    var phi_754_: bool;
+    var phi_755_: bool;
+    var phi_756_: bool;
+    var phi_757_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_764_: bool;
+    var phi_765_: bool;
+    var phi_766_: bool;
+    var phi_767_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
     var phi_770_: bool;
     var phi_771_: bool;
     var phi_772_: bool;
-    var phi_567_: u32;
-    var phi_570_: lt_mask_Neighbourhood;
-    var phi_775_: lt_mask_Neighbourhood;
-    var phi_776_: lt_mask_Neighbourhood;
-    var phi_777_: lt_mask_Neighbourhood;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_795_: bool;
+    var phi_796_: bool;
+    var phi_797_: bool;
+    var phi_798_: bool;
+    var phi_799_: bool;
+    var phi_803_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
     var phi_809_: bool;
     var phi_810_: bool;
-    var phi_839_: bool;
-    var phi_840_: bool;
-    var phi_853_: bool;
-    var phi_854_: bool;
-    var phi_855_: bool;
-    var phi_862_: u32;
-    var phi_863_: u32;
-    var phi_864_: u32;
-    var phi_865_: u32;
-    var phi_866_: u32;
-    var phi_867_: u32;
-    var phi_875_: bool;
-    var phi_883_: u32;
-    var phi_888_: u32;
-    var phi_892_: u32;
-    var phi_893_: u32;
-    var phi_897_: f32;
-    var phi_899_: mask_Masked;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: bool;
+    var phi_568_: u32;
+    var phi_571_: lt_mask_Neighbourhood;
+    var phi_838_: lt_mask_Neighbourhood;
+    var phi_839_: lt_mask_Neighbourhood;
+    var phi_840_: lt_mask_Neighbourhood;
+    var phi_872_: bool;
+    var phi_873_: bool;
+    var phi_895_: bool;
+    var phi_896_: bool;
+    var phi_897_: bool;
+    var phi_901_: bool;
+    var phi_923_: bool;
+    var phi_924_: bool;
+    var phi_937_: bool;
+    var phi_938_: bool;
+    var phi_939_: bool;
+    var phi_946_: u32;
+    var phi_947_: u32;
+    var phi_948_: u32;
+    var phi_949_: u32;
+    var phi_950_: u32;
+    var phi_951_: u32;
+    var phi_952_: u32;
+    var phi_964_: bool;
+    var phi_965_: bool;
+    var phi_966_: bool;
+    var phi_967_: bool;
     var phi_971_: bool;
-    var phi_972_: bool;
-    var phi_973_: bool;
-    var phi_974_: bool;
-    var phi_978_: bool;
-    var phi_1006_: f32;
-    var phi_1009_: bool;
+    var phi_977_: bool;
+    var phi_985_: u32;
+    var phi_990_: u32;
+    var phi_999_: u32;
+    var phi_1004_: u32;
+    var phi_1008_: u32;
+    var phi_1009_: u32;
     var phi_1010_: u32;
-    var phi_1021_: u32;
+    var phi_1014_: f32;
+    var phi_1016_: mask_Masked;
+    var phi_1088_: bool;
+    var phi_1089_: bool;
+    var phi_1090_: bool;
+    var phi_1091_: bool;
+    var phi_1095_: bool;
+    var phi_1123_: f32;
+    var phi_1126_: bool;
+    var phi_1127_: u32;
+    var phi_1138_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e47 = id_1;
@@ -453,7 +493,7 @@ fn function_() {
         }
         let _e256 = phi_454_;
         if _e256.unnamed_1 {
-            phi_899_ = mask_Masked(_e256.unnamed.visibility, 0u, false);
+            phi_1016_ = mask_Masked(_e256.unnamed.visibility, 0u, false);
         } else {
             let _e261 = (_e103 < 0.5f);
             if (_e103 > 0f) {
@@ -496,441 +536,642 @@ fn function_() {
                 phi_538_ = false;
             }
             let _e315 = phi_538_;
-            if false {
-            }
-            let _e320 = lt_mask_Neighbourhood(false, true);
+            let _e316 = lt_mask_Neighbourhood(false, true);
             if _e265 {
-                phi_777_ = _e320;
+                phi_544_ = false;
             } else {
-                if true {
-                    if _e315 {
+                phi_544_ = true;
+            }
+            let _e318 = phi_544_;
+            if _e318 {
+                if _e315 {
+                    if ((0u & 2u) != 0u) {
+                        phi_838_ = _e316;
+                    } else {
+                        let _e322 = p.member.expansion;
                         if false {
-                            let _e322 = p.member.moving_pattern;
-                            phi_564_ = _e322;
+                            let _e324 = p.member.moving_pattern;
+                            phi_565_ = _e324;
                         } else {
-                            let _e324 = p.member.still_pattern;
-                            phi_564_ = _e324;
+                            let _e326 = p.member.still_pattern;
+                            phi_565_ = _e326;
                         }
-                        let _e326 = phi_564_;
-                        phi_566_ = 0u;
-                        phi_569_ = _e320;
+                        let _e328 = phi_565_;
+                        phi_567_ = 0u;
+                        phi_570_ = _e316;
                         loop {
-                            let _e328 = phi_566_;
-                            let _e330 = phi_569_;
-                            local_1 = _e330;
-                            if (1u <= _e326) {
-                                if (_e326 <= 4u) {
-                                    phi_581_ = false;
+                            let _e330 = phi_567_;
+                            let _e332 = phi_570_;
+                            local_1 = _e332;
+                            if (1u <= _e328) {
+                                if (_e328 <= 4u) {
+                                    phi_582_ = false;
                                 } else {
-                                    phi_581_ = true;
+                                    phi_582_ = true;
                                 }
-                                let _e334 = phi_581_;
-                                phi_582_ = _e334;
+                                let _e336 = phi_582_;
+                                phi_583_ = _e336;
                             } else {
-                                phi_582_ = true;
+                                phi_583_ = true;
                             }
-                            let _e336 = phi_582_;
-                            if _e336 {
-                                switch bitcast<i32>(_e326) {
+                            let _e338 = phi_583_;
+                            if _e338 {
+                                switch bitcast<i32>(_e328) {
                                     case 5: {
-                                        phi_591_ = 4u;
+                                        phi_592_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_591_ = 25u;
+                                        phi_592_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_591_ = 13u;
+                                        phi_592_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_591_ = 9u;
+                                        phi_592_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e339 = phi_591_;
-                                phi_592_ = _e339;
+                                let _e341 = phi_592_;
+                                phi_593_ = _e341;
                             } else {
-                                phi_592_ = 5u;
+                                phi_593_ = 5u;
                             }
-                            let _e341 = phi_592_;
-                            let _e342 = (_e328 < _e341);
-                            if _e342 {
-                                let _e344 = p.member.frame;
-                                let _e348 = p.member.current.size[0u];
-                                let _e350 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e326) {
+                            let _e343 = phi_593_;
+                            let _e344 = (_e330 < _e343);
+                            if _e344 {
+                                let _e346 = p.member.frame;
+                                let _e350 = p.member.current.size[0u];
+                                let _e352 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e328) {
                                     case 1: {
-                                        let _e360 = lt_mask_pattern_plus(_e328);
-                                        phi_672_ = vec2<i32>(_e360.x, _e360.y);
+                                        let _e362 = lt_mask_pattern_plus(_e330);
+                                        phi_673_ = vec2<i32>(_e362.x, _e362.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e364 = lt_mask_pattern_cross(_e328);
-                                        phi_672_ = vec2<i32>(_e364.x, _e364.y);
+                                        let _e366 = lt_mask_pattern_cross(_e330);
+                                        phi_673_ = vec2<i32>(_e366.x, _e366.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e370 = lt_mask_pattern_plus_or_cross(_e328, ((_e47.x + _e47.y) & 1u));
-                                        phi_672_ = vec2<i32>(_e370.x, _e370.y);
+                                        let _e372 = lt_mask_pattern_plus_or_cross(_e330, ((_e47.x + _e47.y) & 1u));
+                                        phi_673_ = vec2<i32>(_e372.x, _e372.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e375 = lt_mask_pattern_plus_or_cross(_e328, (_e344 & 1u));
-                                        phi_672_ = vec2<i32>(_e375.x, _e375.y);
+                                        let _e377 = lt_mask_pattern_plus_or_cross(_e330, (_e346 & 1u));
+                                        phi_673_ = vec2<i32>(_e377.x, _e377.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e344 & 3u)) {
+                                        switch bitcast<i32>((_e346 & 3u)) {
                                             case 0: {
-                                                phi_652_ = vec2(-1i);
+                                                phi_653_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_652_ = vec2(0i);
+                                                phi_653_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_652_ = vec2<i32>(0i, -1i);
+                                                phi_653_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_652_ = vec2<i32>(-1i, 0i);
+                                                phi_653_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e386 = phi_652_;
-                                        phi_672_ = (_e386 + vec2<i32>(bitcast<i32>((_e328 & 1u)), bitcast<i32>(((_e328 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e388 = phi_653_;
+                                        phi_673_ = (_e388 + vec2<i32>(bitcast<i32>((_e330 & 1u)), bitcast<i32>(((_e330 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_672_ = vec2<i32>((bitcast<i32>((_e328 % 5u)) - 2i), (bitcast<i32>(((_e328 / 5u) % 5u)) - 2i));
+                                        phi_673_ = vec2<i32>((bitcast<i32>((_e330 % 5u)) - 2i), (bitcast<i32>(((_e330 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e403 = lt_mask_pattern_diamond(_e328);
-                                        phi_672_ = vec2<i32>(_e403.x, _e403.y);
+                                        let _e405 = lt_mask_pattern_diamond(_e330);
+                                        phi_673_ = vec2<i32>(_e405.x, _e405.y);
                                         break;
                                     }
                                     default: {
-                                        phi_672_ = vec2<i32>((bitcast<i32>((_e328 % 3u)) - 1i), (bitcast<i32>(((_e328 / 3u) % 3u)) - 1i));
+                                        phi_673_ = vec2<i32>((bitcast<i32>((_e330 % 3u)) - 1i), (bitcast<i32>(((_e330 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e408 = phi_672_;
-                                let _e411 = lt_mask_pattern_step_clamped(_e47.x, _e408.x, _e348);
-                                let _e412 = lt_mask_pattern_step_clamped(_e47.y, _e408.y, _e350);
-                                let _e419 = ((((_e412 * _e98) + _e411) * _e94.words) + _e94.light.word);
+                                let _e410 = phi_673_;
+                                let _e413 = lt_mask_pattern_step_clamped(_e47.x, _e410.x, _e350);
+                                let _e414 = lt_mask_pattern_step_clamped(_e47.y, _e410.y, _e352);
+                                let _e421 = ((((_e414 * _e98) + _e413) * _e94.words) + _e94.light.word);
                                 if (_e94.light.shift > 29u) {
-                                    let _e423 = (_e419 + 1u);
-                                    if (_e423 < _e53) {
+                                    let _e425 = (_e421 + 1u);
+                                    if (_e425 < _e53) {
                                     } else {
                                         return;
                                     }
-                                    let _e427 = last_bits.member[(0u + _e423)];
-                                    phi_699_ = _e427;
+                                    let _e429 = last_bits.member[(0u + _e425)];
+                                    phi_700_ = _e429;
                                 } else {
-                                    phi_699_ = 0u;
+                                    phi_700_ = 0u;
                                 }
-                                let _e429 = phi_699_;
-                                if (_e419 < _e53) {
+                                let _e431 = phi_700_;
+                                if (_e421 < _e53) {
                                 } else {
                                     return;
                                 }
-                                let _e435 = last_bits.member[(0u + _e419)];
-                                let _e438 = (_e435 >> bitcast<u32>((_e94.light.shift & 31u)));
+                                let _e437 = last_bits.member[(0u + _e421)];
+                                let _e440 = (_e437 >> bitcast<u32>((_e94.light.shift & 31u)));
                                 if (_e94.light.shift > 29u) {
-                                    phi_718_ = (_e438 | (_e429 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
+                                    phi_719_ = (_e440 | (_e431 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
                                 } else {
-                                    phi_718_ = _e438;
+                                    phi_719_ = _e440;
                                 }
-                                let _e446 = phi_718_;
-                                if ((_e446 & 2u) == 0u) {
-                                    phi_726_ = (_e446 & 1u);
+                                let _e448 = phi_719_;
+                                if ((_e448 & 2u) == 0u) {
+                                    phi_727_ = (_e448 & 1u);
                                 } else {
-                                    phi_726_ = (_e446 & 7u);
+                                    phi_727_ = (_e448 & 7u);
                                 }
-                                let _e452 = phi_726_;
-                                if _e330.any_expands {
-                                    phi_752_ = true;
+                                let _e454 = phi_727_;
+                                if _e332.any_expands {
+                                    phi_815_ = true;
                                 } else {
-                                    if ((_e452 & 2u) != 0u) {
-                                        if (((_e452 & 4u) != 0u) != _e261) {
-                                            phi_743_ = false;
-                                        } else {
-                                            phi_743_ = true;
+                                    if ((_e454 & 2u) != 0u) {
+                                        let _e461 = (((_e454 & 4u) != 0u) != _e261);
+                                        switch bitcast<i32>(_e322) {
+                                            case 1: {
+                                                phi_755_ = bool();
+                                                phi_756_ = false;
+                                                phi_757_ = true;
+                                                phi_758_ = false;
+                                                phi_759_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e461 {
+                                                    phi_753_ = (((_e454 & 4u) != 0u) != ((_e454 & 1u) != 0u));
+                                                    phi_754_ = false;
+                                                } else {
+                                                    phi_753_ = bool();
+                                                    phi_754_ = true;
+                                                }
+                                                let _e469 = phi_753_;
+                                                let _e471 = phi_754_;
+                                                phi_755_ = _e469;
+                                                phi_756_ = false;
+                                                phi_757_ = false;
+                                                phi_758_ = _e471;
+                                                phi_759_ = _e461;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_755_ = bool();
+                                                phi_756_ = true;
+                                                phi_757_ = false;
+                                                phi_758_ = false;
+                                                phi_759_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e461 = phi_743_;
-                                        phi_744_ = _e461;
+                                        let _e473 = phi_755_;
+                                        let _e475 = phi_756_;
+                                        let _e477 = phi_757_;
+                                        let _e479 = phi_758_;
+                                        let _e481 = phi_759_;
+                                        phi_767_ = _e461;
+                                        phi_768_ = _e473;
+                                        phi_769_ = _e475;
+                                        phi_770_ = _e477;
+                                        phi_771_ = _e479;
+                                        phi_772_ = _e481;
                                     } else {
-                                        phi_744_ = true;
-                                    }
-                                    let _e463 = phi_744_;
-                                    if _e463 {
-                                        phi_751_ = (((_e452 & 1u) != 0u) != _e261);
-                                    } else {
-                                        phi_751_ = true;
-                                    }
-                                    let _e468 = phi_751_;
-                                    phi_752_ = _e468;
-                                }
-                                let _e470 = phi_752_;
-                                if _e330.all_remove {
-                                    if (((_e452 & 1u) != 0u) == _e261) {
-                                        if ((_e452 & 2u) != 0u) {
-                                            phi_770_ = (((_e452 & 4u) != 0u) == _e261);
-                                        } else {
-                                            phi_770_ = true;
+                                        switch bitcast<i32>(_e322) {
+                                            case 1: {
+                                                phi_764_ = false;
+                                                phi_765_ = true;
+                                                phi_766_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_764_ = false;
+                                                phi_765_ = false;
+                                                phi_766_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_764_ = true;
+                                                phi_765_ = false;
+                                                phi_766_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e480 = phi_770_;
-                                        phi_771_ = _e480;
-                                    } else {
-                                        phi_771_ = false;
+                                        let _e484 = phi_764_;
+                                        let _e486 = phi_765_;
+                                        let _e488 = phi_766_;
+                                        phi_767_ = false;
+                                        phi_768_ = bool();
+                                        phi_769_ = _e484;
+                                        phi_770_ = _e486;
+                                        phi_771_ = _e488;
+                                        phi_772_ = false;
                                     }
-                                    let _e482 = phi_771_;
-                                    phi_772_ = _e482;
-                                } else {
-                                    phi_772_ = false;
+                                    let _e490 = phi_767_;
+                                    let _e492 = phi_768_;
+                                    let _e494 = phi_769_;
+                                    let _e496 = phi_770_;
+                                    let _e498 = phi_771_;
+                                    let _e500 = phi_772_;
+                                    if _e494 {
+                                        if ((_e454 & 2u) != 0u) {
+                                            if (((_e454 & 4u) != 0u) != _e261) {
+                                                phi_787_ = false;
+                                            } else {
+                                                phi_787_ = true;
+                                            }
+                                            let _e507 = phi_787_;
+                                            phi_788_ = _e507;
+                                        } else {
+                                            phi_788_ = true;
+                                        }
+                                        let _e509 = phi_788_;
+                                        if _e509 {
+                                            phi_795_ = (((_e454 & 1u) != 0u) != _e261);
+                                        } else {
+                                            phi_795_ = true;
+                                        }
+                                        let _e514 = phi_795_;
+                                        phi_796_ = _e514;
+                                        phi_797_ = false;
+                                        phi_798_ = false;
+                                        phi_799_ = false;
+                                    } else {
+                                        phi_796_ = bool();
+                                        phi_797_ = _e496;
+                                        phi_798_ = _e498;
+                                        phi_799_ = _e500;
+                                    }
+                                    let _e516 = phi_796_;
+                                    let _e518 = phi_797_;
+                                    let _e520 = phi_798_;
+                                    let _e522 = phi_799_;
+                                    if _e518 {
+                                        phi_803_ = _e490;
+                                        phi_804_ = false;
+                                        phi_805_ = false;
+                                    } else {
+                                        phi_803_ = _e516;
+                                        phi_804_ = _e520;
+                                        phi_805_ = _e522;
+                                    }
+                                    let _e524 = phi_803_;
+                                    let _e526 = phi_804_;
+                                    let _e528 = phi_805_;
+                                    if _e526 {
+                                        phi_809_ = false;
+                                        phi_810_ = true;
+                                    } else {
+                                        phi_809_ = _e492;
+                                        phi_810_ = _e528;
+                                    }
+                                    let _e530 = phi_809_;
+                                    let _e532 = phi_810_;
+                                    if _e532 {
+                                        phi_814_ = _e530;
+                                    } else {
+                                        phi_814_ = _e524;
+                                    }
+                                    let _e534 = phi_814_;
+                                    phi_815_ = _e534;
                                 }
-                                let _e484 = phi_772_;
-                                phi_567_ = (_e328 + 1u);
-                                phi_570_ = lt_mask_Neighbourhood(_e470, _e484);
+                                let _e536 = phi_815_;
+                                if _e332.all_remove {
+                                    if (((_e454 & 1u) != 0u) == _e261) {
+                                        if ((_e454 & 2u) != 0u) {
+                                            phi_833_ = (((_e454 & 4u) != 0u) == _e261);
+                                        } else {
+                                            phi_833_ = true;
+                                        }
+                                        let _e546 = phi_833_;
+                                        phi_834_ = _e546;
+                                    } else {
+                                        phi_834_ = false;
+                                    }
+                                    let _e548 = phi_834_;
+                                    phi_835_ = _e548;
+                                } else {
+                                    phi_835_ = false;
+                                }
+                                let _e550 = phi_835_;
+                                phi_568_ = (_e330 + 1u);
+                                phi_571_ = lt_mask_Neighbourhood(_e536, _e550);
                             } else {
-                                phi_567_ = u32();
-                                phi_570_ = lt_mask_Neighbourhood();
+                                phi_568_ = u32();
+                                phi_571_ = lt_mask_Neighbourhood();
                             }
-                            let _e488 = phi_567_;
-                            let _e490 = phi_570_;
+                            let _e554 = phi_568_;
+                            let _e556 = phi_571_;
                             continue;
                             continuing {
-                                phi_566_ = _e488;
-                                phi_569_ = _e490;
-                                break if !(_e342);
+                                phi_567_ = _e554;
+                                phi_570_ = _e556;
+                                break if !(_e344);
                             }
                         }
-                        let _e724 = local_1;
-                        phi_775_ = _e724;
-                    } else {
-                        phi_775_ = _e320;
+                        let _e851 = local_1;
+                        phi_838_ = _e851;
                     }
-                    let _e493 = phi_775_;
-                    phi_776_ = _e493;
+                    let _e559 = phi_838_;
+                    phi_839_ = _e559;
                 } else {
-                    phi_776_ = _e320;
+                    phi_839_ = _e316;
                 }
-                let _e495 = phi_776_;
-                phi_777_ = _e495;
-            }
-            let _e497 = phi_777_;
-            let _e500 = p.member.frame;
-            let _e502 = p.member.refresh;
-            if (_e502 == 0u) {
-                phi_810_ = false;
+                let _e561 = phi_839_;
+                phi_840_ = _e561;
             } else {
-                if (_e502 == 0u) {
+                phi_840_ = _e316;
+            }
+            let _e563 = phi_840_;
+            let _e566 = p.member.frame;
+            let _e568 = p.member.refresh;
+            if (_e568 == 0u) {
+                phi_873_ = false;
+            } else {
+                if (_e568 == 0u) {
                     return;
                 }
-                let _e511 = ((_e47.x + (_e47.y * (((_e502 * 5u) / 8u) | 1u))) + (_e500 % _e502));
-                if (_e502 == 0u) {
-                    phi_809_ = (_e511 == 0u);
+                let _e577 = ((_e47.x + (_e47.y * (((_e568 * 5u) / 8u) | 1u))) + (_e566 % _e568));
+                if (_e568 == 0u) {
+                    phi_872_ = (_e577 == 0u);
                 } else {
-                    if (_e502 == 0u) {
+                    if (_e568 == 0u) {
                         return;
                     }
-                    phi_809_ = ((_e511 % _e502) == 0u);
+                    phi_872_ = ((_e577 % _e568) == 0u);
                 }
-                let _e518 = phi_809_;
-                phi_810_ = _e518;
+                let _e584 = phi_872_;
+                phi_873_ = _e584;
             }
-            let _e520 = phi_810_;
-            if (_e103 != 0.5f) {
-                if _e315 {
-                    if _e520 {
-                        phi_865_ = 6u;
-                    } else {
-                        if _e265 {
-                            phi_840_ = true;
+            let _e586 = phi_873_;
+            if _e315 {
+                if _e586 {
+                    phi_895_ = bool();
+                } else {
+                    phi_895_ = ((0u & 2u) != 0u);
+                }
+                let _e592 = phi_895_;
+                phi_896_ = _e592;
+                phi_897_ = _e586;
+            } else {
+                phi_896_ = bool();
+                phi_897_ = true;
+            }
+            let _e594 = phi_896_;
+            let _e596 = phi_897_;
+            if _e596 {
+                phi_901_ = false;
+            } else {
+                phi_901_ = _e594;
+            }
+            let _e598 = phi_901_;
+            if _e598 {
+                phi_952_ = 7u;
+            } else {
+                if (_e103 != 0.5f) {
+                    if _e315 {
+                        if _e586 {
+                            phi_949_ = 6u;
                         } else {
-                            if _e497.any_expands {
-                                phi_839_ = false;
-                            } else {
-                                phi_839_ = true;
-                            }
-                            let _e524 = phi_839_;
-                            phi_840_ = _e524;
-                        }
-                        let _e526 = phi_840_;
-                        if _e526 {
                             if _e265 {
-                                if false {
-                                    if _e497.all_remove {
-                                        phi_853_ = false;
-                                    } else {
-                                        phi_853_ = true;
-                                    }
-                                    let _e528 = phi_853_;
-                                    phi_854_ = _e528;
-                                } else {
-                                    phi_854_ = true;
-                                }
-                                let _e530 = phi_854_;
-                                phi_855_ = _e530;
+                                phi_924_ = true;
                             } else {
-                                phi_855_ = true;
+                                if _e563.any_expands {
+                                    phi_923_ = false;
+                                } else {
+                                    phi_923_ = true;
+                                }
+                                let _e600 = phi_923_;
+                                phi_924_ = _e600;
                             }
-                            let _e532 = phi_855_;
-                            if _e532 {
+                            let _e602 = phi_924_;
+                            if _e602 {
                                 if _e265 {
-                                    phi_862_ = 1u;
+                                    if false {
+                                        if _e563.all_remove {
+                                            phi_937_ = false;
+                                        } else {
+                                            phi_937_ = true;
+                                        }
+                                        let _e604 = phi_937_;
+                                        phi_938_ = _e604;
+                                    } else {
+                                        phi_938_ = true;
+                                    }
+                                    let _e606 = phi_938_;
+                                    phi_939_ = _e606;
                                 } else {
-                                    phi_862_ = 0u;
+                                    phi_939_ = true;
                                 }
-                                let _e534 = phi_862_;
-                                phi_863_ = _e534;
+                                let _e608 = phi_939_;
+                                if _e608 {
+                                    if _e265 {
+                                        phi_946_ = 1u;
+                                    } else {
+                                        phi_946_ = 0u;
+                                    }
+                                    let _e610 = phi_946_;
+                                    phi_947_ = _e610;
+                                } else {
+                                    phi_947_ = 5u;
+                                }
+                                let _e612 = phi_947_;
+                                phi_948_ = _e612;
                             } else {
-                                phi_863_ = 5u;
+                                phi_948_ = 4u;
                             }
-                            let _e536 = phi_863_;
-                            phi_864_ = _e536;
-                        } else {
-                            phi_864_ = 4u;
+                            let _e614 = phi_948_;
+                            phi_949_ = _e614;
                         }
-                        let _e538 = phi_864_;
-                        phi_865_ = _e538;
+                        let _e616 = phi_949_;
+                        phi_950_ = _e616;
+                    } else {
+                        phi_950_ = 3u;
                     }
-                    let _e540 = phi_865_;
-                    phi_866_ = _e540;
+                    let _e618 = phi_950_;
+                    phi_951_ = _e618;
                 } else {
-                    phi_866_ = 3u;
+                    phi_951_ = 2u;
                 }
-                let _e542 = phi_866_;
-                phi_867_ = _e542;
-            } else {
-                phi_867_ = 2u;
+                let _e620 = phi_951_;
+                phi_952_ = _e620;
             }
-            let _e544 = phi_867_;
-            if !((_e544 == 0u)) {
-                phi_875_ = !((_e544 == 5u));
+            let _e622 = phi_952_;
+            if !((_e622 == 0u)) {
+                if !((_e622 == 5u)) {
+                    phi_964_ = !(_e598);
+                    phi_965_ = false;
+                } else {
+                    phi_964_ = bool();
+                    phi_965_ = true;
+                }
+                let _e629 = phi_964_;
+                let _e631 = phi_965_;
+                phi_966_ = _e629;
+                phi_967_ = _e631;
             } else {
-                phi_875_ = false;
+                phi_966_ = bool();
+                phi_967_ = true;
             }
-            let _e550 = phi_875_;
-            if _e550 {
+            let _e633 = phi_966_;
+            let _e635 = phi_967_;
+            if _e635 {
+                phi_971_ = false;
+            } else {
+                phi_971_ = _e633;
+            }
+            let _e637 = phi_971_;
+            if _e598 {
+                phi_977_ = ((0u & 4u) != 0u);
+            } else {
+                phi_977_ = _e261;
+            }
+            let _e641 = phi_977_;
+            if _e637 {
                 if _e261 {
-                    phi_883_ = (2u | 1u);
+                    phi_985_ = (2u | 1u);
                 } else {
-                    phi_883_ = 2u;
+                    phi_985_ = 2u;
                 }
-                let _e553 = phi_883_;
+                let _e644 = phi_985_;
                 if false {
-                    phi_888_ = (_e553 | 4u);
+                    phi_990_ = (_e644 | 4u);
                 } else {
-                    phi_888_ = _e553;
+                    phi_990_ = _e644;
                 }
-                let _e556 = phi_888_;
-                phi_893_ = _e556;
+                let _e647 = phi_990_;
+                phi_1010_ = _e647;
             } else {
-                if _e261 {
-                    phi_892_ = 1u;
+                if (_e622 == 7u) {
+                    if _e261 {
+                        phi_999_ = (2u | 1u);
+                    } else {
+                        phi_999_ = 2u;
+                    }
+                    let _e651 = phi_999_;
+                    if _e641 {
+                        phi_1004_ = (_e651 | 4u);
+                    } else {
+                        phi_1004_ = _e651;
+                    }
+                    let _e654 = phi_1004_;
+                    phi_1009_ = _e654;
                 } else {
-                    phi_892_ = 0u;
+                    if _e261 {
+                        phi_1008_ = 1u;
+                    } else {
+                        phi_1008_ = 0u;
+                    }
+                    let _e656 = phi_1008_;
+                    phi_1009_ = _e656;
                 }
-                let _e558 = phi_892_;
-                phi_893_ = _e558;
+                let _e658 = phi_1009_;
+                phi_1010_ = _e658;
             }
-            let _e560 = phi_893_;
-            if _e261 {
-                phi_897_ = 0f;
+            let _e660 = phi_1010_;
+            if _e641 {
+                phi_1014_ = 0f;
             } else {
-                phi_897_ = 1f;
+                phi_1014_ = 1f;
             }
-            let _e562 = phi_897_;
-            phi_899_ = mask_Masked(_e562, _e560, _e550);
+            let _e662 = phi_1014_;
+            phi_1016_ = mask_Masked(_e662, _e660, _e637);
         }
-        let _e565 = phi_899_;
-        visibility.member[_e67.shift] = _e565.visibility;
-        let _e570 = p.member.light.number;
-        let _e571 = (_e570 * 3u);
-        let _e573 = (_e571 % 32u);
-        let _e575 = p.member.light.mask_words;
-        let _e577 = ((_e67.shift * _e575) + (_e571 / 32u));
-        let _e579 = bits.member[_e577];
-        bits.member[_e577] = ((_e579 & ~((7u << bitcast<u32>((_e573 & 31u))))) | (_e565.bits << bitcast<u32>((_e573 & 31u))));
-        if (_e573 > 29u) {
-            let _e594 = bits.member[(_e577 + 1u)];
-            let _e596 = (32u - _e573);
-            bits.member[(_e577 + 1u)] = ((_e594 & ~((7u >> bitcast<u32>((_e596 & 31u))))) | (_e565.bits >> bitcast<u32>((_e596 & 31u))));
+        let _e665 = phi_1016_;
+        visibility.member[_e67.shift] = _e665.visibility;
+        let _e670 = p.member.light.number;
+        let _e671 = (_e670 * 3u);
+        let _e673 = (_e671 % 32u);
+        let _e675 = p.member.light.mask_words;
+        let _e677 = ((_e67.shift * _e675) + (_e671 / 32u));
+        let _e679 = bits.member[_e677];
+        bits.member[_e677] = ((_e679 & ~((7u << bitcast<u32>((_e673 & 31u))))) | (_e665.bits << bitcast<u32>((_e673 & 31u))));
+        if (_e673 > 29u) {
+            let _e694 = bits.member[(_e677 + 1u)];
+            let _e696 = (32u - _e673);
+            bits.member[(_e677 + 1u)] = ((_e694 & ~((7u >> bitcast<u32>((_e696 & 31u))))) | (_e665.bits >> bitcast<u32>((_e696 & 31u))));
         }
-        let _e611 = samples.member[_e67.shift].normal[0u];
-        let _e613 = global[0u];
-        if (_e611 == _e613) {
-            let _e616 = samples.member[_e67.shift].normal[1u];
-            let _e618 = global[1u];
-            if (_e616 == _e618) {
-                let _e621 = samples.member[_e67.shift].normal[2u];
-                let _e623 = global[2u];
-                phi_971_ = (_e621 == _e623);
-                phi_972_ = false;
+        let _e711 = samples.member[_e67.shift].normal[0u];
+        let _e713 = global[0u];
+        if (_e711 == _e713) {
+            let _e716 = samples.member[_e67.shift].normal[1u];
+            let _e718 = global[1u];
+            if (_e716 == _e718) {
+                let _e721 = samples.member[_e67.shift].normal[2u];
+                let _e723 = global[2u];
+                phi_1088_ = (_e721 == _e723);
+                phi_1089_ = false;
             } else {
-                phi_971_ = bool();
-                phi_972_ = true;
+                phi_1088_ = bool();
+                phi_1089_ = true;
             }
-            let _e626 = phi_971_;
-            let _e628 = phi_972_;
-            phi_973_ = _e626;
-            phi_974_ = _e628;
+            let _e726 = phi_1088_;
+            let _e728 = phi_1089_;
+            phi_1090_ = _e726;
+            phi_1091_ = _e728;
         } else {
-            phi_973_ = bool();
-            phi_974_ = true;
+            phi_1090_ = bool();
+            phi_1091_ = true;
         }
-        let _e630 = phi_973_;
-        let _e632 = phi_974_;
-        if _e632 {
-            phi_978_ = false;
+        let _e730 = phi_1090_;
+        let _e732 = phi_1091_;
+        if _e732 {
+            phi_1095_ = false;
         } else {
-            phi_978_ = _e630;
+            phi_1095_ = _e730;
         }
-        let _e634 = phi_978_;
-        if !(_e634) {
-            let _e637 = samples.member[_e67.shift].position;
-            let _e639 = p.member.current.eye;
-            let _e650 = p.member.current.forward;
-            phi_1006_ = ((((_e637.x - _e639.x) * _e650.x) + ((_e637.y - _e639.y) * _e650.y)) + ((_e637.z - _e639.z) * _e650.z));
+        let _e734 = phi_1095_;
+        if !(_e734) {
+            let _e737 = samples.member[_e67.shift].position;
+            let _e739 = p.member.current.eye;
+            let _e750 = p.member.current.forward;
+            phi_1123_ = ((((_e737.x - _e739.x) * _e750.x) + ((_e737.y - _e739.y) * _e750.y)) + ((_e737.z - _e739.z) * _e750.z));
         } else {
-            phi_1006_ = 0f;
+            phi_1123_ = 0f;
         }
-        let _e660 = phi_1006_;
-        depths.member[_e67.shift] = _e660;
-        phi_1009_ = _e565.needs_ray;
-        phi_1010_ = _e67.shift;
+        let _e760 = phi_1123_;
+        depths.member[_e67.shift] = _e760;
+        phi_1126_ = _e665.needs_ray;
+        phi_1127_ = _e67.shift;
     } else {
-        phi_1009_ = false;
-        phi_1010_ = 0u;
+        phi_1126_ = false;
+        phi_1127_ = 0u;
     }
-    let _e664 = phi_1009_;
-    let _e666 = phi_1010_;
+    let _e764 = phi_1126_;
+    let _e766 = phi_1127_;
     if (_e48 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e664 {
-        let _e670 = atomicAdd((&shared_[0u]), 1u);
-        phi_1021_ = _e670;
+    if _e764 {
+        let _e770 = atomicAdd((&shared_[0u]), 1u);
+        phi_1138_ = _e770;
     } else {
-        phi_1021_ = 0u;
+        phi_1138_ = 0u;
     }
-    let _e672 = phi_1021_;
+    let _e772 = phi_1138_;
     workgroupBarrier();
     if (_e48 == 0u) {
-        let _e676 = atomicLoad((&shared_[0u]));
-        let _e677 = atomicAdd((&list.member[3u]), _e676);
-        atomicStore((&shared_[1u]), _e677);
+        let _e776 = atomicLoad((&shared_[0u]));
+        let _e777 = atomicAdd((&list.member[3u]), _e776);
+        atomicStore((&shared_[1u]), _e777);
     }
     workgroupBarrier();
-    if _e664 {
-        let _e680 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e680) + _e672)]), _e666);
+    if _e764 {
+        let _e780 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e780) + _e772)]), _e766);
     }
     return;
 }

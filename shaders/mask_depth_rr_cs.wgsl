@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -290,67 +290,112 @@ fn function_() {
     var phi_523_: bool;
     var phi_527_: f32;
     var phi_538_: bool;
-    var phi_551_: bool;
-    var phi_562_: bool;
-    var phi_563_: bool;
-    var phi_564_: bool;
-    var phi_565_: bool;
-    var phi_566_: bool;
-    var phi_567_: bool;
-    var phi_571_: bool;
-    var phi_576_: bool;
-    var phi_590_: u32;
-    var phi_592_: u32;
-    var phi_595_: lt_mask_Neighbourhood;
-    var phi_607_: bool;
-    var phi_608_: bool;
-    var phi_617_: u32;
-    var phi_618_: u32;
-    var phi_678_: vec2<i32>;
-    var phi_698_: vec2<i32>;
-    var phi_725_: u32;
-    var phi_744_: u32;
-    var phi_752_: u32;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_796_: bool;
-    var phi_797_: bool;
-    var phi_798_: bool;
-    var phi_593_: u32;
-    var phi_596_: lt_mask_Neighbourhood;
-    var phi_801_: lt_mask_Neighbourhood;
-    var phi_802_: lt_mask_Neighbourhood;
-    var phi_834_: bool;
-    var phi_835_: bool;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_878_: bool;
+    var phi_580_: u32;
+    var phi_599_: u32;
+    var phi_607_: u32;
+    var phi_608_: u32;
+    var phi_609_: bool;
+    var phi_610_: u32;
+    var phi_611_: bool;
+    var phi_612_: bool;
+    var phi_613_: u32;
+    var phi_614_: bool;
+    var phi_615_: bool;
+    var phi_619_: bool;
+    var phi_623_: u32;
+    var phi_628_: bool;
+    var phi_649_: u32;
+    var phi_651_: u32;
+    var phi_654_: lt_mask_Neighbourhood;
+    var phi_666_: bool;
+    var phi_667_: bool;
+    var phi_676_: u32;
+    var phi_677_: u32;
+    var phi_737_: vec2<i32>;
+    var phi_757_: vec2<i32>;
+    var phi_784_: u32;
+    var phi_803_: u32;
+    var phi_811_: u32;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_839_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_843_: bool;
+    var phi_848_: bool;
+    var phi_849_: bool;
+    var phi_850_: bool;
+    var phi_851_: bool;
+    var phi_852_: bool;
+    var phi_853_: bool;
+    var phi_854_: bool;
+    var phi_855_: bool;
+    var phi_856_: bool;
+    var phi_871_: bool;
+    var phi_872_: bool;
     var phi_879_: bool;
     var phi_880_: bool;
-    var phi_887_: u32;
-    var phi_888_: u32;
-    var phi_889_: u32;
-    var phi_890_: u32;
-    var phi_891_: u32;
-    var phi_892_: u32;
-    var phi_900_: bool;
-    var phi_908_: u32;
-    var phi_913_: u32;
-    var phi_917_: u32;
-    var phi_918_: u32;
-    var phi_922_: f32;
-    var phi_924_: mask_Masked;
-    var phi_996_: bool;
-    var phi_997_: bool;
-    var phi_998_: bool;
-    var phi_999_: bool;
-    var phi_1003_: bool;
-    var phi_1031_: f32;
-    var phi_1034_: bool;
+    var phi_881_: bool;
+    var phi_882_: bool;
+    var phi_883_: bool;
+    var phi_887_: bool;
+    var phi_888_: bool;
+    var phi_889_: bool;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_898_: bool;
+    var phi_899_: bool;
+    var phi_917_: bool;
+    var phi_918_: bool;
+    var phi_919_: bool;
+    var phi_652_: u32;
+    var phi_655_: lt_mask_Neighbourhood;
+    var phi_922_: lt_mask_Neighbourhood;
+    var phi_923_: lt_mask_Neighbourhood;
+    var phi_924_: lt_mask_Neighbourhood;
+    var phi_956_: bool;
+    var phi_957_: bool;
+    var phi_979_: bool;
+    var phi_980_: bool;
+    var phi_981_: bool;
+    var phi_985_: bool;
+    var phi_1007_: bool;
+    var phi_1008_: bool;
+    var phi_1021_: bool;
+    var phi_1022_: bool;
+    var phi_1023_: bool;
+    var phi_1030_: u32;
+    var phi_1031_: u32;
+    var phi_1032_: u32;
+    var phi_1033_: u32;
+    var phi_1034_: u32;
     var phi_1035_: u32;
-    var phi_1046_: u32;
+    var phi_1036_: u32;
+    var phi_1048_: bool;
+    var phi_1049_: bool;
+    var phi_1050_: bool;
+    var phi_1051_: bool;
+    var phi_1055_: bool;
+    var phi_1061_: bool;
+    var phi_1069_: u32;
+    var phi_1074_: u32;
+    var phi_1083_: u32;
+    var phi_1088_: u32;
+    var phi_1092_: u32;
+    var phi_1093_: u32;
+    var phi_1094_: u32;
+    var phi_1098_: f32;
+    var phi_1100_: mask_Masked;
+    var phi_1172_: bool;
+    var phi_1173_: bool;
+    var phi_1174_: bool;
+    var phi_1175_: bool;
+    var phi_1179_: bool;
+    var phi_1207_: f32;
+    var phi_1210_: bool;
+    var phi_1211_: u32;
+    var phi_1222_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e47 = id_1;
@@ -461,7 +506,7 @@ fn function_() {
         }
         let _e256 = phi_454_;
         if _e256.unnamed_1 {
-            phi_924_ = mask_Masked(_e256.unnamed.visibility, 0u, false);
+            phi_1100_ = mask_Masked(_e256.unnamed.visibility, 0u, false);
         } else {
             let _e261 = (_e103 < 0.5f);
             if (_e103 > 0f) {
@@ -505,479 +550,720 @@ fn function_() {
             }
             let _e315 = phi_538_;
             let _e317 = p.member.flags;
-            if false {
-                let _e321 = p.member.flags;
-                phi_551_ = ((_e321 & 4u) == 0u);
+            let _e319 = ((_e317 & 2u) != 0u);
+            let _e321 = p.member.flags;
+            if ((_e321 & 4u) == 0u) {
+                phi_613_ = u32();
+                phi_614_ = true;
+                phi_615_ = false;
             } else {
-                phi_551_ = false;
-            }
-            let _e325 = phi_551_;
-            if ((_e317 & 2u) != 0u) {
-                if false {
-                    phi_564_ = bool();
-                    phi_565_ = true;
-                } else {
-                    if true {
-                        phi_562_ = !(_e325);
-                        phi_563_ = false;
-                    } else {
-                        phi_562_ = bool();
-                        phi_563_ = true;
-                    }
-                    let _e328 = phi_562_;
-                    let _e330 = phi_563_;
-                    phi_564_ = _e328;
-                    phi_565_ = _e330;
-                }
-                let _e332 = phi_564_;
-                let _e334 = phi_565_;
-                phi_566_ = _e332;
-                phi_567_ = _e334;
-            } else {
-                phi_566_ = bool();
-                phi_567_ = true;
-            }
-            let _e336 = phi_566_;
-            let _e338 = phi_567_;
-            if _e338 {
-                phi_571_ = false;
-            } else {
-                phi_571_ = _e336;
-            }
-            let _e340 = phi_571_;
-            let _e341 = lt_mask_Neighbourhood(false, true);
-            if _e265 {
-                phi_576_ = _e340;
-            } else {
-                phi_576_ = false;
-            }
-            let _e343 = phi_576_;
-            if _e343 {
                 if _e315 {
-                    if false {
-                        let _e345 = p.member.moving_pattern;
-                        phi_590_ = _e345;
-                    } else {
-                        let _e347 = p.member.still_pattern;
-                        phi_590_ = _e347;
-                    }
-                    let _e349 = phi_590_;
-                    phi_592_ = 0u;
-                    phi_595_ = _e341;
-                    loop {
-                        let _e351 = phi_592_;
-                        let _e353 = phi_595_;
-                        local_1 = _e353;
-                        if (1u <= _e349) {
-                            if (_e349 <= 4u) {
-                                phi_607_ = false;
-                            } else {
-                                phi_607_ = true;
-                            }
-                            let _e357 = phi_607_;
-                            phi_608_ = _e357;
-                        } else {
-                            phi_608_ = true;
-                        }
-                        let _e359 = phi_608_;
-                        if _e359 {
-                            switch bitcast<i32>(_e349) {
-                                case 5: {
-                                    phi_617_ = 4u;
-                                    break;
-                                }
-                                case 6: {
-                                    phi_617_ = 25u;
-                                    break;
-                                }
-                                case 7: {
-                                    phi_617_ = 13u;
-                                    break;
-                                }
-                                default: {
-                                    phi_617_ = 9u;
-                                    break;
-                                }
-                            }
-                            let _e362 = phi_617_;
-                            phi_618_ = _e362;
-                        } else {
-                            phi_618_ = 5u;
-                        }
-                        let _e364 = phi_618_;
-                        let _e365 = (_e351 < _e364);
-                        if _e365 {
-                            let _e367 = p.member.frame;
-                            let _e371 = p.member.current.size[0u];
-                            let _e373 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e349) {
-                                case 1: {
-                                    let _e383 = lt_mask_pattern_plus(_e351);
-                                    phi_698_ = vec2<i32>(_e383.x, _e383.y);
-                                    break;
-                                }
-                                case 2: {
-                                    let _e387 = lt_mask_pattern_cross(_e351);
-                                    phi_698_ = vec2<i32>(_e387.x, _e387.y);
-                                    break;
-                                }
-                                case 3: {
-                                    let _e393 = lt_mask_pattern_plus_or_cross(_e351, ((_e47.x + _e47.y) & 1u));
-                                    phi_698_ = vec2<i32>(_e393.x, _e393.y);
-                                    break;
-                                }
-                                case 4: {
-                                    let _e398 = lt_mask_pattern_plus_or_cross(_e351, (_e367 & 1u));
-                                    phi_698_ = vec2<i32>(_e398.x, _e398.y);
-                                    break;
-                                }
-                                case 5: {
-                                    switch bitcast<i32>((_e367 & 3u)) {
-                                        case 0: {
-                                            phi_678_ = vec2(-1i);
-                                            break;
-                                        }
-                                        case 1: {
-                                            phi_678_ = vec2(0i);
-                                            break;
-                                        }
-                                        case 2: {
-                                            phi_678_ = vec2<i32>(0i, -1i);
-                                            break;
-                                        }
-                                        default: {
-                                            phi_678_ = vec2<i32>(-1i, 0i);
-                                            break;
-                                        }
-                                    }
-                                    let _e409 = phi_678_;
-                                    phi_698_ = (_e409 + vec2<i32>(bitcast<i32>((_e351 & 1u)), bitcast<i32>(((_e351 >> bitcast<u32>(1i)) & 1u))));
-                                    break;
-                                }
-                                case 6: {
-                                    phi_698_ = vec2<i32>((bitcast<i32>((_e351 % 5u)) - 2i), (bitcast<i32>(((_e351 / 5u) % 5u)) - 2i));
-                                    break;
-                                }
-                                case 7: {
-                                    let _e426 = lt_mask_pattern_diamond(_e351);
-                                    phi_698_ = vec2<i32>(_e426.x, _e426.y);
-                                    break;
-                                }
-                                default: {
-                                    phi_698_ = vec2<i32>((bitcast<i32>((_e351 % 3u)) - 1i), (bitcast<i32>(((_e351 / 3u) % 3u)) - 1i));
-                                    break;
-                                }
-                            }
-                            let _e431 = phi_698_;
-                            let _e434 = lt_mask_pattern_step_clamped(_e47.x, _e431.x, _e371);
-                            let _e435 = lt_mask_pattern_step_clamped(_e47.y, _e431.y, _e373);
-                            let _e442 = ((((_e435 * _e98) + _e434) * _e94.words) + _e94.light.word);
-                            if (_e94.light.shift > 29u) {
-                                let _e446 = (_e442 + 1u);
-                                if (_e446 < _e53) {
-                                } else {
-                                    return;
-                                }
-                                let _e450 = last_bits.member[(0u + _e446)];
-                                phi_725_ = _e450;
-                            } else {
-                                phi_725_ = 0u;
-                            }
-                            let _e452 = phi_725_;
-                            if (_e442 < _e53) {
+                    if !(false) {
+                        let _e331 = ((((_e47.y * _e98) + _e47.x) * _e94.words) + _e94.light.word);
+                        if (_e94.light.shift > 29u) {
+                            let _e335 = (_e331 + 1u);
+                            if (_e335 < _e53) {
                             } else {
                                 return;
                             }
-                            let _e458 = last_bits.member[(0u + _e442)];
-                            let _e461 = (_e458 >> bitcast<u32>((_e94.light.shift & 31u)));
-                            if (_e94.light.shift > 29u) {
-                                phi_744_ = (_e461 | (_e452 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
-                            } else {
-                                phi_744_ = _e461;
-                            }
-                            let _e469 = phi_744_;
-                            if ((_e469 & 2u) == 0u) {
-                                phi_752_ = (_e469 & 1u);
-                            } else {
-                                phi_752_ = (_e469 & 7u);
-                            }
-                            let _e475 = phi_752_;
-                            if _e353.any_expands {
-                                phi_778_ = true;
-                            } else {
-                                if ((_e475 & 2u) != 0u) {
-                                    if (((_e475 & 4u) != 0u) != _e261) {
-                                        phi_769_ = false;
-                                    } else {
-                                        phi_769_ = true;
-                                    }
-                                    let _e484 = phi_769_;
-                                    phi_770_ = _e484;
-                                } else {
-                                    phi_770_ = true;
-                                }
-                                let _e486 = phi_770_;
-                                if _e486 {
-                                    phi_777_ = (((_e475 & 1u) != 0u) != _e261);
-                                } else {
-                                    phi_777_ = true;
-                                }
-                                let _e491 = phi_777_;
-                                phi_778_ = _e491;
-                            }
-                            let _e493 = phi_778_;
-                            if _e353.all_remove {
-                                if (((_e475 & 1u) != 0u) == _e261) {
-                                    if ((_e475 & 2u) != 0u) {
-                                        phi_796_ = (((_e475 & 4u) != 0u) == _e261);
-                                    } else {
-                                        phi_796_ = true;
-                                    }
-                                    let _e503 = phi_796_;
-                                    phi_797_ = _e503;
-                                } else {
-                                    phi_797_ = false;
-                                }
-                                let _e505 = phi_797_;
-                                phi_798_ = _e505;
-                            } else {
-                                phi_798_ = false;
-                            }
-                            let _e507 = phi_798_;
-                            phi_593_ = (_e351 + 1u);
-                            phi_596_ = lt_mask_Neighbourhood(_e493, _e507);
+                            let _e339 = last_bits.member[(0u + _e335)];
+                            phi_580_ = _e339;
                         } else {
-                            phi_593_ = u32();
-                            phi_596_ = lt_mask_Neighbourhood();
+                            phi_580_ = 0u;
                         }
-                        let _e511 = phi_593_;
-                        let _e513 = phi_596_;
-                        continue;
-                        continuing {
-                            phi_592_ = _e511;
-                            phi_595_ = _e513;
-                            break if !(_e365);
+                        let _e341 = phi_580_;
+                        if (_e331 < _e53) {
+                        } else {
+                            return;
                         }
+                        let _e347 = last_bits.member[(0u + _e331)];
+                        let _e350 = (_e347 >> bitcast<u32>((_e94.light.shift & 31u)));
+                        if (_e94.light.shift > 29u) {
+                            phi_599_ = (_e350 | (_e341 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
+                        } else {
+                            phi_599_ = _e350;
+                        }
+                        let _e358 = phi_599_;
+                        if ((_e358 & 2u) == 0u) {
+                            phi_607_ = (_e358 & 1u);
+                        } else {
+                            phi_607_ = (_e358 & 7u);
+                        }
+                        let _e364 = phi_607_;
+                        phi_608_ = _e364;
+                        phi_609_ = false;
+                    } else {
+                        phi_608_ = u32();
+                        phi_609_ = true;
                     }
-                    let _e754 = local_1;
-                    phi_801_ = _e754;
+                    let _e366 = phi_608_;
+                    let _e368 = phi_609_;
+                    phi_610_ = _e366;
+                    phi_611_ = false;
+                    phi_612_ = _e368;
                 } else {
-                    phi_801_ = _e341;
+                    phi_610_ = u32();
+                    phi_611_ = true;
+                    phi_612_ = false;
                 }
-                let _e516 = phi_801_;
-                phi_802_ = _e516;
-            } else {
-                phi_802_ = _e341;
+                let _e370 = phi_610_;
+                let _e372 = phi_611_;
+                let _e374 = phi_612_;
+                phi_613_ = _e370;
+                phi_614_ = _e372;
+                phi_615_ = _e374;
             }
-            let _e518 = phi_802_;
-            let _e521 = p.member.frame;
-            let _e523 = p.member.refresh;
-            if (_e523 == 0u) {
-                phi_835_ = false;
+            let _e376 = phi_613_;
+            let _e378 = phi_614_;
+            let _e380 = phi_615_;
+            if _e378 {
+                phi_619_ = true;
             } else {
-                if (_e523 == 0u) {
+                phi_619_ = _e380;
+            }
+            let _e382 = phi_619_;
+            if _e382 {
+                phi_623_ = 0u;
+            } else {
+                phi_623_ = _e376;
+            }
+            let _e384 = phi_623_;
+            let _e385 = lt_mask_Neighbourhood(false, true);
+            if _e265 {
+                phi_628_ = _e319;
+            } else {
+                phi_628_ = false;
+            }
+            let _e387 = phi_628_;
+            if _e387 {
+                if _e315 {
+                    if ((_e384 & 2u) != 0u) {
+                        phi_922_ = _e385;
+                    } else {
+                        let _e391 = p.member.expansion;
+                        if false {
+                            let _e393 = p.member.moving_pattern;
+                            phi_649_ = _e393;
+                        } else {
+                            let _e395 = p.member.still_pattern;
+                            phi_649_ = _e395;
+                        }
+                        let _e397 = phi_649_;
+                        phi_651_ = 0u;
+                        phi_654_ = _e385;
+                        loop {
+                            let _e399 = phi_651_;
+                            let _e401 = phi_654_;
+                            local_1 = _e401;
+                            if (1u <= _e397) {
+                                if (_e397 <= 4u) {
+                                    phi_666_ = false;
+                                } else {
+                                    phi_666_ = true;
+                                }
+                                let _e405 = phi_666_;
+                                phi_667_ = _e405;
+                            } else {
+                                phi_667_ = true;
+                            }
+                            let _e407 = phi_667_;
+                            if _e407 {
+                                switch bitcast<i32>(_e397) {
+                                    case 5: {
+                                        phi_676_ = 4u;
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_676_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_676_ = 13u;
+                                        break;
+                                    }
+                                    default: {
+                                        phi_676_ = 9u;
+                                        break;
+                                    }
+                                }
+                                let _e410 = phi_676_;
+                                phi_677_ = _e410;
+                            } else {
+                                phi_677_ = 5u;
+                            }
+                            let _e412 = phi_677_;
+                            let _e413 = (_e399 < _e412);
+                            if _e413 {
+                                let _e415 = p.member.frame;
+                                let _e419 = p.member.current.size[0u];
+                                let _e421 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e397) {
+                                    case 1: {
+                                        let _e431 = lt_mask_pattern_plus(_e399);
+                                        phi_757_ = vec2<i32>(_e431.x, _e431.y);
+                                        break;
+                                    }
+                                    case 2: {
+                                        let _e435 = lt_mask_pattern_cross(_e399);
+                                        phi_757_ = vec2<i32>(_e435.x, _e435.y);
+                                        break;
+                                    }
+                                    case 3: {
+                                        let _e441 = lt_mask_pattern_plus_or_cross(_e399, ((_e47.x + _e47.y) & 1u));
+                                        phi_757_ = vec2<i32>(_e441.x, _e441.y);
+                                        break;
+                                    }
+                                    case 4: {
+                                        let _e446 = lt_mask_pattern_plus_or_cross(_e399, (_e415 & 1u));
+                                        phi_757_ = vec2<i32>(_e446.x, _e446.y);
+                                        break;
+                                    }
+                                    case 5: {
+                                        switch bitcast<i32>((_e415 & 3u)) {
+                                            case 0: {
+                                                phi_737_ = vec2(-1i);
+                                                break;
+                                            }
+                                            case 1: {
+                                                phi_737_ = vec2(0i);
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_737_ = vec2<i32>(0i, -1i);
+                                                break;
+                                            }
+                                            default: {
+                                                phi_737_ = vec2<i32>(-1i, 0i);
+                                                break;
+                                            }
+                                        }
+                                        let _e457 = phi_737_;
+                                        phi_757_ = (_e457 + vec2<i32>(bitcast<i32>((_e399 & 1u)), bitcast<i32>(((_e399 >> bitcast<u32>(1i)) & 1u))));
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_757_ = vec2<i32>((bitcast<i32>((_e399 % 5u)) - 2i), (bitcast<i32>(((_e399 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e474 = lt_mask_pattern_diamond(_e399);
+                                        phi_757_ = vec2<i32>(_e474.x, _e474.y);
+                                        break;
+                                    }
+                                    default: {
+                                        phi_757_ = vec2<i32>((bitcast<i32>((_e399 % 3u)) - 1i), (bitcast<i32>(((_e399 / 3u) % 3u)) - 1i));
+                                        break;
+                                    }
+                                }
+                                let _e479 = phi_757_;
+                                let _e482 = lt_mask_pattern_step_clamped(_e47.x, _e479.x, _e419);
+                                let _e483 = lt_mask_pattern_step_clamped(_e47.y, _e479.y, _e421);
+                                let _e490 = ((((_e483 * _e98) + _e482) * _e94.words) + _e94.light.word);
+                                if (_e94.light.shift > 29u) {
+                                    let _e494 = (_e490 + 1u);
+                                    if (_e494 < _e53) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e498 = last_bits.member[(0u + _e494)];
+                                    phi_784_ = _e498;
+                                } else {
+                                    phi_784_ = 0u;
+                                }
+                                let _e500 = phi_784_;
+                                if (_e490 < _e53) {
+                                } else {
+                                    return;
+                                }
+                                let _e506 = last_bits.member[(0u + _e490)];
+                                let _e509 = (_e506 >> bitcast<u32>((_e94.light.shift & 31u)));
+                                if (_e94.light.shift > 29u) {
+                                    phi_803_ = (_e509 | (_e500 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
+                                } else {
+                                    phi_803_ = _e509;
+                                }
+                                let _e517 = phi_803_;
+                                if ((_e517 & 2u) == 0u) {
+                                    phi_811_ = (_e517 & 1u);
+                                } else {
+                                    phi_811_ = (_e517 & 7u);
+                                }
+                                let _e523 = phi_811_;
+                                if _e401.any_expands {
+                                    phi_899_ = true;
+                                } else {
+                                    if ((_e523 & 2u) != 0u) {
+                                        let _e530 = (((_e523 & 4u) != 0u) != _e261);
+                                        switch bitcast<i32>(_e391) {
+                                            case 1: {
+                                                phi_839_ = bool();
+                                                phi_840_ = false;
+                                                phi_841_ = true;
+                                                phi_842_ = false;
+                                                phi_843_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e530 {
+                                                    phi_837_ = (((_e523 & 4u) != 0u) != ((_e523 & 1u) != 0u));
+                                                    phi_838_ = false;
+                                                } else {
+                                                    phi_837_ = bool();
+                                                    phi_838_ = true;
+                                                }
+                                                let _e538 = phi_837_;
+                                                let _e540 = phi_838_;
+                                                phi_839_ = _e538;
+                                                phi_840_ = false;
+                                                phi_841_ = false;
+                                                phi_842_ = _e540;
+                                                phi_843_ = _e530;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_839_ = bool();
+                                                phi_840_ = true;
+                                                phi_841_ = false;
+                                                phi_842_ = false;
+                                                phi_843_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e542 = phi_839_;
+                                        let _e544 = phi_840_;
+                                        let _e546 = phi_841_;
+                                        let _e548 = phi_842_;
+                                        let _e550 = phi_843_;
+                                        phi_851_ = _e530;
+                                        phi_852_ = _e542;
+                                        phi_853_ = _e544;
+                                        phi_854_ = _e546;
+                                        phi_855_ = _e548;
+                                        phi_856_ = _e550;
+                                    } else {
+                                        switch bitcast<i32>(_e391) {
+                                            case 1: {
+                                                phi_848_ = false;
+                                                phi_849_ = true;
+                                                phi_850_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_848_ = false;
+                                                phi_849_ = false;
+                                                phi_850_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_848_ = true;
+                                                phi_849_ = false;
+                                                phi_850_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e553 = phi_848_;
+                                        let _e555 = phi_849_;
+                                        let _e557 = phi_850_;
+                                        phi_851_ = false;
+                                        phi_852_ = bool();
+                                        phi_853_ = _e553;
+                                        phi_854_ = _e555;
+                                        phi_855_ = _e557;
+                                        phi_856_ = false;
+                                    }
+                                    let _e559 = phi_851_;
+                                    let _e561 = phi_852_;
+                                    let _e563 = phi_853_;
+                                    let _e565 = phi_854_;
+                                    let _e567 = phi_855_;
+                                    let _e569 = phi_856_;
+                                    if _e563 {
+                                        if ((_e523 & 2u) != 0u) {
+                                            if (((_e523 & 4u) != 0u) != _e261) {
+                                                phi_871_ = false;
+                                            } else {
+                                                phi_871_ = true;
+                                            }
+                                            let _e576 = phi_871_;
+                                            phi_872_ = _e576;
+                                        } else {
+                                            phi_872_ = true;
+                                        }
+                                        let _e578 = phi_872_;
+                                        if _e578 {
+                                            phi_879_ = (((_e523 & 1u) != 0u) != _e261);
+                                        } else {
+                                            phi_879_ = true;
+                                        }
+                                        let _e583 = phi_879_;
+                                        phi_880_ = _e583;
+                                        phi_881_ = false;
+                                        phi_882_ = false;
+                                        phi_883_ = false;
+                                    } else {
+                                        phi_880_ = bool();
+                                        phi_881_ = _e565;
+                                        phi_882_ = _e567;
+                                        phi_883_ = _e569;
+                                    }
+                                    let _e585 = phi_880_;
+                                    let _e587 = phi_881_;
+                                    let _e589 = phi_882_;
+                                    let _e591 = phi_883_;
+                                    if _e587 {
+                                        phi_887_ = _e559;
+                                        phi_888_ = false;
+                                        phi_889_ = false;
+                                    } else {
+                                        phi_887_ = _e585;
+                                        phi_888_ = _e589;
+                                        phi_889_ = _e591;
+                                    }
+                                    let _e593 = phi_887_;
+                                    let _e595 = phi_888_;
+                                    let _e597 = phi_889_;
+                                    if _e595 {
+                                        phi_893_ = false;
+                                        phi_894_ = true;
+                                    } else {
+                                        phi_893_ = _e561;
+                                        phi_894_ = _e597;
+                                    }
+                                    let _e599 = phi_893_;
+                                    let _e601 = phi_894_;
+                                    if _e601 {
+                                        phi_898_ = _e599;
+                                    } else {
+                                        phi_898_ = _e593;
+                                    }
+                                    let _e603 = phi_898_;
+                                    phi_899_ = _e603;
+                                }
+                                let _e605 = phi_899_;
+                                if _e401.all_remove {
+                                    if (((_e523 & 1u) != 0u) == _e261) {
+                                        if ((_e523 & 2u) != 0u) {
+                                            phi_917_ = (((_e523 & 4u) != 0u) == _e261);
+                                        } else {
+                                            phi_917_ = true;
+                                        }
+                                        let _e615 = phi_917_;
+                                        phi_918_ = _e615;
+                                    } else {
+                                        phi_918_ = false;
+                                    }
+                                    let _e617 = phi_918_;
+                                    phi_919_ = _e617;
+                                } else {
+                                    phi_919_ = false;
+                                }
+                                let _e619 = phi_919_;
+                                phi_652_ = (_e399 + 1u);
+                                phi_655_ = lt_mask_Neighbourhood(_e605, _e619);
+                            } else {
+                                phi_652_ = u32();
+                                phi_655_ = lt_mask_Neighbourhood();
+                            }
+                            let _e623 = phi_652_;
+                            let _e625 = phi_655_;
+                            continue;
+                            continuing {
+                                phi_651_ = _e623;
+                                phi_654_ = _e625;
+                                break if !(_e413);
+                            }
+                        }
+                        let _e933 = local_1;
+                        phi_922_ = _e933;
+                    }
+                    let _e628 = phi_922_;
+                    phi_923_ = _e628;
+                } else {
+                    phi_923_ = _e385;
+                }
+                let _e630 = phi_923_;
+                phi_924_ = _e630;
+            } else {
+                phi_924_ = _e385;
+            }
+            let _e632 = phi_924_;
+            let _e635 = p.member.frame;
+            let _e637 = p.member.refresh;
+            if (_e637 == 0u) {
+                phi_957_ = false;
+            } else {
+                if (_e637 == 0u) {
                     return;
                 }
-                let _e532 = ((_e47.x + (_e47.y * (((_e523 * 5u) / 8u) | 1u))) + (_e521 % _e523));
-                if (_e523 == 0u) {
-                    phi_834_ = (_e532 == 0u);
+                let _e646 = ((_e47.x + (_e47.y * (((_e637 * 5u) / 8u) | 1u))) + (_e635 % _e637));
+                if (_e637 == 0u) {
+                    phi_956_ = (_e646 == 0u);
                 } else {
-                    if (_e523 == 0u) {
+                    if (_e637 == 0u) {
                         return;
                     }
-                    phi_834_ = ((_e532 % _e523) == 0u);
+                    phi_956_ = ((_e646 % _e637) == 0u);
                 }
-                let _e539 = phi_834_;
-                phi_835_ = _e539;
+                let _e653 = phi_956_;
+                phi_957_ = _e653;
             }
-            let _e541 = phi_835_;
-            if (_e103 != 0.5f) {
-                if _e315 {
-                    if _e541 {
-                        phi_890_ = 6u;
-                    } else {
-                        if _e265 {
-                            phi_865_ = true;
+            let _e655 = phi_957_;
+            if _e315 {
+                if _e655 {
+                    phi_979_ = bool();
+                } else {
+                    phi_979_ = ((_e384 & 2u) != 0u);
+                }
+                let _e661 = phi_979_;
+                phi_980_ = _e661;
+                phi_981_ = _e655;
+            } else {
+                phi_980_ = bool();
+                phi_981_ = true;
+            }
+            let _e663 = phi_980_;
+            let _e665 = phi_981_;
+            if _e665 {
+                phi_985_ = false;
+            } else {
+                phi_985_ = _e663;
+            }
+            let _e667 = phi_985_;
+            if _e667 {
+                phi_1036_ = 7u;
+            } else {
+                if (_e103 != 0.5f) {
+                    if _e315 {
+                        if _e655 {
+                            phi_1033_ = 6u;
                         } else {
-                            if _e518.any_expands {
-                                phi_864_ = false;
-                            } else {
-                                phi_864_ = true;
-                            }
-                            let _e545 = phi_864_;
-                            phi_865_ = _e545;
-                        }
-                        let _e547 = phi_865_;
-                        if _e547 {
                             if _e265 {
-                                if _e340 {
-                                    if _e518.all_remove {
-                                        phi_878_ = false;
-                                    } else {
-                                        phi_878_ = true;
-                                    }
-                                    let _e549 = phi_878_;
-                                    phi_879_ = _e549;
-                                } else {
-                                    phi_879_ = true;
-                                }
-                                let _e551 = phi_879_;
-                                phi_880_ = _e551;
+                                phi_1008_ = true;
                             } else {
-                                phi_880_ = true;
+                                if _e632.any_expands {
+                                    phi_1007_ = false;
+                                } else {
+                                    phi_1007_ = true;
+                                }
+                                let _e669 = phi_1007_;
+                                phi_1008_ = _e669;
                             }
-                            let _e553 = phi_880_;
-                            if _e553 {
+                            let _e671 = phi_1008_;
+                            if _e671 {
                                 if _e265 {
-                                    phi_887_ = 1u;
+                                    if _e319 {
+                                        if _e632.all_remove {
+                                            phi_1021_ = false;
+                                        } else {
+                                            phi_1021_ = true;
+                                        }
+                                        let _e673 = phi_1021_;
+                                        phi_1022_ = _e673;
+                                    } else {
+                                        phi_1022_ = true;
+                                    }
+                                    let _e675 = phi_1022_;
+                                    phi_1023_ = _e675;
                                 } else {
-                                    phi_887_ = 0u;
+                                    phi_1023_ = true;
                                 }
-                                let _e555 = phi_887_;
-                                phi_888_ = _e555;
+                                let _e677 = phi_1023_;
+                                if _e677 {
+                                    if _e265 {
+                                        phi_1030_ = 1u;
+                                    } else {
+                                        phi_1030_ = 0u;
+                                    }
+                                    let _e679 = phi_1030_;
+                                    phi_1031_ = _e679;
+                                } else {
+                                    phi_1031_ = 5u;
+                                }
+                                let _e681 = phi_1031_;
+                                phi_1032_ = _e681;
                             } else {
-                                phi_888_ = 5u;
+                                phi_1032_ = 4u;
                             }
-                            let _e557 = phi_888_;
-                            phi_889_ = _e557;
-                        } else {
-                            phi_889_ = 4u;
+                            let _e683 = phi_1032_;
+                            phi_1033_ = _e683;
                         }
-                        let _e559 = phi_889_;
-                        phi_890_ = _e559;
+                        let _e685 = phi_1033_;
+                        phi_1034_ = _e685;
+                    } else {
+                        phi_1034_ = 3u;
                     }
-                    let _e561 = phi_890_;
-                    phi_891_ = _e561;
+                    let _e687 = phi_1034_;
+                    phi_1035_ = _e687;
                 } else {
-                    phi_891_ = 3u;
+                    phi_1035_ = 2u;
                 }
-                let _e563 = phi_891_;
-                phi_892_ = _e563;
-            } else {
-                phi_892_ = 2u;
+                let _e689 = phi_1035_;
+                phi_1036_ = _e689;
             }
-            let _e565 = phi_892_;
-            if !((_e565 == 0u)) {
-                phi_900_ = !((_e565 == 5u));
+            let _e691 = phi_1036_;
+            if !((_e691 == 0u)) {
+                if !((_e691 == 5u)) {
+                    phi_1048_ = !(_e667);
+                    phi_1049_ = false;
+                } else {
+                    phi_1048_ = bool();
+                    phi_1049_ = true;
+                }
+                let _e698 = phi_1048_;
+                let _e700 = phi_1049_;
+                phi_1050_ = _e698;
+                phi_1051_ = _e700;
             } else {
-                phi_900_ = false;
+                phi_1050_ = bool();
+                phi_1051_ = true;
             }
-            let _e571 = phi_900_;
-            if _e571 {
+            let _e702 = phi_1050_;
+            let _e704 = phi_1051_;
+            if _e704 {
+                phi_1055_ = false;
+            } else {
+                phi_1055_ = _e702;
+            }
+            let _e706 = phi_1055_;
+            if _e667 {
+                phi_1061_ = ((_e384 & 4u) != 0u);
+            } else {
+                phi_1061_ = _e261;
+            }
+            let _e710 = phi_1061_;
+            if _e706 {
                 if _e261 {
-                    phi_908_ = (2u | 1u);
+                    phi_1069_ = (2u | 1u);
                 } else {
-                    phi_908_ = 2u;
+                    phi_1069_ = 2u;
                 }
-                let _e574 = phi_908_;
+                let _e713 = phi_1069_;
                 if false {
-                    phi_913_ = (_e574 | 4u);
+                    phi_1074_ = (_e713 | 4u);
                 } else {
-                    phi_913_ = _e574;
+                    phi_1074_ = _e713;
                 }
-                let _e577 = phi_913_;
-                phi_918_ = _e577;
+                let _e716 = phi_1074_;
+                phi_1094_ = _e716;
             } else {
-                if _e261 {
-                    phi_917_ = 1u;
+                if (_e691 == 7u) {
+                    if _e261 {
+                        phi_1083_ = (2u | 1u);
+                    } else {
+                        phi_1083_ = 2u;
+                    }
+                    let _e720 = phi_1083_;
+                    if _e710 {
+                        phi_1088_ = (_e720 | 4u);
+                    } else {
+                        phi_1088_ = _e720;
+                    }
+                    let _e723 = phi_1088_;
+                    phi_1093_ = _e723;
                 } else {
-                    phi_917_ = 0u;
+                    if _e261 {
+                        phi_1092_ = 1u;
+                    } else {
+                        phi_1092_ = 0u;
+                    }
+                    let _e725 = phi_1092_;
+                    phi_1093_ = _e725;
                 }
-                let _e579 = phi_917_;
-                phi_918_ = _e579;
+                let _e727 = phi_1093_;
+                phi_1094_ = _e727;
             }
-            let _e581 = phi_918_;
-            if _e261 {
-                phi_922_ = 0f;
+            let _e729 = phi_1094_;
+            if _e710 {
+                phi_1098_ = 0f;
             } else {
-                phi_922_ = 1f;
+                phi_1098_ = 1f;
             }
-            let _e583 = phi_922_;
-            phi_924_ = mask_Masked(_e583, _e581, _e571);
+            let _e731 = phi_1098_;
+            phi_1100_ = mask_Masked(_e731, _e729, _e706);
         }
-        let _e586 = phi_924_;
-        visibility.member[_e67.shift] = _e586.visibility;
-        let _e591 = p.member.light.number;
-        let _e592 = (_e591 * 3u);
-        let _e594 = (_e592 % 32u);
-        let _e596 = p.member.light.mask_words;
-        let _e598 = ((_e67.shift * _e596) + (_e592 / 32u));
-        let _e600 = bits.member[_e598];
-        bits.member[_e598] = ((_e600 & ~((7u << bitcast<u32>((_e594 & 31u))))) | (_e586.bits << bitcast<u32>((_e594 & 31u))));
-        if (_e594 > 29u) {
-            let _e615 = bits.member[(_e598 + 1u)];
-            let _e617 = (32u - _e594);
-            bits.member[(_e598 + 1u)] = ((_e615 & ~((7u >> bitcast<u32>((_e617 & 31u))))) | (_e586.bits >> bitcast<u32>((_e617 & 31u))));
+        let _e734 = phi_1100_;
+        visibility.member[_e67.shift] = _e734.visibility;
+        let _e739 = p.member.light.number;
+        let _e740 = (_e739 * 3u);
+        let _e742 = (_e740 % 32u);
+        let _e744 = p.member.light.mask_words;
+        let _e746 = ((_e67.shift * _e744) + (_e740 / 32u));
+        let _e748 = bits.member[_e746];
+        bits.member[_e746] = ((_e748 & ~((7u << bitcast<u32>((_e742 & 31u))))) | (_e734.bits << bitcast<u32>((_e742 & 31u))));
+        if (_e742 > 29u) {
+            let _e763 = bits.member[(_e746 + 1u)];
+            let _e765 = (32u - _e742);
+            bits.member[(_e746 + 1u)] = ((_e763 & ~((7u >> bitcast<u32>((_e765 & 31u))))) | (_e734.bits >> bitcast<u32>((_e765 & 31u))));
         }
-        let _e632 = samples.member[_e67.shift].normal[0u];
-        let _e634 = global[0u];
-        if (_e632 == _e634) {
-            let _e637 = samples.member[_e67.shift].normal[1u];
-            let _e639 = global[1u];
-            if (_e637 == _e639) {
-                let _e642 = samples.member[_e67.shift].normal[2u];
-                let _e644 = global[2u];
-                phi_996_ = (_e642 == _e644);
-                phi_997_ = false;
+        let _e780 = samples.member[_e67.shift].normal[0u];
+        let _e782 = global[0u];
+        if (_e780 == _e782) {
+            let _e785 = samples.member[_e67.shift].normal[1u];
+            let _e787 = global[1u];
+            if (_e785 == _e787) {
+                let _e790 = samples.member[_e67.shift].normal[2u];
+                let _e792 = global[2u];
+                phi_1172_ = (_e790 == _e792);
+                phi_1173_ = false;
             } else {
-                phi_996_ = bool();
-                phi_997_ = true;
+                phi_1172_ = bool();
+                phi_1173_ = true;
             }
-            let _e647 = phi_996_;
-            let _e649 = phi_997_;
-            phi_998_ = _e647;
-            phi_999_ = _e649;
+            let _e795 = phi_1172_;
+            let _e797 = phi_1173_;
+            phi_1174_ = _e795;
+            phi_1175_ = _e797;
         } else {
-            phi_998_ = bool();
-            phi_999_ = true;
+            phi_1174_ = bool();
+            phi_1175_ = true;
         }
-        let _e651 = phi_998_;
-        let _e653 = phi_999_;
-        if _e653 {
-            phi_1003_ = false;
+        let _e799 = phi_1174_;
+        let _e801 = phi_1175_;
+        if _e801 {
+            phi_1179_ = false;
         } else {
-            phi_1003_ = _e651;
+            phi_1179_ = _e799;
         }
-        let _e655 = phi_1003_;
-        if !(_e655) {
-            let _e658 = samples.member[_e67.shift].position;
-            let _e660 = p.member.current.eye;
-            let _e671 = p.member.current.forward;
-            phi_1031_ = ((((_e658.x - _e660.x) * _e671.x) + ((_e658.y - _e660.y) * _e671.y)) + ((_e658.z - _e660.z) * _e671.z));
+        let _e803 = phi_1179_;
+        if !(_e803) {
+            let _e806 = samples.member[_e67.shift].position;
+            let _e808 = p.member.current.eye;
+            let _e819 = p.member.current.forward;
+            phi_1207_ = ((((_e806.x - _e808.x) * _e819.x) + ((_e806.y - _e808.y) * _e819.y)) + ((_e806.z - _e808.z) * _e819.z));
         } else {
-            phi_1031_ = 0f;
+            phi_1207_ = 0f;
         }
-        let _e681 = phi_1031_;
-        depths.member[_e67.shift] = _e681;
-        phi_1034_ = _e586.needs_ray;
-        phi_1035_ = _e67.shift;
+        let _e829 = phi_1207_;
+        depths.member[_e67.shift] = _e829;
+        phi_1210_ = _e734.needs_ray;
+        phi_1211_ = _e67.shift;
     } else {
-        phi_1034_ = false;
-        phi_1035_ = 0u;
+        phi_1210_ = false;
+        phi_1211_ = 0u;
     }
-    let _e685 = phi_1034_;
-    let _e687 = phi_1035_;
+    let _e833 = phi_1210_;
+    let _e835 = phi_1211_;
     if (_e48 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e685 {
-        let _e691 = atomicAdd((&shared_[0u]), 1u);
-        phi_1046_ = _e691;
+    if _e833 {
+        let _e839 = atomicAdd((&shared_[0u]), 1u);
+        phi_1222_ = _e839;
     } else {
-        phi_1046_ = 0u;
+        phi_1222_ = 0u;
     }
-    let _e693 = phi_1046_;
+    let _e841 = phi_1222_;
     workgroupBarrier();
     if (_e48 == 0u) {
-        let _e697 = atomicLoad((&shared_[0u]));
-        let _e698 = atomicAdd((&list.member[3u]), _e697);
-        atomicStore((&shared_[1u]), _e698);
+        let _e845 = atomicLoad((&shared_[0u]));
+        let _e846 = atomicAdd((&list.member[3u]), _e845);
+        atomicStore((&shared_[1u]), _e846);
     }
     workgroupBarrier();
-    if _e685 {
-        let _e701 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e701) + _e693)]), _e687);
+    if _e833 {
+        let _e849 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e849) + _e841)]), _e835);
     }
     return;
 }

@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -108,158 +108,158 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_mask_pattern_step_clamped(param: u32, param_1: i32, param_2: u32) -> u32 {
-    var phi_899_: u32;
-    var phi_900_: u32;
+    var phi_1016_: u32;
+    var phi_1017_: u32;
 
     let _e46 = (bitcast<i32>(param) + param_1);
     if (_e46 < 0i) {
-        phi_900_ = 0u;
+        phi_1017_ = 0u;
     } else {
         if (_e46 >= bitcast<i32>(param_2)) {
-            phi_899_ = (param_2 - 1u);
+            phi_1016_ = (param_2 - 1u);
         } else {
-            phi_899_ = bitcast<u32>(_e46);
+            phi_1016_ = bitcast<u32>(_e46);
         }
-        let _e53 = phi_899_;
-        phi_900_ = _e53;
+        let _e53 = phi_1016_;
+        phi_1017_ = _e53;
     }
-    let _e55 = phi_900_;
+    let _e55 = phi_1017_;
     return _e55;
 }
 
 fn lt_mask_pattern_diamond(param_3: u32) -> vec2<i32> {
-    var phi_878_: vec2<i32>;
+    var phi_995_: vec2<i32>;
 
     let _e43 = (param_3 % 13u);
     switch bitcast<i32>(_e43) {
         case 9: {
-            phi_878_ = vec2<i32>(0i, -2i);
+            phi_995_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_878_ = vec2<i32>(-2i, 0i);
+            phi_995_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_878_ = vec2<i32>(2i, 0i);
+            phi_995_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_878_ = vec2<i32>(0i, 2i);
+            phi_995_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_878_ = vec2<i32>((bitcast<i32>((_e43 % 3u)) - 1i), (bitcast<i32>(((_e43 / 3u) % 3u)) - 1i));
+            phi_995_ = vec2<i32>((bitcast<i32>((_e43 % 3u)) - 1i), (bitcast<i32>(((_e43 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e58 = phi_878_;
+    let _e58 = phi_995_;
     return vec2<i32>(_e58.x, _e58.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_834_: vec2<i32>;
+    var phi_951_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_834_ = vec2(0i);
+            phi_951_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_834_ = vec2(-1i);
+            phi_951_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_834_ = vec2<i32>(1i, -1i);
+            phi_951_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_834_ = vec2<i32>(-1i, 1i);
+            phi_951_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_834_ = vec2(1i);
+            phi_951_ = vec2(1i);
             break;
         }
     }
-    let _e51 = phi_834_;
+    let _e51 = phi_951_;
     return vec2<i32>(_e51.x, _e51.y);
 }
 
 fn lt_mask_pattern_plus(param_5: u32) -> vec2<i32> {
-    var phi_816_: vec2<i32>;
+    var phi_933_: vec2<i32>;
 
     switch bitcast<i32>((param_5 % 5u)) {
         case 0: {
-            phi_816_ = vec2(0i);
+            phi_933_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_816_ = vec2<i32>(0i, -1i);
+            phi_933_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_816_ = vec2<i32>(-1i, 0i);
+            phi_933_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_816_ = vec2<i32>(1i, 0i);
+            phi_933_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_816_ = vec2<i32>(0i, 1i);
+            phi_933_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e51 = phi_816_;
+    let _e51 = phi_933_;
     return vec2<i32>(_e51.x, _e51.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_6: u32, param_7: u32) -> vec2<i32> {
-    var phi_853_: vec2<i32>;
+    var phi_970_: vec2<i32>;
 
     if (param_7 == 0u) {
         let _e45 = lt_mask_pattern_plus(param_6);
-        phi_853_ = vec2<i32>(_e45.x, _e45.y);
+        phi_970_ = vec2<i32>(_e45.x, _e45.y);
     } else {
         let _e49 = lt_mask_pattern_cross(param_6);
-        phi_853_ = vec2<i32>(_e49.x, _e49.y);
+        phi_970_ = vec2<i32>(_e49.x, _e49.y);
     }
-    let _e54 = phi_853_;
+    let _e54 = phi_970_;
     return vec2<i32>(_e54.x, _e54.y);
 }
 
 fn lt_shaders_entry_pixel_index(param_8: vec3<u32>, param_9: u32, param_10: u32) -> lt_mask_LightPlace {
-    var phi_790_: lt_mask_LightPlace;
-    var phi_791_: bool;
-    var phi_792_: lt_mask_LightPlace;
-    var phi_793_: bool;
-    var phi_798_: lt_mask_LightPlace;
+    var phi_907_: lt_mask_LightPlace;
+    var phi_908_: bool;
+    var phi_909_: lt_mask_LightPlace;
+    var phi_910_: bool;
+    var phi_915_: lt_mask_LightPlace;
 
     if (param_8.x < param_9) {
         if (param_8.y < param_10) {
-            phi_790_ = lt_mask_LightPlace(1u, ((param_8.y * param_9) + param_8.x));
-            phi_791_ = false;
+            phi_907_ = lt_mask_LightPlace(1u, ((param_8.y * param_9) + param_8.x));
+            phi_908_ = false;
         } else {
-            phi_790_ = lt_mask_LightPlace();
-            phi_791_ = true;
+            phi_907_ = lt_mask_LightPlace();
+            phi_908_ = true;
         }
-        let _e55 = phi_790_;
-        let _e57 = phi_791_;
-        phi_792_ = _e55;
-        phi_793_ = _e57;
+        let _e55 = phi_907_;
+        let _e57 = phi_908_;
+        phi_909_ = _e55;
+        phi_910_ = _e57;
     } else {
-        phi_792_ = lt_mask_LightPlace();
-        phi_793_ = true;
+        phi_909_ = lt_mask_LightPlace();
+        phi_910_ = true;
     }
-    let _e59 = phi_792_;
-    let _e61 = phi_793_;
+    let _e59 = phi_909_;
+    let _e61 = phi_910_;
     if _e61 {
-        phi_798_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_915_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_798_ = _e59;
+        phi_915_ = _e59;
     }
-    let _e66 = phi_798_;
+    let _e66 = phi_915_;
     return lt_mask_LightPlace(_e66.word, _e66.shift);
 }
 
@@ -278,53 +278,93 @@ fn function_() {
     var phi_307_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_311_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_324_: bool;
-    var phi_358_: u32;
-    var phi_360_: u32;
-    var phi_363_: lt_mask_Neighbourhood;
-    var phi_375_: bool;
+    var phi_338_: bool;
+    var phi_359_: u32;
+    var phi_361_: u32;
+    var phi_364_: lt_mask_Neighbourhood;
     var phi_376_: bool;
-    var phi_385_: u32;
+    var phi_377_: bool;
     var phi_386_: u32;
-    var phi_446_: vec2<i32>;
-    var phi_466_: vec2<i32>;
-    var phi_491_: u32;
-    var phi_510_: u32;
-    var phi_518_: u32;
-    var phi_535_: bool;
-    var phi_536_: bool;
-    var phi_543_: bool;
-    var phi_544_: bool;
+    var phi_387_: u32;
+    var phi_447_: vec2<i32>;
+    var phi_467_: vec2<i32>;
+    var phi_492_: u32;
+    var phi_511_: u32;
+    var phi_519_: u32;
+    var phi_545_: bool;
+    var phi_546_: bool;
+    var phi_547_: bool;
+    var phi_548_: bool;
+    var phi_549_: bool;
+    var phi_550_: bool;
+    var phi_551_: bool;
+    var phi_556_: bool;
+    var phi_557_: bool;
+    var phi_558_: bool;
+    var phi_559_: bool;
+    var phi_560_: bool;
+    var phi_561_: bool;
     var phi_562_: bool;
     var phi_563_: bool;
     var phi_564_: bool;
-    var phi_361_: u32;
-    var phi_364_: lt_mask_Neighbourhood;
-    var phi_567_: lt_mask_Neighbourhood;
-    var phi_568_: lt_mask_Neighbourhood;
-    var phi_569_: lt_mask_Neighbourhood;
+    var phi_579_: bool;
+    var phi_580_: bool;
+    var phi_587_: bool;
+    var phi_588_: bool;
+    var phi_589_: bool;
+    var phi_590_: bool;
+    var phi_591_: bool;
+    var phi_595_: bool;
+    var phi_596_: bool;
+    var phi_597_: bool;
     var phi_601_: bool;
     var phi_602_: bool;
-    var phi_631_: bool;
-    var phi_632_: bool;
-    var phi_645_: bool;
-    var phi_646_: bool;
-    var phi_647_: bool;
-    var phi_654_: u32;
-    var phi_655_: u32;
-    var phi_656_: u32;
-    var phi_657_: u32;
-    var phi_658_: u32;
-    var phi_659_: u32;
-    var phi_667_: bool;
-    var phi_675_: u32;
-    var phi_680_: u32;
-    var phi_684_: u32;
-    var phi_685_: u32;
-    var phi_689_: f32;
-    var phi_691_: mask_Masked;
-    var phi_741_: bool;
+    var phi_606_: bool;
+    var phi_607_: bool;
+    var phi_625_: bool;
+    var phi_626_: bool;
+    var phi_627_: bool;
+    var phi_362_: u32;
+    var phi_365_: lt_mask_Neighbourhood;
+    var phi_630_: lt_mask_Neighbourhood;
+    var phi_631_: lt_mask_Neighbourhood;
+    var phi_632_: lt_mask_Neighbourhood;
+    var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_687_: bool;
+    var phi_688_: bool;
+    var phi_689_: bool;
+    var phi_693_: bool;
+    var phi_715_: bool;
+    var phi_716_: bool;
+    var phi_729_: bool;
+    var phi_730_: bool;
+    var phi_731_: bool;
+    var phi_738_: u32;
+    var phi_739_: u32;
+    var phi_740_: u32;
+    var phi_741_: u32;
     var phi_742_: u32;
-    var phi_753_: u32;
+    var phi_743_: u32;
+    var phi_744_: u32;
+    var phi_756_: bool;
+    var phi_757_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_763_: bool;
+    var phi_769_: bool;
+    var phi_777_: u32;
+    var phi_782_: u32;
+    var phi_791_: u32;
+    var phi_796_: u32;
+    var phi_800_: u32;
+    var phi_801_: u32;
+    var phi_802_: u32;
+    var phi_806_: f32;
+    var phi_808_: mask_Masked;
+    var phi_858_: bool;
+    var phi_859_: u32;
+    var phi_870_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e42 = id_1;
@@ -432,7 +472,7 @@ fn function_() {
         }
         let _e232 = phi_311_;
         if _e232.unnamed_1 {
-            phi_691_ = mask_Masked(_e232.unnamed.visibility, 0u, false);
+            phi_808_ = mask_Masked(_e232.unnamed.visibility, 0u, false);
         } else {
             let _e237 = (_e79 < 0.5f);
             if (_e79 > 0f) {
@@ -443,401 +483,602 @@ fn function_() {
             let _e241 = phi_324_;
             let _e243 = p.member.flags;
             let _e245 = ((_e243 & 1u) != 0u);
-            if false {
-            }
-            let _e250 = lt_mask_Neighbourhood(false, true);
+            let _e246 = lt_mask_Neighbourhood(false, true);
             if _e241 {
-                phi_569_ = _e250;
+                phi_338_ = false;
             } else {
-                if true {
-                    if _e245 {
+                phi_338_ = true;
+            }
+            let _e248 = phi_338_;
+            if _e248 {
+                if _e245 {
+                    if ((0u & 2u) != 0u) {
+                        phi_630_ = _e246;
+                    } else {
+                        let _e252 = p.member.expansion;
                         if false {
-                            let _e252 = p.member.moving_pattern;
-                            phi_358_ = _e252;
+                            let _e254 = p.member.moving_pattern;
+                            phi_359_ = _e254;
                         } else {
-                            let _e254 = p.member.still_pattern;
-                            phi_358_ = _e254;
+                            let _e256 = p.member.still_pattern;
+                            phi_359_ = _e256;
                         }
-                        let _e256 = phi_358_;
-                        phi_360_ = 0u;
-                        phi_363_ = _e250;
+                        let _e258 = phi_359_;
+                        phi_361_ = 0u;
+                        phi_364_ = _e246;
                         loop {
-                            let _e258 = phi_360_;
-                            let _e260 = phi_363_;
-                            local_1 = _e260;
-                            if (1u <= _e256) {
-                                if (_e256 <= 4u) {
-                                    phi_375_ = false;
+                            let _e260 = phi_361_;
+                            let _e262 = phi_364_;
+                            local_1 = _e262;
+                            if (1u <= _e258) {
+                                if (_e258 <= 4u) {
+                                    phi_376_ = false;
                                 } else {
-                                    phi_375_ = true;
+                                    phi_376_ = true;
                                 }
-                                let _e264 = phi_375_;
-                                phi_376_ = _e264;
+                                let _e266 = phi_376_;
+                                phi_377_ = _e266;
                             } else {
-                                phi_376_ = true;
+                                phi_377_ = true;
                             }
-                            let _e266 = phi_376_;
-                            if _e266 {
-                                switch bitcast<i32>(_e256) {
+                            let _e268 = phi_377_;
+                            if _e268 {
+                                switch bitcast<i32>(_e258) {
                                     case 5: {
-                                        phi_385_ = 4u;
+                                        phi_386_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_385_ = 25u;
+                                        phi_386_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_385_ = 13u;
+                                        phi_386_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_385_ = 9u;
+                                        phi_386_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e269 = phi_385_;
-                                phi_386_ = _e269;
+                                let _e271 = phi_386_;
+                                phi_387_ = _e271;
                             } else {
-                                phi_386_ = 5u;
+                                phi_387_ = 5u;
                             }
-                            let _e271 = phi_386_;
-                            let _e272 = (_e258 < _e271);
-                            if _e272 {
-                                let _e274 = p.member.frame;
-                                let _e278 = p.member.current.size[0u];
-                                let _e280 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e256) {
+                            let _e273 = phi_387_;
+                            let _e274 = (_e260 < _e273);
+                            if _e274 {
+                                let _e276 = p.member.frame;
+                                let _e280 = p.member.current.size[0u];
+                                let _e282 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e258) {
                                     case 1: {
-                                        let _e290 = lt_mask_pattern_plus(_e258);
-                                        phi_466_ = vec2<i32>(_e290.x, _e290.y);
+                                        let _e292 = lt_mask_pattern_plus(_e260);
+                                        phi_467_ = vec2<i32>(_e292.x, _e292.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e294 = lt_mask_pattern_cross(_e258);
-                                        phi_466_ = vec2<i32>(_e294.x, _e294.y);
+                                        let _e296 = lt_mask_pattern_cross(_e260);
+                                        phi_467_ = vec2<i32>(_e296.x, _e296.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e300 = lt_mask_pattern_plus_or_cross(_e258, ((_e42.x + _e42.y) & 1u));
-                                        phi_466_ = vec2<i32>(_e300.x, _e300.y);
+                                        let _e302 = lt_mask_pattern_plus_or_cross(_e260, ((_e42.x + _e42.y) & 1u));
+                                        phi_467_ = vec2<i32>(_e302.x, _e302.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e305 = lt_mask_pattern_plus_or_cross(_e258, (_e274 & 1u));
-                                        phi_466_ = vec2<i32>(_e305.x, _e305.y);
+                                        let _e307 = lt_mask_pattern_plus_or_cross(_e260, (_e276 & 1u));
+                                        phi_467_ = vec2<i32>(_e307.x, _e307.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e274 & 3u)) {
+                                        switch bitcast<i32>((_e276 & 3u)) {
                                             case 0: {
-                                                phi_446_ = vec2(-1i);
+                                                phi_447_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_446_ = vec2(0i);
+                                                phi_447_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_446_ = vec2<i32>(0i, -1i);
+                                                phi_447_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_446_ = vec2<i32>(-1i, 0i);
+                                                phi_447_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e316 = phi_446_;
-                                        phi_466_ = (_e316 + vec2<i32>(bitcast<i32>((_e258 & 1u)), bitcast<i32>(((_e258 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e318 = phi_447_;
+                                        phi_467_ = (_e318 + vec2<i32>(bitcast<i32>((_e260 & 1u)), bitcast<i32>(((_e260 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_466_ = vec2<i32>((bitcast<i32>((_e258 % 5u)) - 2i), (bitcast<i32>(((_e258 / 5u) % 5u)) - 2i));
+                                        phi_467_ = vec2<i32>((bitcast<i32>((_e260 % 5u)) - 2i), (bitcast<i32>(((_e260 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e333 = lt_mask_pattern_diamond(_e258);
-                                        phi_466_ = vec2<i32>(_e333.x, _e333.y);
+                                        let _e335 = lt_mask_pattern_diamond(_e260);
+                                        phi_467_ = vec2<i32>(_e335.x, _e335.y);
                                         break;
                                     }
                                     default: {
-                                        phi_466_ = vec2<i32>((bitcast<i32>((_e258 % 3u)) - 1i), (bitcast<i32>(((_e258 / 3u) % 3u)) - 1i));
+                                        phi_467_ = vec2<i32>((bitcast<i32>((_e260 % 3u)) - 1i), (bitcast<i32>(((_e260 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e338 = phi_466_;
-                                let _e341 = lt_mask_pattern_step_clamped(_e42.x, _e338.x, _e278);
-                                let _e342 = lt_mask_pattern_step_clamped(_e42.y, _e338.y, _e280);
-                                let _e346 = ((((_e342 * _e74) + _e341) * _e70) + (_e66 / 32u));
+                                let _e340 = phi_467_;
+                                let _e343 = lt_mask_pattern_step_clamped(_e42.x, _e340.x, _e280);
+                                let _e344 = lt_mask_pattern_step_clamped(_e42.y, _e340.y, _e282);
+                                let _e348 = ((((_e344 * _e74) + _e343) * _e70) + (_e66 / 32u));
                                 if (_e68 > 29u) {
-                                    let _e348 = (_e346 + 1u);
-                                    if (_e348 < _e48) {
+                                    let _e350 = (_e348 + 1u);
+                                    if (_e350 < _e48) {
                                     } else {
                                         return;
                                     }
-                                    let _e352 = last_bits.member[(0u + _e348)];
-                                    phi_491_ = _e352;
+                                    let _e354 = last_bits.member[(0u + _e350)];
+                                    phi_492_ = _e354;
                                 } else {
-                                    phi_491_ = 0u;
+                                    phi_492_ = 0u;
                                 }
-                                let _e354 = phi_491_;
-                                if (_e346 < _e48) {
+                                let _e356 = phi_492_;
+                                if (_e348 < _e48) {
                                 } else {
                                     return;
                                 }
-                                let _e358 = last_bits.member[(0u + _e346)];
-                                let _e361 = (_e358 >> bitcast<u32>((_e68 & 31u)));
+                                let _e360 = last_bits.member[(0u + _e348)];
+                                let _e363 = (_e360 >> bitcast<u32>((_e68 & 31u)));
                                 if (_e68 > 29u) {
-                                    phi_510_ = (_e361 | (_e354 << bitcast<u32>(((32u - _e68) & 31u))));
+                                    phi_511_ = (_e363 | (_e356 << bitcast<u32>(((32u - _e68) & 31u))));
                                 } else {
-                                    phi_510_ = _e361;
+                                    phi_511_ = _e363;
                                 }
-                                let _e369 = phi_510_;
-                                if ((_e369 & 2u) == 0u) {
-                                    phi_518_ = (_e369 & 1u);
+                                let _e371 = phi_511_;
+                                if ((_e371 & 2u) == 0u) {
+                                    phi_519_ = (_e371 & 1u);
                                 } else {
-                                    phi_518_ = (_e369 & 7u);
+                                    phi_519_ = (_e371 & 7u);
                                 }
-                                let _e375 = phi_518_;
-                                if _e260.any_expands {
-                                    phi_544_ = true;
+                                let _e377 = phi_519_;
+                                if _e262.any_expands {
+                                    phi_607_ = true;
                                 } else {
-                                    if ((_e375 & 2u) != 0u) {
-                                        if (((_e375 & 4u) != 0u) != _e237) {
-                                            phi_535_ = false;
-                                        } else {
-                                            phi_535_ = true;
+                                    if ((_e377 & 2u) != 0u) {
+                                        let _e384 = (((_e377 & 4u) != 0u) != _e237);
+                                        switch bitcast<i32>(_e252) {
+                                            case 1: {
+                                                phi_547_ = bool();
+                                                phi_548_ = false;
+                                                phi_549_ = true;
+                                                phi_550_ = false;
+                                                phi_551_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e384 {
+                                                    phi_545_ = (((_e377 & 4u) != 0u) != ((_e377 & 1u) != 0u));
+                                                    phi_546_ = false;
+                                                } else {
+                                                    phi_545_ = bool();
+                                                    phi_546_ = true;
+                                                }
+                                                let _e392 = phi_545_;
+                                                let _e394 = phi_546_;
+                                                phi_547_ = _e392;
+                                                phi_548_ = false;
+                                                phi_549_ = false;
+                                                phi_550_ = _e394;
+                                                phi_551_ = _e384;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_547_ = bool();
+                                                phi_548_ = true;
+                                                phi_549_ = false;
+                                                phi_550_ = false;
+                                                phi_551_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e384 = phi_535_;
-                                        phi_536_ = _e384;
+                                        let _e396 = phi_547_;
+                                        let _e398 = phi_548_;
+                                        let _e400 = phi_549_;
+                                        let _e402 = phi_550_;
+                                        let _e404 = phi_551_;
+                                        phi_559_ = _e384;
+                                        phi_560_ = _e396;
+                                        phi_561_ = _e398;
+                                        phi_562_ = _e400;
+                                        phi_563_ = _e402;
+                                        phi_564_ = _e404;
                                     } else {
-                                        phi_536_ = true;
-                                    }
-                                    let _e386 = phi_536_;
-                                    if _e386 {
-                                        phi_543_ = (((_e375 & 1u) != 0u) != _e237);
-                                    } else {
-                                        phi_543_ = true;
-                                    }
-                                    let _e391 = phi_543_;
-                                    phi_544_ = _e391;
-                                }
-                                let _e393 = phi_544_;
-                                if _e260.all_remove {
-                                    if (((_e375 & 1u) != 0u) == _e237) {
-                                        if ((_e375 & 2u) != 0u) {
-                                            phi_562_ = (((_e375 & 4u) != 0u) == _e237);
-                                        } else {
-                                            phi_562_ = true;
+                                        switch bitcast<i32>(_e252) {
+                                            case 1: {
+                                                phi_556_ = false;
+                                                phi_557_ = true;
+                                                phi_558_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_556_ = false;
+                                                phi_557_ = false;
+                                                phi_558_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_556_ = true;
+                                                phi_557_ = false;
+                                                phi_558_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e403 = phi_562_;
-                                        phi_563_ = _e403;
-                                    } else {
-                                        phi_563_ = false;
+                                        let _e407 = phi_556_;
+                                        let _e409 = phi_557_;
+                                        let _e411 = phi_558_;
+                                        phi_559_ = false;
+                                        phi_560_ = bool();
+                                        phi_561_ = _e407;
+                                        phi_562_ = _e409;
+                                        phi_563_ = _e411;
+                                        phi_564_ = false;
                                     }
-                                    let _e405 = phi_563_;
-                                    phi_564_ = _e405;
-                                } else {
-                                    phi_564_ = false;
+                                    let _e413 = phi_559_;
+                                    let _e415 = phi_560_;
+                                    let _e417 = phi_561_;
+                                    let _e419 = phi_562_;
+                                    let _e421 = phi_563_;
+                                    let _e423 = phi_564_;
+                                    if _e417 {
+                                        if ((_e377 & 2u) != 0u) {
+                                            if (((_e377 & 4u) != 0u) != _e237) {
+                                                phi_579_ = false;
+                                            } else {
+                                                phi_579_ = true;
+                                            }
+                                            let _e430 = phi_579_;
+                                            phi_580_ = _e430;
+                                        } else {
+                                            phi_580_ = true;
+                                        }
+                                        let _e432 = phi_580_;
+                                        if _e432 {
+                                            phi_587_ = (((_e377 & 1u) != 0u) != _e237);
+                                        } else {
+                                            phi_587_ = true;
+                                        }
+                                        let _e437 = phi_587_;
+                                        phi_588_ = _e437;
+                                        phi_589_ = false;
+                                        phi_590_ = false;
+                                        phi_591_ = false;
+                                    } else {
+                                        phi_588_ = bool();
+                                        phi_589_ = _e419;
+                                        phi_590_ = _e421;
+                                        phi_591_ = _e423;
+                                    }
+                                    let _e439 = phi_588_;
+                                    let _e441 = phi_589_;
+                                    let _e443 = phi_590_;
+                                    let _e445 = phi_591_;
+                                    if _e441 {
+                                        phi_595_ = _e413;
+                                        phi_596_ = false;
+                                        phi_597_ = false;
+                                    } else {
+                                        phi_595_ = _e439;
+                                        phi_596_ = _e443;
+                                        phi_597_ = _e445;
+                                    }
+                                    let _e447 = phi_595_;
+                                    let _e449 = phi_596_;
+                                    let _e451 = phi_597_;
+                                    if _e449 {
+                                        phi_601_ = false;
+                                        phi_602_ = true;
+                                    } else {
+                                        phi_601_ = _e415;
+                                        phi_602_ = _e451;
+                                    }
+                                    let _e453 = phi_601_;
+                                    let _e455 = phi_602_;
+                                    if _e455 {
+                                        phi_606_ = _e453;
+                                    } else {
+                                        phi_606_ = _e447;
+                                    }
+                                    let _e457 = phi_606_;
+                                    phi_607_ = _e457;
                                 }
-                                let _e407 = phi_564_;
-                                phi_361_ = (_e258 + 1u);
-                                phi_364_ = lt_mask_Neighbourhood(_e393, _e407);
+                                let _e459 = phi_607_;
+                                if _e262.all_remove {
+                                    if (((_e377 & 1u) != 0u) == _e237) {
+                                        if ((_e377 & 2u) != 0u) {
+                                            phi_625_ = (((_e377 & 4u) != 0u) == _e237);
+                                        } else {
+                                            phi_625_ = true;
+                                        }
+                                        let _e469 = phi_625_;
+                                        phi_626_ = _e469;
+                                    } else {
+                                        phi_626_ = false;
+                                    }
+                                    let _e471 = phi_626_;
+                                    phi_627_ = _e471;
+                                } else {
+                                    phi_627_ = false;
+                                }
+                                let _e473 = phi_627_;
+                                phi_362_ = (_e260 + 1u);
+                                phi_365_ = lt_mask_Neighbourhood(_e459, _e473);
                             } else {
-                                phi_361_ = u32();
-                                phi_364_ = lt_mask_Neighbourhood();
+                                phi_362_ = u32();
+                                phi_365_ = lt_mask_Neighbourhood();
                             }
-                            let _e411 = phi_361_;
-                            let _e413 = phi_364_;
+                            let _e477 = phi_362_;
+                            let _e479 = phi_365_;
                             continue;
                             continuing {
-                                phi_360_ = _e411;
-                                phi_363_ = _e413;
-                                break if !(_e272);
+                                phi_361_ = _e477;
+                                phi_364_ = _e479;
+                                break if !(_e274);
                             }
                         }
-                        let _e590 = local_1;
-                        phi_567_ = _e590;
-                    } else {
-                        phi_567_ = _e250;
+                        let _e717 = local_1;
+                        phi_630_ = _e717;
                     }
-                    let _e416 = phi_567_;
-                    phi_568_ = _e416;
+                    let _e482 = phi_630_;
+                    phi_631_ = _e482;
                 } else {
-                    phi_568_ = _e250;
+                    phi_631_ = _e246;
                 }
-                let _e418 = phi_568_;
-                phi_569_ = _e418;
-            }
-            let _e420 = phi_569_;
-            let _e423 = p.member.frame;
-            let _e425 = p.member.refresh;
-            if (_e425 == 0u) {
-                phi_602_ = false;
+                let _e484 = phi_631_;
+                phi_632_ = _e484;
             } else {
-                if (_e425 == 0u) {
+                phi_632_ = _e246;
+            }
+            let _e486 = phi_632_;
+            let _e489 = p.member.frame;
+            let _e491 = p.member.refresh;
+            if (_e491 == 0u) {
+                phi_665_ = false;
+            } else {
+                if (_e491 == 0u) {
                     return;
                 }
-                let _e434 = ((_e42.x + (_e42.y * (((_e425 * 5u) / 8u) | 1u))) + (_e423 % _e425));
-                if (_e425 == 0u) {
-                    phi_601_ = (_e434 == 0u);
+                let _e500 = ((_e42.x + (_e42.y * (((_e491 * 5u) / 8u) | 1u))) + (_e489 % _e491));
+                if (_e491 == 0u) {
+                    phi_664_ = (_e500 == 0u);
                 } else {
-                    if (_e425 == 0u) {
+                    if (_e491 == 0u) {
                         return;
                     }
-                    phi_601_ = ((_e434 % _e425) == 0u);
+                    phi_664_ = ((_e500 % _e491) == 0u);
                 }
-                let _e441 = phi_601_;
-                phi_602_ = _e441;
+                let _e507 = phi_664_;
+                phi_665_ = _e507;
             }
-            let _e443 = phi_602_;
-            if (_e79 != 0.5f) {
-                if _e245 {
-                    if _e443 {
-                        phi_657_ = 6u;
-                    } else {
-                        if _e241 {
-                            phi_632_ = true;
+            let _e509 = phi_665_;
+            if _e245 {
+                if _e509 {
+                    phi_687_ = bool();
+                } else {
+                    phi_687_ = ((0u & 2u) != 0u);
+                }
+                let _e515 = phi_687_;
+                phi_688_ = _e515;
+                phi_689_ = _e509;
+            } else {
+                phi_688_ = bool();
+                phi_689_ = true;
+            }
+            let _e517 = phi_688_;
+            let _e519 = phi_689_;
+            if _e519 {
+                phi_693_ = false;
+            } else {
+                phi_693_ = _e517;
+            }
+            let _e521 = phi_693_;
+            if _e521 {
+                phi_744_ = 7u;
+            } else {
+                if (_e79 != 0.5f) {
+                    if _e245 {
+                        if _e509 {
+                            phi_741_ = 6u;
                         } else {
-                            if _e420.any_expands {
-                                phi_631_ = false;
-                            } else {
-                                phi_631_ = true;
-                            }
-                            let _e447 = phi_631_;
-                            phi_632_ = _e447;
-                        }
-                        let _e449 = phi_632_;
-                        if _e449 {
                             if _e241 {
-                                if false {
-                                    if _e420.all_remove {
-                                        phi_645_ = false;
-                                    } else {
-                                        phi_645_ = true;
-                                    }
-                                    let _e451 = phi_645_;
-                                    phi_646_ = _e451;
-                                } else {
-                                    phi_646_ = true;
-                                }
-                                let _e453 = phi_646_;
-                                phi_647_ = _e453;
+                                phi_716_ = true;
                             } else {
-                                phi_647_ = true;
+                                if _e486.any_expands {
+                                    phi_715_ = false;
+                                } else {
+                                    phi_715_ = true;
+                                }
+                                let _e523 = phi_715_;
+                                phi_716_ = _e523;
                             }
-                            let _e455 = phi_647_;
-                            if _e455 {
+                            let _e525 = phi_716_;
+                            if _e525 {
                                 if _e241 {
-                                    phi_654_ = 1u;
+                                    if false {
+                                        if _e486.all_remove {
+                                            phi_729_ = false;
+                                        } else {
+                                            phi_729_ = true;
+                                        }
+                                        let _e527 = phi_729_;
+                                        phi_730_ = _e527;
+                                    } else {
+                                        phi_730_ = true;
+                                    }
+                                    let _e529 = phi_730_;
+                                    phi_731_ = _e529;
                                 } else {
-                                    phi_654_ = 0u;
+                                    phi_731_ = true;
                                 }
-                                let _e457 = phi_654_;
-                                phi_655_ = _e457;
+                                let _e531 = phi_731_;
+                                if _e531 {
+                                    if _e241 {
+                                        phi_738_ = 1u;
+                                    } else {
+                                        phi_738_ = 0u;
+                                    }
+                                    let _e533 = phi_738_;
+                                    phi_739_ = _e533;
+                                } else {
+                                    phi_739_ = 5u;
+                                }
+                                let _e535 = phi_739_;
+                                phi_740_ = _e535;
                             } else {
-                                phi_655_ = 5u;
+                                phi_740_ = 4u;
                             }
-                            let _e459 = phi_655_;
-                            phi_656_ = _e459;
-                        } else {
-                            phi_656_ = 4u;
+                            let _e537 = phi_740_;
+                            phi_741_ = _e537;
                         }
-                        let _e461 = phi_656_;
-                        phi_657_ = _e461;
+                        let _e539 = phi_741_;
+                        phi_742_ = _e539;
+                    } else {
+                        phi_742_ = 3u;
                     }
-                    let _e463 = phi_657_;
-                    phi_658_ = _e463;
+                    let _e541 = phi_742_;
+                    phi_743_ = _e541;
                 } else {
-                    phi_658_ = 3u;
+                    phi_743_ = 2u;
                 }
-                let _e465 = phi_658_;
-                phi_659_ = _e465;
-            } else {
-                phi_659_ = 2u;
+                let _e543 = phi_743_;
+                phi_744_ = _e543;
             }
-            let _e467 = phi_659_;
-            if !((_e467 == 0u)) {
-                phi_667_ = !((_e467 == 5u));
+            let _e545 = phi_744_;
+            if !((_e545 == 0u)) {
+                if !((_e545 == 5u)) {
+                    phi_756_ = !(_e521);
+                    phi_757_ = false;
+                } else {
+                    phi_756_ = bool();
+                    phi_757_ = true;
+                }
+                let _e552 = phi_756_;
+                let _e554 = phi_757_;
+                phi_758_ = _e552;
+                phi_759_ = _e554;
             } else {
-                phi_667_ = false;
+                phi_758_ = bool();
+                phi_759_ = true;
             }
-            let _e473 = phi_667_;
-            if _e473 {
+            let _e556 = phi_758_;
+            let _e558 = phi_759_;
+            if _e558 {
+                phi_763_ = false;
+            } else {
+                phi_763_ = _e556;
+            }
+            let _e560 = phi_763_;
+            if _e521 {
+                phi_769_ = ((0u & 4u) != 0u);
+            } else {
+                phi_769_ = _e237;
+            }
+            let _e564 = phi_769_;
+            if _e560 {
                 if _e237 {
-                    phi_675_ = (2u | 1u);
+                    phi_777_ = (2u | 1u);
                 } else {
-                    phi_675_ = 2u;
+                    phi_777_ = 2u;
                 }
-                let _e476 = phi_675_;
+                let _e567 = phi_777_;
                 if false {
-                    phi_680_ = (_e476 | 4u);
+                    phi_782_ = (_e567 | 4u);
                 } else {
-                    phi_680_ = _e476;
+                    phi_782_ = _e567;
                 }
-                let _e479 = phi_680_;
-                phi_685_ = _e479;
+                let _e570 = phi_782_;
+                phi_802_ = _e570;
             } else {
-                if _e237 {
-                    phi_684_ = 1u;
+                if (_e545 == 7u) {
+                    if _e237 {
+                        phi_791_ = (2u | 1u);
+                    } else {
+                        phi_791_ = 2u;
+                    }
+                    let _e574 = phi_791_;
+                    if _e564 {
+                        phi_796_ = (_e574 | 4u);
+                    } else {
+                        phi_796_ = _e574;
+                    }
+                    let _e577 = phi_796_;
+                    phi_801_ = _e577;
                 } else {
-                    phi_684_ = 0u;
+                    if _e237 {
+                        phi_800_ = 1u;
+                    } else {
+                        phi_800_ = 0u;
+                    }
+                    let _e579 = phi_800_;
+                    phi_801_ = _e579;
                 }
-                let _e481 = phi_684_;
-                phi_685_ = _e481;
+                let _e581 = phi_801_;
+                phi_802_ = _e581;
             }
-            let _e483 = phi_685_;
-            if _e237 {
-                phi_689_ = 0f;
+            let _e583 = phi_802_;
+            if _e564 {
+                phi_806_ = 0f;
             } else {
-                phi_689_ = 1f;
+                phi_806_ = 1f;
             }
-            let _e485 = phi_689_;
-            phi_691_ = mask_Masked(_e485, _e483, _e473);
+            let _e585 = phi_806_;
+            phi_808_ = mask_Masked(_e585, _e583, _e560);
         }
-        let _e488 = phi_691_;
-        visibility.member[_e58.shift] = _e488.visibility;
-        let _e493 = p.member.light.number;
-        let _e494 = (_e493 * 3u);
-        let _e496 = (_e494 % 32u);
-        let _e498 = p.member.light.mask_words;
-        let _e500 = ((_e58.shift * _e498) + (_e494 / 32u));
-        let _e502 = bits.member[_e500];
-        bits.member[_e500] = ((_e502 & ~((7u << bitcast<u32>((_e496 & 31u))))) | (_e488.bits << bitcast<u32>((_e496 & 31u))));
-        if (_e496 > 29u) {
-            let _e517 = bits.member[(_e500 + 1u)];
-            let _e519 = (32u - _e496);
-            bits.member[(_e500 + 1u)] = ((_e517 & ~((7u >> bitcast<u32>((_e519 & 31u))))) | (_e488.bits >> bitcast<u32>((_e519 & 31u))));
+        let _e588 = phi_808_;
+        visibility.member[_e58.shift] = _e588.visibility;
+        let _e593 = p.member.light.number;
+        let _e594 = (_e593 * 3u);
+        let _e596 = (_e594 % 32u);
+        let _e598 = p.member.light.mask_words;
+        let _e600 = ((_e58.shift * _e598) + (_e594 / 32u));
+        let _e602 = bits.member[_e600];
+        bits.member[_e600] = ((_e602 & ~((7u << bitcast<u32>((_e596 & 31u))))) | (_e588.bits << bitcast<u32>((_e596 & 31u))));
+        if (_e596 > 29u) {
+            let _e617 = bits.member[(_e600 + 1u)];
+            let _e619 = (32u - _e596);
+            bits.member[(_e600 + 1u)] = ((_e617 & ~((7u >> bitcast<u32>((_e619 & 31u))))) | (_e588.bits >> bitcast<u32>((_e619 & 31u))));
         }
-        phi_741_ = _e488.needs_ray;
-        phi_742_ = _e58.shift;
+        phi_858_ = _e588.needs_ray;
+        phi_859_ = _e58.shift;
     } else {
-        phi_741_ = false;
-        phi_742_ = 0u;
+        phi_858_ = false;
+        phi_859_ = 0u;
     }
-    let _e533 = phi_741_;
-    let _e535 = phi_742_;
+    let _e633 = phi_858_;
+    let _e635 = phi_859_;
     if (_e43 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e533 {
-        let _e539 = atomicAdd((&shared_[0u]), 1u);
-        phi_753_ = _e539;
+    if _e633 {
+        let _e639 = atomicAdd((&shared_[0u]), 1u);
+        phi_870_ = _e639;
     } else {
-        phi_753_ = 0u;
+        phi_870_ = 0u;
     }
-    let _e541 = phi_753_;
+    let _e641 = phi_870_;
     workgroupBarrier();
     if (_e43 == 0u) {
-        let _e545 = atomicLoad((&shared_[0u]));
-        let _e546 = atomicAdd((&list.member[3u]), _e545);
-        atomicStore((&shared_[1u]), _e546);
+        let _e645 = atomicLoad((&shared_[0u]));
+        let _e646 = atomicAdd((&list.member[3u]), _e645);
+        atomicStore((&shared_[1u]), _e646);
     }
     workgroupBarrier();
-    if _e533 {
-        let _e549 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e549) + _e541)]), _e535);
+    if _e633 {
+        let _e649 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e649) + _e641)]), _e635);
     }
     return;
 }

@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -347,67 +347,112 @@ fn function_() {
     var phi_925_: bool;
     var phi_929_: bool;
     var phi_930_: lt_mask_Reprojection;
-    var phi_944_: bool;
-    var phi_955_: bool;
-    var phi_956_: bool;
-    var phi_957_: bool;
-    var phi_958_: bool;
-    var phi_959_: bool;
-    var phi_960_: bool;
-    var phi_964_: bool;
-    var phi_969_: bool;
-    var phi_984_: u32;
-    var phi_986_: u32;
-    var phi_989_: lt_mask_Neighbourhood;
-    var phi_1001_: bool;
+    var phi_973_: u32;
+    var phi_992_: u32;
+    var phi_1000_: u32;
+    var phi_1001_: u32;
     var phi_1002_: bool;
-    var phi_1011_: u32;
-    var phi_1012_: u32;
-    var phi_1072_: vec2<i32>;
-    var phi_1092_: vec2<i32>;
-    var phi_1119_: u32;
-    var phi_1138_: u32;
-    var phi_1146_: u32;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1171_: bool;
-    var phi_1172_: bool;
-    var phi_1190_: bool;
-    var phi_1191_: bool;
-    var phi_1192_: bool;
-    var phi_987_: u32;
-    var phi_990_: lt_mask_Neighbourhood;
-    var phi_1195_: lt_mask_Neighbourhood;
-    var phi_1196_: lt_mask_Neighbourhood;
-    var phi_1228_: bool;
-    var phi_1229_: bool;
-    var phi_1258_: bool;
-    var phi_1259_: bool;
-    var phi_1272_: bool;
+    var phi_1003_: u32;
+    var phi_1004_: bool;
+    var phi_1005_: bool;
+    var phi_1006_: u32;
+    var phi_1007_: bool;
+    var phi_1008_: bool;
+    var phi_1012_: bool;
+    var phi_1016_: u32;
+    var phi_1021_: bool;
+    var phi_1043_: u32;
+    var phi_1045_: u32;
+    var phi_1048_: lt_mask_Neighbourhood;
+    var phi_1060_: bool;
+    var phi_1061_: bool;
+    var phi_1070_: u32;
+    var phi_1071_: u32;
+    var phi_1131_: vec2<i32>;
+    var phi_1151_: vec2<i32>;
+    var phi_1178_: u32;
+    var phi_1197_: u32;
+    var phi_1205_: u32;
+    var phi_1231_: bool;
+    var phi_1232_: bool;
+    var phi_1233_: bool;
+    var phi_1234_: bool;
+    var phi_1235_: bool;
+    var phi_1236_: bool;
+    var phi_1237_: bool;
+    var phi_1242_: bool;
+    var phi_1243_: bool;
+    var phi_1244_: bool;
+    var phi_1245_: bool;
+    var phi_1246_: bool;
+    var phi_1247_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1250_: bool;
+    var phi_1265_: bool;
+    var phi_1266_: bool;
     var phi_1273_: bool;
     var phi_1274_: bool;
-    var phi_1281_: u32;
-    var phi_1282_: u32;
-    var phi_1283_: u32;
-    var phi_1284_: u32;
-    var phi_1285_: u32;
-    var phi_1286_: u32;
-    var phi_1294_: bool;
-    var phi_1302_: u32;
-    var phi_1307_: u32;
-    var phi_1311_: u32;
-    var phi_1312_: u32;
-    var phi_1316_: f32;
-    var phi_1318_: mask_Masked;
-    var phi_1390_: bool;
-    var phi_1391_: bool;
-    var phi_1392_: bool;
-    var phi_1393_: bool;
-    var phi_1397_: bool;
-    var phi_1425_: f32;
-    var phi_1428_: bool;
+    var phi_1275_: bool;
+    var phi_1276_: bool;
+    var phi_1277_: bool;
+    var phi_1281_: bool;
+    var phi_1282_: bool;
+    var phi_1283_: bool;
+    var phi_1287_: bool;
+    var phi_1288_: bool;
+    var phi_1292_: bool;
+    var phi_1293_: bool;
+    var phi_1311_: bool;
+    var phi_1312_: bool;
+    var phi_1313_: bool;
+    var phi_1046_: u32;
+    var phi_1049_: lt_mask_Neighbourhood;
+    var phi_1316_: lt_mask_Neighbourhood;
+    var phi_1317_: lt_mask_Neighbourhood;
+    var phi_1318_: lt_mask_Neighbourhood;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
+    var phi_1373_: bool;
+    var phi_1374_: bool;
+    var phi_1375_: bool;
+    var phi_1379_: bool;
+    var phi_1401_: bool;
+    var phi_1402_: bool;
+    var phi_1415_: bool;
+    var phi_1416_: bool;
+    var phi_1417_: bool;
+    var phi_1424_: u32;
+    var phi_1425_: u32;
+    var phi_1426_: u32;
+    var phi_1427_: u32;
+    var phi_1428_: u32;
     var phi_1429_: u32;
-    var phi_1440_: u32;
+    var phi_1430_: u32;
+    var phi_1442_: bool;
+    var phi_1443_: bool;
+    var phi_1444_: bool;
+    var phi_1445_: bool;
+    var phi_1449_: bool;
+    var phi_1455_: bool;
+    var phi_1463_: u32;
+    var phi_1468_: u32;
+    var phi_1477_: u32;
+    var phi_1482_: u32;
+    var phi_1486_: u32;
+    var phi_1487_: u32;
+    var phi_1488_: u32;
+    var phi_1492_: f32;
+    var phi_1494_: mask_Masked;
+    var phi_1566_: bool;
+    var phi_1567_: bool;
+    var phi_1568_: bool;
+    var phi_1569_: bool;
+    var phi_1573_: bool;
+    var phi_1601_: f32;
+    var phi_1604_: bool;
+    var phi_1605_: u32;
+    var phi_1616_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e59 = id_1;
@@ -518,7 +563,7 @@ fn function_() {
         }
         let _e268 = phi_467_;
         if _e268.unnamed_1 {
-            phi_1318_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
+            phi_1494_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
         } else {
             let _e273 = (_e115 < 0.5f);
             if (_e115 > 0f) {
@@ -815,479 +860,720 @@ fn function_() {
             let _e734 = phi_930_;
             let _e738 = lt_mask_Reprojection(_e734.pixel, _e732, _e734.has_moved);
             let _e740 = p.member.flags;
-            if _e738.has_moved {
-                let _e745 = p.member.flags;
-                phi_944_ = ((_e745 & 4u) == 0u);
+            let _e742 = ((_e740 & 2u) != 0u);
+            let _e744 = p.member.flags;
+            if ((_e744 & 4u) == 0u) {
+                phi_1006_ = u32();
+                phi_1007_ = true;
+                phi_1008_ = false;
             } else {
-                phi_944_ = false;
-            }
-            let _e749 = phi_944_;
-            if ((_e740 & 2u) != 0u) {
-                if false {
-                    phi_957_ = bool();
-                    phi_958_ = true;
-                } else {
-                    if true {
-                        phi_955_ = !(_e749);
-                        phi_956_ = false;
-                    } else {
-                        phi_955_ = bool();
-                        phi_956_ = true;
-                    }
-                    let _e752 = phi_955_;
-                    let _e754 = phi_956_;
-                    phi_957_ = _e752;
-                    phi_958_ = _e754;
-                }
-                let _e756 = phi_957_;
-                let _e758 = phi_958_;
-                phi_959_ = _e756;
-                phi_960_ = _e758;
-            } else {
-                phi_959_ = bool();
-                phi_960_ = true;
-            }
-            let _e760 = phi_959_;
-            let _e762 = phi_960_;
-            if _e762 {
-                phi_964_ = false;
-            } else {
-                phi_964_ = _e760;
-            }
-            let _e764 = phi_964_;
-            let _e765 = lt_mask_Neighbourhood(false, true);
-            if _e277 {
-                phi_969_ = _e764;
-            } else {
-                phi_969_ = true;
-            }
-            let _e767 = phi_969_;
-            if _e767 {
                 if _e732 {
-                    if _e738.has_moved {
-                        let _e770 = p.member.moving_pattern;
-                        phi_984_ = _e770;
-                    } else {
-                        let _e772 = p.member.still_pattern;
-                        phi_984_ = _e772;
-                    }
-                    let _e774 = phi_984_;
-                    phi_986_ = 0u;
-                    phi_989_ = _e765;
-                    loop {
-                        let _e776 = phi_986_;
-                        let _e778 = phi_989_;
-                        local_1 = _e778;
-                        if (1u <= _e774) {
-                            if (_e774 <= 4u) {
-                                phi_1001_ = false;
-                            } else {
-                                phi_1001_ = true;
-                            }
-                            let _e782 = phi_1001_;
-                            phi_1002_ = _e782;
-                        } else {
-                            phi_1002_ = true;
-                        }
-                        let _e784 = phi_1002_;
-                        if _e784 {
-                            switch bitcast<i32>(_e774) {
-                                case 5: {
-                                    phi_1011_ = 4u;
-                                    break;
-                                }
-                                case 6: {
-                                    phi_1011_ = 25u;
-                                    break;
-                                }
-                                case 7: {
-                                    phi_1011_ = 13u;
-                                    break;
-                                }
-                                default: {
-                                    phi_1011_ = 9u;
-                                    break;
-                                }
-                            }
-                            let _e787 = phi_1011_;
-                            phi_1012_ = _e787;
-                        } else {
-                            phi_1012_ = 5u;
-                        }
-                        let _e789 = phi_1012_;
-                        let _e790 = (_e776 < _e789);
-                        if _e790 {
-                            let _e796 = p.member.frame;
-                            let _e800 = p.member.current.size[0u];
-                            let _e802 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e774) {
-                                case 1: {
-                                    let _e812 = lt_mask_pattern_plus(_e776);
-                                    phi_1092_ = vec2<i32>(_e812.x, _e812.y);
-                                    break;
-                                }
-                                case 2: {
-                                    let _e816 = lt_mask_pattern_cross(_e776);
-                                    phi_1092_ = vec2<i32>(_e816.x, _e816.y);
-                                    break;
-                                }
-                                case 3: {
-                                    let _e822 = lt_mask_pattern_plus_or_cross(_e776, ((_e738.pixel.x + _e738.pixel.y) & 1u));
-                                    phi_1092_ = vec2<i32>(_e822.x, _e822.y);
-                                    break;
-                                }
-                                case 4: {
-                                    let _e827 = lt_mask_pattern_plus_or_cross(_e776, (_e796 & 1u));
-                                    phi_1092_ = vec2<i32>(_e827.x, _e827.y);
-                                    break;
-                                }
-                                case 5: {
-                                    switch bitcast<i32>((_e796 & 3u)) {
-                                        case 0: {
-                                            phi_1072_ = vec2(-1i);
-                                            break;
-                                        }
-                                        case 1: {
-                                            phi_1072_ = vec2(0i);
-                                            break;
-                                        }
-                                        case 2: {
-                                            phi_1072_ = vec2<i32>(0i, -1i);
-                                            break;
-                                        }
-                                        default: {
-                                            phi_1072_ = vec2<i32>(-1i, 0i);
-                                            break;
-                                        }
-                                    }
-                                    let _e838 = phi_1072_;
-                                    phi_1092_ = (_e838 + vec2<i32>(bitcast<i32>((_e776 & 1u)), bitcast<i32>(((_e776 >> bitcast<u32>(1i)) & 1u))));
-                                    break;
-                                }
-                                case 6: {
-                                    phi_1092_ = vec2<i32>((bitcast<i32>((_e776 % 5u)) - 2i), (bitcast<i32>(((_e776 / 5u) % 5u)) - 2i));
-                                    break;
-                                }
-                                case 7: {
-                                    let _e855 = lt_mask_pattern_diamond(_e776);
-                                    phi_1092_ = vec2<i32>(_e855.x, _e855.y);
-                                    break;
-                                }
-                                default: {
-                                    phi_1092_ = vec2<i32>((bitcast<i32>((_e776 % 3u)) - 1i), (bitcast<i32>(((_e776 / 3u) % 3u)) - 1i));
-                                    break;
-                                }
-                            }
-                            let _e860 = phi_1092_;
-                            let _e863 = lt_mask_pattern_step_clamped(_e738.pixel.x, _e860.x, _e800);
-                            let _e864 = lt_mask_pattern_step_clamped(_e738.pixel.y, _e860.y, _e802);
-                            let _e871 = ((((_e864 * _e110) + _e863) * _e106.words) + _e106.light.word);
-                            if (_e106.light.shift > 29u) {
-                                let _e875 = (_e871 + 1u);
-                                if (_e875 < _e65) {
-                                } else {
-                                    return;
-                                }
-                                let _e879 = last_bits.member[(0u + _e875)];
-                                phi_1119_ = _e879;
-                            } else {
-                                phi_1119_ = 0u;
-                            }
-                            let _e881 = phi_1119_;
-                            if (_e871 < _e65) {
+                    if !(_e738.has_moved) {
+                        let _e755 = ((((_e59.y * _e110) + _e59.x) * _e106.words) + _e106.light.word);
+                        if (_e106.light.shift > 29u) {
+                            let _e759 = (_e755 + 1u);
+                            if (_e759 < _e65) {
                             } else {
                                 return;
                             }
-                            let _e887 = last_bits.member[(0u + _e871)];
-                            let _e890 = (_e887 >> bitcast<u32>((_e106.light.shift & 31u)));
-                            if (_e106.light.shift > 29u) {
-                                phi_1138_ = (_e890 | (_e881 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
-                            } else {
-                                phi_1138_ = _e890;
-                            }
-                            let _e898 = phi_1138_;
-                            if ((_e898 & 2u) == 0u) {
-                                phi_1146_ = (_e898 & 1u);
-                            } else {
-                                phi_1146_ = (_e898 & 7u);
-                            }
-                            let _e904 = phi_1146_;
-                            if _e778.any_expands {
-                                phi_1172_ = true;
-                            } else {
-                                if ((_e904 & 2u) != 0u) {
-                                    if (((_e904 & 4u) != 0u) != _e273) {
-                                        phi_1163_ = false;
-                                    } else {
-                                        phi_1163_ = true;
-                                    }
-                                    let _e913 = phi_1163_;
-                                    phi_1164_ = _e913;
-                                } else {
-                                    phi_1164_ = true;
-                                }
-                                let _e915 = phi_1164_;
-                                if _e915 {
-                                    phi_1171_ = (((_e904 & 1u) != 0u) != _e273);
-                                } else {
-                                    phi_1171_ = true;
-                                }
-                                let _e920 = phi_1171_;
-                                phi_1172_ = _e920;
-                            }
-                            let _e922 = phi_1172_;
-                            if _e778.all_remove {
-                                if (((_e904 & 1u) != 0u) == _e273) {
-                                    if ((_e904 & 2u) != 0u) {
-                                        phi_1190_ = (((_e904 & 4u) != 0u) == _e273);
-                                    } else {
-                                        phi_1190_ = true;
-                                    }
-                                    let _e932 = phi_1190_;
-                                    phi_1191_ = _e932;
-                                } else {
-                                    phi_1191_ = false;
-                                }
-                                let _e934 = phi_1191_;
-                                phi_1192_ = _e934;
-                            } else {
-                                phi_1192_ = false;
-                            }
-                            let _e936 = phi_1192_;
-                            phi_987_ = (_e776 + 1u);
-                            phi_990_ = lt_mask_Neighbourhood(_e922, _e936);
+                            let _e763 = last_bits.member[(0u + _e759)];
+                            phi_973_ = _e763;
                         } else {
-                            phi_987_ = u32();
-                            phi_990_ = lt_mask_Neighbourhood();
+                            phi_973_ = 0u;
                         }
-                        let _e940 = phi_987_;
-                        let _e942 = phi_990_;
-                        continue;
-                        continuing {
-                            phi_986_ = _e940;
-                            phi_989_ = _e942;
-                            break if !(_e790);
+                        let _e765 = phi_973_;
+                        if (_e755 < _e65) {
+                        } else {
+                            return;
                         }
+                        let _e771 = last_bits.member[(0u + _e755)];
+                        let _e774 = (_e771 >> bitcast<u32>((_e106.light.shift & 31u)));
+                        if (_e106.light.shift > 29u) {
+                            phi_992_ = (_e774 | (_e765 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                        } else {
+                            phi_992_ = _e774;
+                        }
+                        let _e782 = phi_992_;
+                        if ((_e782 & 2u) == 0u) {
+                            phi_1000_ = (_e782 & 1u);
+                        } else {
+                            phi_1000_ = (_e782 & 7u);
+                        }
+                        let _e788 = phi_1000_;
+                        phi_1001_ = _e788;
+                        phi_1002_ = false;
+                    } else {
+                        phi_1001_ = u32();
+                        phi_1002_ = true;
                     }
-                    let _e1234 = local_1;
-                    phi_1195_ = _e1234;
+                    let _e790 = phi_1001_;
+                    let _e792 = phi_1002_;
+                    phi_1003_ = _e790;
+                    phi_1004_ = false;
+                    phi_1005_ = _e792;
                 } else {
-                    phi_1195_ = _e765;
+                    phi_1003_ = u32();
+                    phi_1004_ = true;
+                    phi_1005_ = false;
                 }
-                let _e945 = phi_1195_;
-                phi_1196_ = _e945;
-            } else {
-                phi_1196_ = _e765;
+                let _e794 = phi_1003_;
+                let _e796 = phi_1004_;
+                let _e798 = phi_1005_;
+                phi_1006_ = _e794;
+                phi_1007_ = _e796;
+                phi_1008_ = _e798;
             }
-            let _e947 = phi_1196_;
-            let _e950 = p.member.frame;
-            let _e952 = p.member.refresh;
-            if (_e952 == 0u) {
-                phi_1229_ = false;
+            let _e800 = phi_1006_;
+            let _e802 = phi_1007_;
+            let _e804 = phi_1008_;
+            if _e802 {
+                phi_1012_ = true;
             } else {
-                if (_e952 == 0u) {
+                phi_1012_ = _e804;
+            }
+            let _e806 = phi_1012_;
+            if _e806 {
+                phi_1016_ = 0u;
+            } else {
+                phi_1016_ = _e800;
+            }
+            let _e808 = phi_1016_;
+            let _e809 = lt_mask_Neighbourhood(false, true);
+            if _e277 {
+                phi_1021_ = _e742;
+            } else {
+                phi_1021_ = true;
+            }
+            let _e811 = phi_1021_;
+            if _e811 {
+                if _e732 {
+                    if ((_e808 & 2u) != 0u) {
+                        phi_1316_ = _e809;
+                    } else {
+                        let _e815 = p.member.expansion;
+                        if _e738.has_moved {
+                            let _e818 = p.member.moving_pattern;
+                            phi_1043_ = _e818;
+                        } else {
+                            let _e820 = p.member.still_pattern;
+                            phi_1043_ = _e820;
+                        }
+                        let _e822 = phi_1043_;
+                        phi_1045_ = 0u;
+                        phi_1048_ = _e809;
+                        loop {
+                            let _e824 = phi_1045_;
+                            let _e826 = phi_1048_;
+                            local_1 = _e826;
+                            if (1u <= _e822) {
+                                if (_e822 <= 4u) {
+                                    phi_1060_ = false;
+                                } else {
+                                    phi_1060_ = true;
+                                }
+                                let _e830 = phi_1060_;
+                                phi_1061_ = _e830;
+                            } else {
+                                phi_1061_ = true;
+                            }
+                            let _e832 = phi_1061_;
+                            if _e832 {
+                                switch bitcast<i32>(_e822) {
+                                    case 5: {
+                                        phi_1070_ = 4u;
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1070_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_1070_ = 13u;
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1070_ = 9u;
+                                        break;
+                                    }
+                                }
+                                let _e835 = phi_1070_;
+                                phi_1071_ = _e835;
+                            } else {
+                                phi_1071_ = 5u;
+                            }
+                            let _e837 = phi_1071_;
+                            let _e838 = (_e824 < _e837);
+                            if _e838 {
+                                let _e844 = p.member.frame;
+                                let _e848 = p.member.current.size[0u];
+                                let _e850 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e822) {
+                                    case 1: {
+                                        let _e860 = lt_mask_pattern_plus(_e824);
+                                        phi_1151_ = vec2<i32>(_e860.x, _e860.y);
+                                        break;
+                                    }
+                                    case 2: {
+                                        let _e864 = lt_mask_pattern_cross(_e824);
+                                        phi_1151_ = vec2<i32>(_e864.x, _e864.y);
+                                        break;
+                                    }
+                                    case 3: {
+                                        let _e870 = lt_mask_pattern_plus_or_cross(_e824, ((_e738.pixel.x + _e738.pixel.y) & 1u));
+                                        phi_1151_ = vec2<i32>(_e870.x, _e870.y);
+                                        break;
+                                    }
+                                    case 4: {
+                                        let _e875 = lt_mask_pattern_plus_or_cross(_e824, (_e844 & 1u));
+                                        phi_1151_ = vec2<i32>(_e875.x, _e875.y);
+                                        break;
+                                    }
+                                    case 5: {
+                                        switch bitcast<i32>((_e844 & 3u)) {
+                                            case 0: {
+                                                phi_1131_ = vec2(-1i);
+                                                break;
+                                            }
+                                            case 1: {
+                                                phi_1131_ = vec2(0i);
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1131_ = vec2<i32>(0i, -1i);
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1131_ = vec2<i32>(-1i, 0i);
+                                                break;
+                                            }
+                                        }
+                                        let _e886 = phi_1131_;
+                                        phi_1151_ = (_e886 + vec2<i32>(bitcast<i32>((_e824 & 1u)), bitcast<i32>(((_e824 >> bitcast<u32>(1i)) & 1u))));
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1151_ = vec2<i32>((bitcast<i32>((_e824 % 5u)) - 2i), (bitcast<i32>(((_e824 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e903 = lt_mask_pattern_diamond(_e824);
+                                        phi_1151_ = vec2<i32>(_e903.x, _e903.y);
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1151_ = vec2<i32>((bitcast<i32>((_e824 % 3u)) - 1i), (bitcast<i32>(((_e824 / 3u) % 3u)) - 1i));
+                                        break;
+                                    }
+                                }
+                                let _e908 = phi_1151_;
+                                let _e911 = lt_mask_pattern_step_clamped(_e738.pixel.x, _e908.x, _e848);
+                                let _e912 = lt_mask_pattern_step_clamped(_e738.pixel.y, _e908.y, _e850);
+                                let _e919 = ((((_e912 * _e110) + _e911) * _e106.words) + _e106.light.word);
+                                if (_e106.light.shift > 29u) {
+                                    let _e923 = (_e919 + 1u);
+                                    if (_e923 < _e65) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e927 = last_bits.member[(0u + _e923)];
+                                    phi_1178_ = _e927;
+                                } else {
+                                    phi_1178_ = 0u;
+                                }
+                                let _e929 = phi_1178_;
+                                if (_e919 < _e65) {
+                                } else {
+                                    return;
+                                }
+                                let _e935 = last_bits.member[(0u + _e919)];
+                                let _e938 = (_e935 >> bitcast<u32>((_e106.light.shift & 31u)));
+                                if (_e106.light.shift > 29u) {
+                                    phi_1197_ = (_e938 | (_e929 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                                } else {
+                                    phi_1197_ = _e938;
+                                }
+                                let _e946 = phi_1197_;
+                                if ((_e946 & 2u) == 0u) {
+                                    phi_1205_ = (_e946 & 1u);
+                                } else {
+                                    phi_1205_ = (_e946 & 7u);
+                                }
+                                let _e952 = phi_1205_;
+                                if _e826.any_expands {
+                                    phi_1293_ = true;
+                                } else {
+                                    if ((_e952 & 2u) != 0u) {
+                                        let _e959 = (((_e952 & 4u) != 0u) != _e273);
+                                        switch bitcast<i32>(_e815) {
+                                            case 1: {
+                                                phi_1233_ = bool();
+                                                phi_1234_ = false;
+                                                phi_1235_ = true;
+                                                phi_1236_ = false;
+                                                phi_1237_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e959 {
+                                                    phi_1231_ = (((_e952 & 4u) != 0u) != ((_e952 & 1u) != 0u));
+                                                    phi_1232_ = false;
+                                                } else {
+                                                    phi_1231_ = bool();
+                                                    phi_1232_ = true;
+                                                }
+                                                let _e967 = phi_1231_;
+                                                let _e969 = phi_1232_;
+                                                phi_1233_ = _e967;
+                                                phi_1234_ = false;
+                                                phi_1235_ = false;
+                                                phi_1236_ = _e969;
+                                                phi_1237_ = _e959;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1233_ = bool();
+                                                phi_1234_ = true;
+                                                phi_1235_ = false;
+                                                phi_1236_ = false;
+                                                phi_1237_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e971 = phi_1233_;
+                                        let _e973 = phi_1234_;
+                                        let _e975 = phi_1235_;
+                                        let _e977 = phi_1236_;
+                                        let _e979 = phi_1237_;
+                                        phi_1245_ = _e959;
+                                        phi_1246_ = _e971;
+                                        phi_1247_ = _e973;
+                                        phi_1248_ = _e975;
+                                        phi_1249_ = _e977;
+                                        phi_1250_ = _e979;
+                                    } else {
+                                        switch bitcast<i32>(_e815) {
+                                            case 1: {
+                                                phi_1242_ = false;
+                                                phi_1243_ = true;
+                                                phi_1244_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1242_ = false;
+                                                phi_1243_ = false;
+                                                phi_1244_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1242_ = true;
+                                                phi_1243_ = false;
+                                                phi_1244_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e982 = phi_1242_;
+                                        let _e984 = phi_1243_;
+                                        let _e986 = phi_1244_;
+                                        phi_1245_ = false;
+                                        phi_1246_ = bool();
+                                        phi_1247_ = _e982;
+                                        phi_1248_ = _e984;
+                                        phi_1249_ = _e986;
+                                        phi_1250_ = false;
+                                    }
+                                    let _e988 = phi_1245_;
+                                    let _e990 = phi_1246_;
+                                    let _e992 = phi_1247_;
+                                    let _e994 = phi_1248_;
+                                    let _e996 = phi_1249_;
+                                    let _e998 = phi_1250_;
+                                    if _e992 {
+                                        if ((_e952 & 2u) != 0u) {
+                                            if (((_e952 & 4u) != 0u) != _e273) {
+                                                phi_1265_ = false;
+                                            } else {
+                                                phi_1265_ = true;
+                                            }
+                                            let _e1005 = phi_1265_;
+                                            phi_1266_ = _e1005;
+                                        } else {
+                                            phi_1266_ = true;
+                                        }
+                                        let _e1007 = phi_1266_;
+                                        if _e1007 {
+                                            phi_1273_ = (((_e952 & 1u) != 0u) != _e273);
+                                        } else {
+                                            phi_1273_ = true;
+                                        }
+                                        let _e1012 = phi_1273_;
+                                        phi_1274_ = _e1012;
+                                        phi_1275_ = false;
+                                        phi_1276_ = false;
+                                        phi_1277_ = false;
+                                    } else {
+                                        phi_1274_ = bool();
+                                        phi_1275_ = _e994;
+                                        phi_1276_ = _e996;
+                                        phi_1277_ = _e998;
+                                    }
+                                    let _e1014 = phi_1274_;
+                                    let _e1016 = phi_1275_;
+                                    let _e1018 = phi_1276_;
+                                    let _e1020 = phi_1277_;
+                                    if _e1016 {
+                                        phi_1281_ = _e988;
+                                        phi_1282_ = false;
+                                        phi_1283_ = false;
+                                    } else {
+                                        phi_1281_ = _e1014;
+                                        phi_1282_ = _e1018;
+                                        phi_1283_ = _e1020;
+                                    }
+                                    let _e1022 = phi_1281_;
+                                    let _e1024 = phi_1282_;
+                                    let _e1026 = phi_1283_;
+                                    if _e1024 {
+                                        phi_1287_ = false;
+                                        phi_1288_ = true;
+                                    } else {
+                                        phi_1287_ = _e990;
+                                        phi_1288_ = _e1026;
+                                    }
+                                    let _e1028 = phi_1287_;
+                                    let _e1030 = phi_1288_;
+                                    if _e1030 {
+                                        phi_1292_ = _e1028;
+                                    } else {
+                                        phi_1292_ = _e1022;
+                                    }
+                                    let _e1032 = phi_1292_;
+                                    phi_1293_ = _e1032;
+                                }
+                                let _e1034 = phi_1293_;
+                                if _e826.all_remove {
+                                    if (((_e952 & 1u) != 0u) == _e273) {
+                                        if ((_e952 & 2u) != 0u) {
+                                            phi_1311_ = (((_e952 & 4u) != 0u) == _e273);
+                                        } else {
+                                            phi_1311_ = true;
+                                        }
+                                        let _e1044 = phi_1311_;
+                                        phi_1312_ = _e1044;
+                                    } else {
+                                        phi_1312_ = false;
+                                    }
+                                    let _e1046 = phi_1312_;
+                                    phi_1313_ = _e1046;
+                                } else {
+                                    phi_1313_ = false;
+                                }
+                                let _e1048 = phi_1313_;
+                                phi_1046_ = (_e824 + 1u);
+                                phi_1049_ = lt_mask_Neighbourhood(_e1034, _e1048);
+                            } else {
+                                phi_1046_ = u32();
+                                phi_1049_ = lt_mask_Neighbourhood();
+                            }
+                            let _e1052 = phi_1046_;
+                            let _e1054 = phi_1049_;
+                            continue;
+                            continuing {
+                                phi_1045_ = _e1052;
+                                phi_1048_ = _e1054;
+                                break if !(_e838);
+                            }
+                        }
+                        let _e1413 = local_1;
+                        phi_1316_ = _e1413;
+                    }
+                    let _e1057 = phi_1316_;
+                    phi_1317_ = _e1057;
+                } else {
+                    phi_1317_ = _e809;
+                }
+                let _e1059 = phi_1317_;
+                phi_1318_ = _e1059;
+            } else {
+                phi_1318_ = _e809;
+            }
+            let _e1061 = phi_1318_;
+            let _e1064 = p.member.frame;
+            let _e1066 = p.member.refresh;
+            if (_e1066 == 0u) {
+                phi_1351_ = false;
+            } else {
+                if (_e1066 == 0u) {
                     return;
                 }
-                let _e961 = ((_e59.x + (_e59.y * (((_e952 * 5u) / 8u) | 1u))) + (_e950 % _e952));
-                if (_e952 == 0u) {
-                    phi_1228_ = (_e961 == 0u);
+                let _e1075 = ((_e59.x + (_e59.y * (((_e1066 * 5u) / 8u) | 1u))) + (_e1064 % _e1066));
+                if (_e1066 == 0u) {
+                    phi_1350_ = (_e1075 == 0u);
                 } else {
-                    if (_e952 == 0u) {
+                    if (_e1066 == 0u) {
                         return;
                     }
-                    phi_1228_ = ((_e961 % _e952) == 0u);
+                    phi_1350_ = ((_e1075 % _e1066) == 0u);
                 }
-                let _e968 = phi_1228_;
-                phi_1229_ = _e968;
+                let _e1082 = phi_1350_;
+                phi_1351_ = _e1082;
             }
-            let _e970 = phi_1229_;
-            if (_e115 != 0.5f) {
-                if _e732 {
-                    if _e970 {
-                        phi_1284_ = 6u;
-                    } else {
-                        if _e277 {
-                            phi_1259_ = true;
+            let _e1084 = phi_1351_;
+            if _e732 {
+                if _e1084 {
+                    phi_1373_ = bool();
+                } else {
+                    phi_1373_ = ((_e808 & 2u) != 0u);
+                }
+                let _e1090 = phi_1373_;
+                phi_1374_ = _e1090;
+                phi_1375_ = _e1084;
+            } else {
+                phi_1374_ = bool();
+                phi_1375_ = true;
+            }
+            let _e1092 = phi_1374_;
+            let _e1094 = phi_1375_;
+            if _e1094 {
+                phi_1379_ = false;
+            } else {
+                phi_1379_ = _e1092;
+            }
+            let _e1096 = phi_1379_;
+            if _e1096 {
+                phi_1430_ = 7u;
+            } else {
+                if (_e115 != 0.5f) {
+                    if _e732 {
+                        if _e1084 {
+                            phi_1427_ = 6u;
                         } else {
-                            if _e947.any_expands {
-                                phi_1258_ = false;
-                            } else {
-                                phi_1258_ = true;
-                            }
-                            let _e974 = phi_1258_;
-                            phi_1259_ = _e974;
-                        }
-                        let _e976 = phi_1259_;
-                        if _e976 {
                             if _e277 {
-                                if _e764 {
-                                    if _e947.all_remove {
-                                        phi_1272_ = false;
-                                    } else {
-                                        phi_1272_ = true;
-                                    }
-                                    let _e978 = phi_1272_;
-                                    phi_1273_ = _e978;
-                                } else {
-                                    phi_1273_ = true;
-                                }
-                                let _e980 = phi_1273_;
-                                phi_1274_ = _e980;
+                                phi_1402_ = true;
                             } else {
-                                phi_1274_ = true;
+                                if _e1061.any_expands {
+                                    phi_1401_ = false;
+                                } else {
+                                    phi_1401_ = true;
+                                }
+                                let _e1098 = phi_1401_;
+                                phi_1402_ = _e1098;
                             }
-                            let _e982 = phi_1274_;
-                            if _e982 {
+                            let _e1100 = phi_1402_;
+                            if _e1100 {
                                 if _e277 {
-                                    phi_1281_ = 1u;
+                                    if _e742 {
+                                        if _e1061.all_remove {
+                                            phi_1415_ = false;
+                                        } else {
+                                            phi_1415_ = true;
+                                        }
+                                        let _e1102 = phi_1415_;
+                                        phi_1416_ = _e1102;
+                                    } else {
+                                        phi_1416_ = true;
+                                    }
+                                    let _e1104 = phi_1416_;
+                                    phi_1417_ = _e1104;
                                 } else {
-                                    phi_1281_ = 0u;
+                                    phi_1417_ = true;
                                 }
-                                let _e984 = phi_1281_;
-                                phi_1282_ = _e984;
+                                let _e1106 = phi_1417_;
+                                if _e1106 {
+                                    if _e277 {
+                                        phi_1424_ = 1u;
+                                    } else {
+                                        phi_1424_ = 0u;
+                                    }
+                                    let _e1108 = phi_1424_;
+                                    phi_1425_ = _e1108;
+                                } else {
+                                    phi_1425_ = 5u;
+                                }
+                                let _e1110 = phi_1425_;
+                                phi_1426_ = _e1110;
                             } else {
-                                phi_1282_ = 5u;
+                                phi_1426_ = 4u;
                             }
-                            let _e986 = phi_1282_;
-                            phi_1283_ = _e986;
-                        } else {
-                            phi_1283_ = 4u;
+                            let _e1112 = phi_1426_;
+                            phi_1427_ = _e1112;
                         }
-                        let _e988 = phi_1283_;
-                        phi_1284_ = _e988;
+                        let _e1114 = phi_1427_;
+                        phi_1428_ = _e1114;
+                    } else {
+                        phi_1428_ = 3u;
                     }
-                    let _e990 = phi_1284_;
-                    phi_1285_ = _e990;
+                    let _e1116 = phi_1428_;
+                    phi_1429_ = _e1116;
                 } else {
-                    phi_1285_ = 3u;
+                    phi_1429_ = 2u;
                 }
-                let _e992 = phi_1285_;
-                phi_1286_ = _e992;
-            } else {
-                phi_1286_ = 2u;
+                let _e1118 = phi_1429_;
+                phi_1430_ = _e1118;
             }
-            let _e994 = phi_1286_;
-            if !((_e994 == 0u)) {
-                phi_1294_ = !((_e994 == 5u));
+            let _e1120 = phi_1430_;
+            if !((_e1120 == 0u)) {
+                if !((_e1120 == 5u)) {
+                    phi_1442_ = !(_e1096);
+                    phi_1443_ = false;
+                } else {
+                    phi_1442_ = bool();
+                    phi_1443_ = true;
+                }
+                let _e1127 = phi_1442_;
+                let _e1129 = phi_1443_;
+                phi_1444_ = _e1127;
+                phi_1445_ = _e1129;
             } else {
-                phi_1294_ = false;
+                phi_1444_ = bool();
+                phi_1445_ = true;
             }
-            let _e1000 = phi_1294_;
-            if _e1000 {
+            let _e1131 = phi_1444_;
+            let _e1133 = phi_1445_;
+            if _e1133 {
+                phi_1449_ = false;
+            } else {
+                phi_1449_ = _e1131;
+            }
+            let _e1135 = phi_1449_;
+            if _e1096 {
+                phi_1455_ = ((_e808 & 4u) != 0u);
+            } else {
+                phi_1455_ = _e273;
+            }
+            let _e1139 = phi_1455_;
+            if _e1135 {
                 if _e273 {
-                    phi_1302_ = (2u | 1u);
+                    phi_1463_ = (2u | 1u);
                 } else {
-                    phi_1302_ = 2u;
+                    phi_1463_ = 2u;
                 }
-                let _e1003 = phi_1302_;
+                let _e1142 = phi_1463_;
                 if false {
-                    phi_1307_ = (_e1003 | 4u);
+                    phi_1468_ = (_e1142 | 4u);
                 } else {
-                    phi_1307_ = _e1003;
+                    phi_1468_ = _e1142;
                 }
-                let _e1006 = phi_1307_;
-                phi_1312_ = _e1006;
+                let _e1145 = phi_1468_;
+                phi_1488_ = _e1145;
             } else {
-                if _e273 {
-                    phi_1311_ = 1u;
+                if (_e1120 == 7u) {
+                    if _e273 {
+                        phi_1477_ = (2u | 1u);
+                    } else {
+                        phi_1477_ = 2u;
+                    }
+                    let _e1149 = phi_1477_;
+                    if _e1139 {
+                        phi_1482_ = (_e1149 | 4u);
+                    } else {
+                        phi_1482_ = _e1149;
+                    }
+                    let _e1152 = phi_1482_;
+                    phi_1487_ = _e1152;
                 } else {
-                    phi_1311_ = 0u;
+                    if _e273 {
+                        phi_1486_ = 1u;
+                    } else {
+                        phi_1486_ = 0u;
+                    }
+                    let _e1154 = phi_1486_;
+                    phi_1487_ = _e1154;
                 }
-                let _e1008 = phi_1311_;
-                phi_1312_ = _e1008;
+                let _e1156 = phi_1487_;
+                phi_1488_ = _e1156;
             }
-            let _e1010 = phi_1312_;
-            if _e273 {
-                phi_1316_ = 0f;
+            let _e1158 = phi_1488_;
+            if _e1139 {
+                phi_1492_ = 0f;
             } else {
-                phi_1316_ = 1f;
+                phi_1492_ = 1f;
             }
-            let _e1012 = phi_1316_;
-            phi_1318_ = mask_Masked(_e1012, _e1010, _e1000);
+            let _e1160 = phi_1492_;
+            phi_1494_ = mask_Masked(_e1160, _e1158, _e1135);
         }
-        let _e1015 = phi_1318_;
-        visibility.member[_e79.shift] = _e1015.visibility;
-        let _e1020 = p.member.light.number;
-        let _e1021 = (_e1020 * 3u);
-        let _e1023 = (_e1021 % 32u);
-        let _e1025 = p.member.light.mask_words;
-        let _e1027 = ((_e79.shift * _e1025) + (_e1021 / 32u));
-        let _e1029 = bits.member[_e1027];
-        bits.member[_e1027] = ((_e1029 & ~((7u << bitcast<u32>((_e1023 & 31u))))) | (_e1015.bits << bitcast<u32>((_e1023 & 31u))));
-        if (_e1023 > 29u) {
-            let _e1044 = bits.member[(_e1027 + 1u)];
-            let _e1046 = (32u - _e1023);
-            bits.member[(_e1027 + 1u)] = ((_e1044 & ~((7u >> bitcast<u32>((_e1046 & 31u))))) | (_e1015.bits >> bitcast<u32>((_e1046 & 31u))));
+        let _e1163 = phi_1494_;
+        visibility.member[_e79.shift] = _e1163.visibility;
+        let _e1168 = p.member.light.number;
+        let _e1169 = (_e1168 * 3u);
+        let _e1171 = (_e1169 % 32u);
+        let _e1173 = p.member.light.mask_words;
+        let _e1175 = ((_e79.shift * _e1173) + (_e1169 / 32u));
+        let _e1177 = bits.member[_e1175];
+        bits.member[_e1175] = ((_e1177 & ~((7u << bitcast<u32>((_e1171 & 31u))))) | (_e1163.bits << bitcast<u32>((_e1171 & 31u))));
+        if (_e1171 > 29u) {
+            let _e1192 = bits.member[(_e1175 + 1u)];
+            let _e1194 = (32u - _e1171);
+            bits.member[(_e1175 + 1u)] = ((_e1192 & ~((7u >> bitcast<u32>((_e1194 & 31u))))) | (_e1163.bits >> bitcast<u32>((_e1194 & 31u))));
         }
-        let _e1061 = samples.member[_e79.shift].normal[0u];
-        let _e1063 = global[0u];
-        if (_e1061 == _e1063) {
-            let _e1066 = samples.member[_e79.shift].normal[1u];
-            let _e1068 = global[1u];
-            if (_e1066 == _e1068) {
-                let _e1071 = samples.member[_e79.shift].normal[2u];
-                let _e1073 = global[2u];
-                phi_1390_ = (_e1071 == _e1073);
-                phi_1391_ = false;
+        let _e1209 = samples.member[_e79.shift].normal[0u];
+        let _e1211 = global[0u];
+        if (_e1209 == _e1211) {
+            let _e1214 = samples.member[_e79.shift].normal[1u];
+            let _e1216 = global[1u];
+            if (_e1214 == _e1216) {
+                let _e1219 = samples.member[_e79.shift].normal[2u];
+                let _e1221 = global[2u];
+                phi_1566_ = (_e1219 == _e1221);
+                phi_1567_ = false;
             } else {
-                phi_1390_ = bool();
-                phi_1391_ = true;
+                phi_1566_ = bool();
+                phi_1567_ = true;
             }
-            let _e1076 = phi_1390_;
-            let _e1078 = phi_1391_;
-            phi_1392_ = _e1076;
-            phi_1393_ = _e1078;
+            let _e1224 = phi_1566_;
+            let _e1226 = phi_1567_;
+            phi_1568_ = _e1224;
+            phi_1569_ = _e1226;
         } else {
-            phi_1392_ = bool();
-            phi_1393_ = true;
+            phi_1568_ = bool();
+            phi_1569_ = true;
         }
-        let _e1080 = phi_1392_;
-        let _e1082 = phi_1393_;
-        if _e1082 {
-            phi_1397_ = false;
+        let _e1228 = phi_1568_;
+        let _e1230 = phi_1569_;
+        if _e1230 {
+            phi_1573_ = false;
         } else {
-            phi_1397_ = _e1080;
+            phi_1573_ = _e1228;
         }
-        let _e1084 = phi_1397_;
-        if !(_e1084) {
-            let _e1087 = samples.member[_e79.shift].position;
-            let _e1089 = p.member.current.eye;
-            let _e1100 = p.member.current.forward;
-            phi_1425_ = ((((_e1087.x - _e1089.x) * _e1100.x) + ((_e1087.y - _e1089.y) * _e1100.y)) + ((_e1087.z - _e1089.z) * _e1100.z));
+        let _e1232 = phi_1573_;
+        if !(_e1232) {
+            let _e1235 = samples.member[_e79.shift].position;
+            let _e1237 = p.member.current.eye;
+            let _e1248 = p.member.current.forward;
+            phi_1601_ = ((((_e1235.x - _e1237.x) * _e1248.x) + ((_e1235.y - _e1237.y) * _e1248.y)) + ((_e1235.z - _e1237.z) * _e1248.z));
         } else {
-            phi_1425_ = 0f;
+            phi_1601_ = 0f;
         }
-        let _e1110 = phi_1425_;
-        depths.member[_e79.shift] = _e1110;
-        phi_1428_ = _e1015.needs_ray;
-        phi_1429_ = _e79.shift;
+        let _e1258 = phi_1601_;
+        depths.member[_e79.shift] = _e1258;
+        phi_1604_ = _e1163.needs_ray;
+        phi_1605_ = _e79.shift;
     } else {
-        phi_1428_ = false;
-        phi_1429_ = 0u;
+        phi_1604_ = false;
+        phi_1605_ = 0u;
     }
-    let _e1114 = phi_1428_;
-    let _e1116 = phi_1429_;
+    let _e1262 = phi_1604_;
+    let _e1264 = phi_1605_;
     if (_e60 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1114 {
-        let _e1120 = atomicAdd((&shared_[0u]), 1u);
-        phi_1440_ = _e1120;
+    if _e1262 {
+        let _e1268 = atomicAdd((&shared_[0u]), 1u);
+        phi_1616_ = _e1268;
     } else {
-        phi_1440_ = 0u;
+        phi_1616_ = 0u;
     }
-    let _e1122 = phi_1440_;
+    let _e1270 = phi_1616_;
     workgroupBarrier();
     if (_e60 == 0u) {
-        let _e1126 = atomicLoad((&shared_[0u]));
-        let _e1127 = atomicAdd((&list.member[3u]), _e1126);
-        atomicStore((&shared_[1u]), _e1127);
+        let _e1274 = atomicLoad((&shared_[0u]));
+        let _e1275 = atomicAdd((&list.member[3u]), _e1274);
+        atomicStore((&shared_[1u]), _e1275);
     }
     workgroupBarrier();
-    if _e1114 {
-        let _e1130 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1130) + _e1122)]), _e1116);
+    if _e1262 {
+        let _e1278 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1278) + _e1270)]), _e1264);
     }
     return;
 }

@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -347,6 +347,7 @@ fn function_() {
     var phi_925_: bool;
     var phi_929_: bool;
     var phi_930_: lt_mask_Reprojection;
+    var phi_936_: bool;
     var phi_958_: u32;
     var phi_960_: u32;
     var phi_963_: lt_mask_Neighbourhood;
@@ -359,47 +360,86 @@ fn function_() {
     var phi_1093_: u32;
     var phi_1112_: u32;
     var phi_1120_: u32;
-    var phi_1137_: bool;
-    var phi_1138_: bool;
-    var phi_1145_: bool;
     var phi_1146_: bool;
+    var phi_1147_: bool;
+    var phi_1148_: bool;
+    var phi_1149_: bool;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: bool;
+    var phi_1157_: bool;
+    var phi_1158_: bool;
+    var phi_1159_: bool;
+    var phi_1160_: bool;
+    var phi_1161_: bool;
+    var phi_1162_: bool;
+    var phi_1163_: bool;
     var phi_1164_: bool;
     var phi_1165_: bool;
-    var phi_1166_: bool;
+    var phi_1180_: bool;
+    var phi_1181_: bool;
+    var phi_1188_: bool;
+    var phi_1189_: bool;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1192_: bool;
+    var phi_1196_: bool;
+    var phi_1197_: bool;
+    var phi_1198_: bool;
+    var phi_1202_: bool;
+    var phi_1203_: bool;
+    var phi_1207_: bool;
+    var phi_1208_: bool;
+    var phi_1226_: bool;
+    var phi_1227_: bool;
+    var phi_1228_: bool;
     var phi_961_: u32;
     var phi_964_: lt_mask_Neighbourhood;
-    var phi_1169_: lt_mask_Neighbourhood;
-    var phi_1170_: lt_mask_Neighbourhood;
-    var phi_1171_: lt_mask_Neighbourhood;
-    var phi_1203_: bool;
-    var phi_1204_: bool;
-    var phi_1233_: bool;
-    var phi_1234_: bool;
-    var phi_1247_: bool;
-    var phi_1248_: bool;
-    var phi_1249_: bool;
-    var phi_1256_: u32;
-    var phi_1257_: u32;
-    var phi_1258_: u32;
-    var phi_1259_: u32;
-    var phi_1260_: u32;
-    var phi_1261_: u32;
-    var phi_1269_: bool;
-    var phi_1277_: u32;
-    var phi_1282_: u32;
-    var phi_1286_: u32;
-    var phi_1287_: u32;
-    var phi_1291_: f32;
-    var phi_1293_: mask_Masked;
-    var phi_1365_: bool;
-    var phi_1366_: bool;
-    var phi_1367_: bool;
-    var phi_1368_: bool;
-    var phi_1372_: bool;
-    var phi_1400_: f32;
-    var phi_1403_: bool;
-    var phi_1404_: u32;
-    var phi_1415_: u32;
+    var phi_1231_: lt_mask_Neighbourhood;
+    var phi_1232_: lt_mask_Neighbourhood;
+    var phi_1233_: lt_mask_Neighbourhood;
+    var phi_1265_: bool;
+    var phi_1266_: bool;
+    var phi_1288_: bool;
+    var phi_1289_: bool;
+    var phi_1290_: bool;
+    var phi_1294_: bool;
+    var phi_1316_: bool;
+    var phi_1317_: bool;
+    var phi_1330_: bool;
+    var phi_1331_: bool;
+    var phi_1332_: bool;
+    var phi_1339_: u32;
+    var phi_1340_: u32;
+    var phi_1341_: u32;
+    var phi_1342_: u32;
+    var phi_1343_: u32;
+    var phi_1344_: u32;
+    var phi_1345_: u32;
+    var phi_1357_: bool;
+    var phi_1358_: bool;
+    var phi_1359_: bool;
+    var phi_1360_: bool;
+    var phi_1364_: bool;
+    var phi_1370_: bool;
+    var phi_1378_: u32;
+    var phi_1383_: u32;
+    var phi_1392_: u32;
+    var phi_1397_: u32;
+    var phi_1401_: u32;
+    var phi_1402_: u32;
+    var phi_1403_: u32;
+    var phi_1407_: f32;
+    var phi_1409_: mask_Masked;
+    var phi_1481_: bool;
+    var phi_1482_: bool;
+    var phi_1483_: bool;
+    var phi_1484_: bool;
+    var phi_1488_: bool;
+    var phi_1516_: f32;
+    var phi_1519_: bool;
+    var phi_1520_: u32;
+    var phi_1531_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e59 = id_1;
@@ -510,7 +550,7 @@ fn function_() {
         }
         let _e268 = phi_467_;
         if _e268.unnamed_1 {
-            phi_1293_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
+            phi_1409_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
         } else {
             let _e273 = (_e115 < 0.5f);
             if (_e115 > 0f) {
@@ -806,42 +846,47 @@ fn function_() {
             let _e732 = phi_929_;
             let _e734 = phi_930_;
             let _e738 = lt_mask_Reprojection(_e734.pixel, _e732, _e734.has_moved);
-            if _e738.has_moved {
-            }
-            let _e744 = lt_mask_Neighbourhood(false, true);
+            let _e739 = lt_mask_Neighbourhood(false, true);
             if _e277 {
-                phi_1171_ = _e744;
+                phi_936_ = false;
             } else {
-                if true {
-                    if _e732 {
+                phi_936_ = true;
+            }
+            let _e741 = phi_936_;
+            if _e741 {
+                if _e732 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1231_ = _e739;
+                    } else {
+                        let _e745 = p.member.expansion;
                         if _e738.has_moved {
-                            let _e747 = p.member.moving_pattern;
-                            phi_958_ = _e747;
+                            let _e748 = p.member.moving_pattern;
+                            phi_958_ = _e748;
                         } else {
-                            let _e749 = p.member.still_pattern;
-                            phi_958_ = _e749;
+                            let _e750 = p.member.still_pattern;
+                            phi_958_ = _e750;
                         }
-                        let _e751 = phi_958_;
+                        let _e752 = phi_958_;
                         phi_960_ = 0u;
-                        phi_963_ = _e744;
+                        phi_963_ = _e739;
                         loop {
-                            let _e753 = phi_960_;
-                            let _e755 = phi_963_;
-                            local_1 = _e755;
-                            if (1u <= _e751) {
-                                if (_e751 <= 4u) {
+                            let _e754 = phi_960_;
+                            let _e756 = phi_963_;
+                            local_1 = _e756;
+                            if (1u <= _e752) {
+                                if (_e752 <= 4u) {
                                     phi_975_ = false;
                                 } else {
                                     phi_975_ = true;
                                 }
-                                let _e759 = phi_975_;
-                                phi_976_ = _e759;
+                                let _e760 = phi_975_;
+                                phi_976_ = _e760;
                             } else {
                                 phi_976_ = true;
                             }
-                            let _e761 = phi_976_;
-                            if _e761 {
-                                switch bitcast<i32>(_e751) {
+                            let _e762 = phi_976_;
+                            if _e762 {
+                                switch bitcast<i32>(_e752) {
                                     case 5: {
                                         phi_985_ = 4u;
                                         break;
@@ -859,40 +904,40 @@ fn function_() {
                                         break;
                                     }
                                 }
-                                let _e764 = phi_985_;
-                                phi_986_ = _e764;
+                                let _e765 = phi_985_;
+                                phi_986_ = _e765;
                             } else {
                                 phi_986_ = 5u;
                             }
-                            let _e766 = phi_986_;
-                            let _e767 = (_e753 < _e766);
-                            if _e767 {
-                                let _e773 = p.member.frame;
-                                let _e777 = p.member.current.size[0u];
-                                let _e779 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e751) {
+                            let _e767 = phi_986_;
+                            let _e768 = (_e754 < _e767);
+                            if _e768 {
+                                let _e774 = p.member.frame;
+                                let _e778 = p.member.current.size[0u];
+                                let _e780 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e752) {
                                     case 1: {
-                                        let _e789 = lt_mask_pattern_plus(_e753);
-                                        phi_1066_ = vec2<i32>(_e789.x, _e789.y);
+                                        let _e790 = lt_mask_pattern_plus(_e754);
+                                        phi_1066_ = vec2<i32>(_e790.x, _e790.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e793 = lt_mask_pattern_cross(_e753);
-                                        phi_1066_ = vec2<i32>(_e793.x, _e793.y);
+                                        let _e794 = lt_mask_pattern_cross(_e754);
+                                        phi_1066_ = vec2<i32>(_e794.x, _e794.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e799 = lt_mask_pattern_plus_or_cross(_e753, ((_e738.pixel.x + _e738.pixel.y) & 1u));
-                                        phi_1066_ = vec2<i32>(_e799.x, _e799.y);
+                                        let _e800 = lt_mask_pattern_plus_or_cross(_e754, ((_e738.pixel.x + _e738.pixel.y) & 1u));
+                                        phi_1066_ = vec2<i32>(_e800.x, _e800.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e804 = lt_mask_pattern_plus_or_cross(_e753, (_e773 & 1u));
-                                        phi_1066_ = vec2<i32>(_e804.x, _e804.y);
+                                        let _e805 = lt_mask_pattern_plus_or_cross(_e754, (_e774 & 1u));
+                                        phi_1066_ = vec2<i32>(_e805.x, _e805.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e773 & 3u)) {
+                                        switch bitcast<i32>((_e774 & 3u)) {
                                             case 0: {
                                                 phi_1046_ = vec2(-1i);
                                                 break;
@@ -910,337 +955,533 @@ fn function_() {
                                                 break;
                                             }
                                         }
-                                        let _e815 = phi_1046_;
-                                        phi_1066_ = (_e815 + vec2<i32>(bitcast<i32>((_e753 & 1u)), bitcast<i32>(((_e753 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e816 = phi_1046_;
+                                        phi_1066_ = (_e816 + vec2<i32>(bitcast<i32>((_e754 & 1u)), bitcast<i32>(((_e754 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1066_ = vec2<i32>((bitcast<i32>((_e753 % 5u)) - 2i), (bitcast<i32>(((_e753 / 5u) % 5u)) - 2i));
+                                        phi_1066_ = vec2<i32>((bitcast<i32>((_e754 % 5u)) - 2i), (bitcast<i32>(((_e754 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e832 = lt_mask_pattern_diamond(_e753);
-                                        phi_1066_ = vec2<i32>(_e832.x, _e832.y);
+                                        let _e833 = lt_mask_pattern_diamond(_e754);
+                                        phi_1066_ = vec2<i32>(_e833.x, _e833.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1066_ = vec2<i32>((bitcast<i32>((_e753 % 3u)) - 1i), (bitcast<i32>(((_e753 / 3u) % 3u)) - 1i));
+                                        phi_1066_ = vec2<i32>((bitcast<i32>((_e754 % 3u)) - 1i), (bitcast<i32>(((_e754 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e837 = phi_1066_;
-                                let _e840 = lt_mask_pattern_step_clamped(_e738.pixel.x, _e837.x, _e777);
-                                let _e841 = lt_mask_pattern_step_clamped(_e738.pixel.y, _e837.y, _e779);
-                                let _e848 = ((((_e841 * _e110) + _e840) * _e106.words) + _e106.light.word);
+                                let _e838 = phi_1066_;
+                                let _e841 = lt_mask_pattern_step_clamped(_e738.pixel.x, _e838.x, _e778);
+                                let _e842 = lt_mask_pattern_step_clamped(_e738.pixel.y, _e838.y, _e780);
+                                let _e849 = ((((_e842 * _e110) + _e841) * _e106.words) + _e106.light.word);
                                 if (_e106.light.shift > 29u) {
-                                    let _e852 = (_e848 + 1u);
-                                    if (_e852 < _e65) {
+                                    let _e853 = (_e849 + 1u);
+                                    if (_e853 < _e65) {
                                     } else {
                                         return;
                                     }
-                                    let _e856 = last_bits.member[(0u + _e852)];
-                                    phi_1093_ = _e856;
+                                    let _e857 = last_bits.member[(0u + _e853)];
+                                    phi_1093_ = _e857;
                                 } else {
                                     phi_1093_ = 0u;
                                 }
-                                let _e858 = phi_1093_;
-                                if (_e848 < _e65) {
+                                let _e859 = phi_1093_;
+                                if (_e849 < _e65) {
                                 } else {
                                     return;
                                 }
-                                let _e864 = last_bits.member[(0u + _e848)];
-                                let _e867 = (_e864 >> bitcast<u32>((_e106.light.shift & 31u)));
+                                let _e865 = last_bits.member[(0u + _e849)];
+                                let _e868 = (_e865 >> bitcast<u32>((_e106.light.shift & 31u)));
                                 if (_e106.light.shift > 29u) {
-                                    phi_1112_ = (_e867 | (_e858 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                                    phi_1112_ = (_e868 | (_e859 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
                                 } else {
-                                    phi_1112_ = _e867;
+                                    phi_1112_ = _e868;
                                 }
-                                let _e875 = phi_1112_;
-                                if ((_e875 & 2u) == 0u) {
-                                    phi_1120_ = (_e875 & 1u);
+                                let _e876 = phi_1112_;
+                                if ((_e876 & 2u) == 0u) {
+                                    phi_1120_ = (_e876 & 1u);
                                 } else {
-                                    phi_1120_ = (_e875 & 7u);
+                                    phi_1120_ = (_e876 & 7u);
                                 }
-                                let _e881 = phi_1120_;
-                                if _e755.any_expands {
-                                    phi_1146_ = true;
+                                let _e882 = phi_1120_;
+                                if _e756.any_expands {
+                                    phi_1208_ = true;
                                 } else {
-                                    if ((_e881 & 2u) != 0u) {
-                                        if (((_e881 & 4u) != 0u) != _e273) {
-                                            phi_1137_ = false;
-                                        } else {
-                                            phi_1137_ = true;
+                                    if ((_e882 & 2u) != 0u) {
+                                        let _e889 = (((_e882 & 4u) != 0u) != _e273);
+                                        switch bitcast<i32>(_e745) {
+                                            case 1: {
+                                                phi_1148_ = bool();
+                                                phi_1149_ = false;
+                                                phi_1150_ = true;
+                                                phi_1151_ = false;
+                                                phi_1152_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e889 {
+                                                    phi_1146_ = (((_e882 & 4u) != 0u) != ((_e882 & 1u) != 0u));
+                                                    phi_1147_ = false;
+                                                } else {
+                                                    phi_1146_ = bool();
+                                                    phi_1147_ = true;
+                                                }
+                                                let _e897 = phi_1146_;
+                                                let _e899 = phi_1147_;
+                                                phi_1148_ = _e897;
+                                                phi_1149_ = false;
+                                                phi_1150_ = false;
+                                                phi_1151_ = _e899;
+                                                phi_1152_ = _e889;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1148_ = bool();
+                                                phi_1149_ = true;
+                                                phi_1150_ = false;
+                                                phi_1151_ = false;
+                                                phi_1152_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e890 = phi_1137_;
-                                        phi_1138_ = _e890;
-                                    } else {
-                                        phi_1138_ = true;
-                                    }
-                                    let _e892 = phi_1138_;
-                                    if _e892 {
-                                        phi_1145_ = (((_e881 & 1u) != 0u) != _e273);
-                                    } else {
-                                        phi_1145_ = true;
-                                    }
-                                    let _e897 = phi_1145_;
-                                    phi_1146_ = _e897;
-                                }
-                                let _e899 = phi_1146_;
-                                if _e755.all_remove {
-                                    if (((_e881 & 1u) != 0u) == _e273) {
-                                        if ((_e881 & 2u) != 0u) {
-                                            phi_1164_ = (((_e881 & 4u) != 0u) == _e273);
-                                        } else {
-                                            phi_1164_ = true;
-                                        }
-                                        let _e909 = phi_1164_;
+                                        let _e901 = phi_1148_;
+                                        let _e903 = phi_1149_;
+                                        let _e905 = phi_1150_;
+                                        let _e907 = phi_1151_;
+                                        let _e909 = phi_1152_;
+                                        phi_1160_ = _e889;
+                                        phi_1161_ = _e901;
+                                        phi_1162_ = _e903;
+                                        phi_1163_ = _e905;
+                                        phi_1164_ = _e907;
                                         phi_1165_ = _e909;
                                     } else {
+                                        switch bitcast<i32>(_e745) {
+                                            case 1: {
+                                                phi_1157_ = false;
+                                                phi_1158_ = true;
+                                                phi_1159_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1157_ = false;
+                                                phi_1158_ = false;
+                                                phi_1159_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1157_ = true;
+                                                phi_1158_ = false;
+                                                phi_1159_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e912 = phi_1157_;
+                                        let _e914 = phi_1158_;
+                                        let _e916 = phi_1159_;
+                                        phi_1160_ = false;
+                                        phi_1161_ = bool();
+                                        phi_1162_ = _e912;
+                                        phi_1163_ = _e914;
+                                        phi_1164_ = _e916;
                                         phi_1165_ = false;
                                     }
-                                    let _e911 = phi_1165_;
-                                    phi_1166_ = _e911;
-                                } else {
-                                    phi_1166_ = false;
+                                    let _e918 = phi_1160_;
+                                    let _e920 = phi_1161_;
+                                    let _e922 = phi_1162_;
+                                    let _e924 = phi_1163_;
+                                    let _e926 = phi_1164_;
+                                    let _e928 = phi_1165_;
+                                    if _e922 {
+                                        if ((_e882 & 2u) != 0u) {
+                                            if (((_e882 & 4u) != 0u) != _e273) {
+                                                phi_1180_ = false;
+                                            } else {
+                                                phi_1180_ = true;
+                                            }
+                                            let _e935 = phi_1180_;
+                                            phi_1181_ = _e935;
+                                        } else {
+                                            phi_1181_ = true;
+                                        }
+                                        let _e937 = phi_1181_;
+                                        if _e937 {
+                                            phi_1188_ = (((_e882 & 1u) != 0u) != _e273);
+                                        } else {
+                                            phi_1188_ = true;
+                                        }
+                                        let _e942 = phi_1188_;
+                                        phi_1189_ = _e942;
+                                        phi_1190_ = false;
+                                        phi_1191_ = false;
+                                        phi_1192_ = false;
+                                    } else {
+                                        phi_1189_ = bool();
+                                        phi_1190_ = _e924;
+                                        phi_1191_ = _e926;
+                                        phi_1192_ = _e928;
+                                    }
+                                    let _e944 = phi_1189_;
+                                    let _e946 = phi_1190_;
+                                    let _e948 = phi_1191_;
+                                    let _e950 = phi_1192_;
+                                    if _e946 {
+                                        phi_1196_ = _e918;
+                                        phi_1197_ = false;
+                                        phi_1198_ = false;
+                                    } else {
+                                        phi_1196_ = _e944;
+                                        phi_1197_ = _e948;
+                                        phi_1198_ = _e950;
+                                    }
+                                    let _e952 = phi_1196_;
+                                    let _e954 = phi_1197_;
+                                    let _e956 = phi_1198_;
+                                    if _e954 {
+                                        phi_1202_ = false;
+                                        phi_1203_ = true;
+                                    } else {
+                                        phi_1202_ = _e920;
+                                        phi_1203_ = _e956;
+                                    }
+                                    let _e958 = phi_1202_;
+                                    let _e960 = phi_1203_;
+                                    if _e960 {
+                                        phi_1207_ = _e958;
+                                    } else {
+                                        phi_1207_ = _e952;
+                                    }
+                                    let _e962 = phi_1207_;
+                                    phi_1208_ = _e962;
                                 }
-                                let _e913 = phi_1166_;
-                                phi_961_ = (_e753 + 1u);
-                                phi_964_ = lt_mask_Neighbourhood(_e899, _e913);
+                                let _e964 = phi_1208_;
+                                if _e756.all_remove {
+                                    if (((_e882 & 1u) != 0u) == _e273) {
+                                        if ((_e882 & 2u) != 0u) {
+                                            phi_1226_ = (((_e882 & 4u) != 0u) == _e273);
+                                        } else {
+                                            phi_1226_ = true;
+                                        }
+                                        let _e974 = phi_1226_;
+                                        phi_1227_ = _e974;
+                                    } else {
+                                        phi_1227_ = false;
+                                    }
+                                    let _e976 = phi_1227_;
+                                    phi_1228_ = _e976;
+                                } else {
+                                    phi_1228_ = false;
+                                }
+                                let _e978 = phi_1228_;
+                                phi_961_ = (_e754 + 1u);
+                                phi_964_ = lt_mask_Neighbourhood(_e964, _e978);
                             } else {
                                 phi_961_ = u32();
                                 phi_964_ = lt_mask_Neighbourhood();
                             }
-                            let _e917 = phi_961_;
-                            let _e919 = phi_964_;
+                            let _e982 = phi_961_;
+                            let _e984 = phi_964_;
                             continue;
                             continuing {
-                                phi_960_ = _e917;
-                                phi_963_ = _e919;
-                                break if !(_e767);
+                                phi_960_ = _e982;
+                                phi_963_ = _e984;
+                                break if !(_e768);
                             }
                         }
-                        let _e1204 = local_1;
-                        phi_1169_ = _e1204;
-                    } else {
-                        phi_1169_ = _e744;
+                        let _e1330 = local_1;
+                        phi_1231_ = _e1330;
                     }
-                    let _e922 = phi_1169_;
-                    phi_1170_ = _e922;
+                    let _e987 = phi_1231_;
+                    phi_1232_ = _e987;
                 } else {
-                    phi_1170_ = _e744;
+                    phi_1232_ = _e739;
                 }
-                let _e924 = phi_1170_;
-                phi_1171_ = _e924;
-            }
-            let _e926 = phi_1171_;
-            let _e929 = p.member.frame;
-            let _e931 = p.member.refresh;
-            if (_e931 == 0u) {
-                phi_1204_ = false;
+                let _e989 = phi_1232_;
+                phi_1233_ = _e989;
             } else {
-                if (_e931 == 0u) {
+                phi_1233_ = _e739;
+            }
+            let _e991 = phi_1233_;
+            let _e994 = p.member.frame;
+            let _e996 = p.member.refresh;
+            if (_e996 == 0u) {
+                phi_1266_ = false;
+            } else {
+                if (_e996 == 0u) {
                     return;
                 }
-                let _e940 = ((_e59.x + (_e59.y * (((_e931 * 5u) / 8u) | 1u))) + (_e929 % _e931));
-                if (_e931 == 0u) {
-                    phi_1203_ = (_e940 == 0u);
+                let _e1005 = ((_e59.x + (_e59.y * (((_e996 * 5u) / 8u) | 1u))) + (_e994 % _e996));
+                if (_e996 == 0u) {
+                    phi_1265_ = (_e1005 == 0u);
                 } else {
-                    if (_e931 == 0u) {
+                    if (_e996 == 0u) {
                         return;
                     }
-                    phi_1203_ = ((_e940 % _e931) == 0u);
+                    phi_1265_ = ((_e1005 % _e996) == 0u);
                 }
-                let _e947 = phi_1203_;
-                phi_1204_ = _e947;
+                let _e1012 = phi_1265_;
+                phi_1266_ = _e1012;
             }
-            let _e949 = phi_1204_;
-            if (_e115 != 0.5f) {
-                if _e732 {
-                    if _e949 {
-                        phi_1259_ = 6u;
-                    } else {
-                        if _e277 {
-                            phi_1234_ = true;
+            let _e1014 = phi_1266_;
+            if _e732 {
+                if _e1014 {
+                    phi_1288_ = bool();
+                } else {
+                    phi_1288_ = ((0u & 2u) != 0u);
+                }
+                let _e1020 = phi_1288_;
+                phi_1289_ = _e1020;
+                phi_1290_ = _e1014;
+            } else {
+                phi_1289_ = bool();
+                phi_1290_ = true;
+            }
+            let _e1022 = phi_1289_;
+            let _e1024 = phi_1290_;
+            if _e1024 {
+                phi_1294_ = false;
+            } else {
+                phi_1294_ = _e1022;
+            }
+            let _e1026 = phi_1294_;
+            if _e1026 {
+                phi_1345_ = 7u;
+            } else {
+                if (_e115 != 0.5f) {
+                    if _e732 {
+                        if _e1014 {
+                            phi_1342_ = 6u;
                         } else {
-                            if _e926.any_expands {
-                                phi_1233_ = false;
-                            } else {
-                                phi_1233_ = true;
-                            }
-                            let _e953 = phi_1233_;
-                            phi_1234_ = _e953;
-                        }
-                        let _e955 = phi_1234_;
-                        if _e955 {
                             if _e277 {
-                                if false {
-                                    if _e926.all_remove {
-                                        phi_1247_ = false;
-                                    } else {
-                                        phi_1247_ = true;
-                                    }
-                                    let _e957 = phi_1247_;
-                                    phi_1248_ = _e957;
-                                } else {
-                                    phi_1248_ = true;
-                                }
-                                let _e959 = phi_1248_;
-                                phi_1249_ = _e959;
+                                phi_1317_ = true;
                             } else {
-                                phi_1249_ = true;
+                                if _e991.any_expands {
+                                    phi_1316_ = false;
+                                } else {
+                                    phi_1316_ = true;
+                                }
+                                let _e1028 = phi_1316_;
+                                phi_1317_ = _e1028;
                             }
-                            let _e961 = phi_1249_;
-                            if _e961 {
+                            let _e1030 = phi_1317_;
+                            if _e1030 {
                                 if _e277 {
-                                    phi_1256_ = 1u;
+                                    if false {
+                                        if _e991.all_remove {
+                                            phi_1330_ = false;
+                                        } else {
+                                            phi_1330_ = true;
+                                        }
+                                        let _e1032 = phi_1330_;
+                                        phi_1331_ = _e1032;
+                                    } else {
+                                        phi_1331_ = true;
+                                    }
+                                    let _e1034 = phi_1331_;
+                                    phi_1332_ = _e1034;
                                 } else {
-                                    phi_1256_ = 0u;
+                                    phi_1332_ = true;
                                 }
-                                let _e963 = phi_1256_;
-                                phi_1257_ = _e963;
+                                let _e1036 = phi_1332_;
+                                if _e1036 {
+                                    if _e277 {
+                                        phi_1339_ = 1u;
+                                    } else {
+                                        phi_1339_ = 0u;
+                                    }
+                                    let _e1038 = phi_1339_;
+                                    phi_1340_ = _e1038;
+                                } else {
+                                    phi_1340_ = 5u;
+                                }
+                                let _e1040 = phi_1340_;
+                                phi_1341_ = _e1040;
                             } else {
-                                phi_1257_ = 5u;
+                                phi_1341_ = 4u;
                             }
-                            let _e965 = phi_1257_;
-                            phi_1258_ = _e965;
-                        } else {
-                            phi_1258_ = 4u;
+                            let _e1042 = phi_1341_;
+                            phi_1342_ = _e1042;
                         }
-                        let _e967 = phi_1258_;
-                        phi_1259_ = _e967;
+                        let _e1044 = phi_1342_;
+                        phi_1343_ = _e1044;
+                    } else {
+                        phi_1343_ = 3u;
                     }
-                    let _e969 = phi_1259_;
-                    phi_1260_ = _e969;
+                    let _e1046 = phi_1343_;
+                    phi_1344_ = _e1046;
                 } else {
-                    phi_1260_ = 3u;
+                    phi_1344_ = 2u;
                 }
-                let _e971 = phi_1260_;
-                phi_1261_ = _e971;
-            } else {
-                phi_1261_ = 2u;
+                let _e1048 = phi_1344_;
+                phi_1345_ = _e1048;
             }
-            let _e973 = phi_1261_;
-            if !((_e973 == 0u)) {
-                phi_1269_ = !((_e973 == 5u));
+            let _e1050 = phi_1345_;
+            if !((_e1050 == 0u)) {
+                if !((_e1050 == 5u)) {
+                    phi_1357_ = !(_e1026);
+                    phi_1358_ = false;
+                } else {
+                    phi_1357_ = bool();
+                    phi_1358_ = true;
+                }
+                let _e1057 = phi_1357_;
+                let _e1059 = phi_1358_;
+                phi_1359_ = _e1057;
+                phi_1360_ = _e1059;
             } else {
-                phi_1269_ = false;
+                phi_1359_ = bool();
+                phi_1360_ = true;
             }
-            let _e979 = phi_1269_;
-            if _e979 {
+            let _e1061 = phi_1359_;
+            let _e1063 = phi_1360_;
+            if _e1063 {
+                phi_1364_ = false;
+            } else {
+                phi_1364_ = _e1061;
+            }
+            let _e1065 = phi_1364_;
+            if _e1026 {
+                phi_1370_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1370_ = _e273;
+            }
+            let _e1069 = phi_1370_;
+            if _e1065 {
                 if _e273 {
-                    phi_1277_ = (2u | 1u);
+                    phi_1378_ = (2u | 1u);
                 } else {
-                    phi_1277_ = 2u;
+                    phi_1378_ = 2u;
                 }
-                let _e982 = phi_1277_;
+                let _e1072 = phi_1378_;
                 if false {
-                    phi_1282_ = (_e982 | 4u);
+                    phi_1383_ = (_e1072 | 4u);
                 } else {
-                    phi_1282_ = _e982;
+                    phi_1383_ = _e1072;
                 }
-                let _e985 = phi_1282_;
-                phi_1287_ = _e985;
+                let _e1075 = phi_1383_;
+                phi_1403_ = _e1075;
             } else {
-                if _e273 {
-                    phi_1286_ = 1u;
+                if (_e1050 == 7u) {
+                    if _e273 {
+                        phi_1392_ = (2u | 1u);
+                    } else {
+                        phi_1392_ = 2u;
+                    }
+                    let _e1079 = phi_1392_;
+                    if _e1069 {
+                        phi_1397_ = (_e1079 | 4u);
+                    } else {
+                        phi_1397_ = _e1079;
+                    }
+                    let _e1082 = phi_1397_;
+                    phi_1402_ = _e1082;
                 } else {
-                    phi_1286_ = 0u;
+                    if _e273 {
+                        phi_1401_ = 1u;
+                    } else {
+                        phi_1401_ = 0u;
+                    }
+                    let _e1084 = phi_1401_;
+                    phi_1402_ = _e1084;
                 }
-                let _e987 = phi_1286_;
-                phi_1287_ = _e987;
+                let _e1086 = phi_1402_;
+                phi_1403_ = _e1086;
             }
-            let _e989 = phi_1287_;
-            if _e273 {
-                phi_1291_ = 0f;
+            let _e1088 = phi_1403_;
+            if _e1069 {
+                phi_1407_ = 0f;
             } else {
-                phi_1291_ = 1f;
+                phi_1407_ = 1f;
             }
-            let _e991 = phi_1291_;
-            phi_1293_ = mask_Masked(_e991, _e989, _e979);
+            let _e1090 = phi_1407_;
+            phi_1409_ = mask_Masked(_e1090, _e1088, _e1065);
         }
-        let _e994 = phi_1293_;
-        visibility.member[_e79.shift] = _e994.visibility;
-        let _e999 = p.member.light.number;
-        let _e1000 = (_e999 * 3u);
-        let _e1002 = (_e1000 % 32u);
-        let _e1004 = p.member.light.mask_words;
-        let _e1006 = ((_e79.shift * _e1004) + (_e1000 / 32u));
-        let _e1008 = bits.member[_e1006];
-        bits.member[_e1006] = ((_e1008 & ~((7u << bitcast<u32>((_e1002 & 31u))))) | (_e994.bits << bitcast<u32>((_e1002 & 31u))));
-        if (_e1002 > 29u) {
-            let _e1023 = bits.member[(_e1006 + 1u)];
-            let _e1025 = (32u - _e1002);
-            bits.member[(_e1006 + 1u)] = ((_e1023 & ~((7u >> bitcast<u32>((_e1025 & 31u))))) | (_e994.bits >> bitcast<u32>((_e1025 & 31u))));
+        let _e1093 = phi_1409_;
+        visibility.member[_e79.shift] = _e1093.visibility;
+        let _e1098 = p.member.light.number;
+        let _e1099 = (_e1098 * 3u);
+        let _e1101 = (_e1099 % 32u);
+        let _e1103 = p.member.light.mask_words;
+        let _e1105 = ((_e79.shift * _e1103) + (_e1099 / 32u));
+        let _e1107 = bits.member[_e1105];
+        bits.member[_e1105] = ((_e1107 & ~((7u << bitcast<u32>((_e1101 & 31u))))) | (_e1093.bits << bitcast<u32>((_e1101 & 31u))));
+        if (_e1101 > 29u) {
+            let _e1122 = bits.member[(_e1105 + 1u)];
+            let _e1124 = (32u - _e1101);
+            bits.member[(_e1105 + 1u)] = ((_e1122 & ~((7u >> bitcast<u32>((_e1124 & 31u))))) | (_e1093.bits >> bitcast<u32>((_e1124 & 31u))));
         }
-        let _e1040 = samples.member[_e79.shift].normal[0u];
-        let _e1042 = global[0u];
-        if (_e1040 == _e1042) {
-            let _e1045 = samples.member[_e79.shift].normal[1u];
-            let _e1047 = global[1u];
-            if (_e1045 == _e1047) {
-                let _e1050 = samples.member[_e79.shift].normal[2u];
-                let _e1052 = global[2u];
-                phi_1365_ = (_e1050 == _e1052);
-                phi_1366_ = false;
+        let _e1139 = samples.member[_e79.shift].normal[0u];
+        let _e1141 = global[0u];
+        if (_e1139 == _e1141) {
+            let _e1144 = samples.member[_e79.shift].normal[1u];
+            let _e1146 = global[1u];
+            if (_e1144 == _e1146) {
+                let _e1149 = samples.member[_e79.shift].normal[2u];
+                let _e1151 = global[2u];
+                phi_1481_ = (_e1149 == _e1151);
+                phi_1482_ = false;
             } else {
-                phi_1365_ = bool();
-                phi_1366_ = true;
+                phi_1481_ = bool();
+                phi_1482_ = true;
             }
-            let _e1055 = phi_1365_;
-            let _e1057 = phi_1366_;
-            phi_1367_ = _e1055;
-            phi_1368_ = _e1057;
+            let _e1154 = phi_1481_;
+            let _e1156 = phi_1482_;
+            phi_1483_ = _e1154;
+            phi_1484_ = _e1156;
         } else {
-            phi_1367_ = bool();
-            phi_1368_ = true;
+            phi_1483_ = bool();
+            phi_1484_ = true;
         }
-        let _e1059 = phi_1367_;
-        let _e1061 = phi_1368_;
-        if _e1061 {
-            phi_1372_ = false;
+        let _e1158 = phi_1483_;
+        let _e1160 = phi_1484_;
+        if _e1160 {
+            phi_1488_ = false;
         } else {
-            phi_1372_ = _e1059;
+            phi_1488_ = _e1158;
         }
-        let _e1063 = phi_1372_;
-        if !(_e1063) {
-            let _e1066 = samples.member[_e79.shift].position;
-            let _e1068 = p.member.current.eye;
-            let _e1079 = p.member.current.forward;
-            phi_1400_ = ((((_e1066.x - _e1068.x) * _e1079.x) + ((_e1066.y - _e1068.y) * _e1079.y)) + ((_e1066.z - _e1068.z) * _e1079.z));
+        let _e1162 = phi_1488_;
+        if !(_e1162) {
+            let _e1165 = samples.member[_e79.shift].position;
+            let _e1167 = p.member.current.eye;
+            let _e1178 = p.member.current.forward;
+            phi_1516_ = ((((_e1165.x - _e1167.x) * _e1178.x) + ((_e1165.y - _e1167.y) * _e1178.y)) + ((_e1165.z - _e1167.z) * _e1178.z));
         } else {
-            phi_1400_ = 0f;
+            phi_1516_ = 0f;
         }
-        let _e1089 = phi_1400_;
-        depths.member[_e79.shift] = _e1089;
-        phi_1403_ = _e994.needs_ray;
-        phi_1404_ = _e79.shift;
+        let _e1188 = phi_1516_;
+        depths.member[_e79.shift] = _e1188;
+        phi_1519_ = _e1093.needs_ray;
+        phi_1520_ = _e79.shift;
     } else {
-        phi_1403_ = false;
-        phi_1404_ = 0u;
+        phi_1519_ = false;
+        phi_1520_ = 0u;
     }
-    let _e1093 = phi_1403_;
-    let _e1095 = phi_1404_;
+    let _e1192 = phi_1519_;
+    let _e1194 = phi_1520_;
     if (_e60 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1093 {
-        let _e1099 = atomicAdd((&shared_[0u]), 1u);
-        phi_1415_ = _e1099;
+    if _e1192 {
+        let _e1198 = atomicAdd((&shared_[0u]), 1u);
+        phi_1531_ = _e1198;
     } else {
-        phi_1415_ = 0u;
+        phi_1531_ = 0u;
     }
-    let _e1101 = phi_1415_;
+    let _e1200 = phi_1531_;
     workgroupBarrier();
     if (_e60 == 0u) {
-        let _e1105 = atomicLoad((&shared_[0u]));
-        let _e1106 = atomicAdd((&list.member[3u]), _e1105);
-        atomicStore((&shared_[1u]), _e1106);
+        let _e1204 = atomicLoad((&shared_[0u]));
+        let _e1205 = atomicAdd((&list.member[3u]), _e1204);
+        atomicStore((&shared_[1u]), _e1205);
     }
     workgroupBarrier();
-    if _e1093 {
-        let _e1109 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1109) + _e1101)]), _e1095);
+    if _e1192 {
+        let _e1208 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1208) + _e1200)]), _e1194);
     }
     return;
 }

@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -335,6 +335,7 @@ fn function_() {
     var phi_850_: bool;
     var phi_854_: bool;
     var phi_855_: lt_mask_Reprojection;
+    var phi_861_: bool;
     var phi_883_: u32;
     var phi_885_: u32;
     var phi_888_: lt_mask_Neighbourhood;
@@ -347,41 +348,80 @@ fn function_() {
     var phi_1016_: u32;
     var phi_1035_: u32;
     var phi_1043_: u32;
-    var phi_1060_: bool;
-    var phi_1061_: bool;
-    var phi_1068_: bool;
     var phi_1069_: bool;
+    var phi_1070_: bool;
+    var phi_1071_: bool;
+    var phi_1072_: bool;
+    var phi_1073_: bool;
+    var phi_1074_: bool;
+    var phi_1075_: bool;
+    var phi_1080_: bool;
+    var phi_1081_: bool;
+    var phi_1082_: bool;
+    var phi_1083_: bool;
+    var phi_1084_: bool;
+    var phi_1085_: bool;
+    var phi_1086_: bool;
     var phi_1087_: bool;
     var phi_1088_: bool;
-    var phi_1089_: bool;
+    var phi_1103_: bool;
+    var phi_1104_: bool;
+    var phi_1111_: bool;
+    var phi_1112_: bool;
+    var phi_1113_: bool;
+    var phi_1114_: bool;
+    var phi_1115_: bool;
+    var phi_1119_: bool;
+    var phi_1120_: bool;
+    var phi_1121_: bool;
+    var phi_1125_: bool;
+    var phi_1126_: bool;
+    var phi_1130_: bool;
+    var phi_1131_: bool;
+    var phi_1149_: bool;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
     var phi_886_: u32;
     var phi_889_: lt_mask_Neighbourhood;
-    var phi_1092_: lt_mask_Neighbourhood;
-    var phi_1093_: lt_mask_Neighbourhood;
-    var phi_1094_: lt_mask_Neighbourhood;
-    var phi_1126_: bool;
-    var phi_1127_: bool;
-    var phi_1156_: bool;
-    var phi_1157_: bool;
-    var phi_1170_: bool;
-    var phi_1171_: bool;
-    var phi_1172_: bool;
-    var phi_1179_: u32;
-    var phi_1180_: u32;
-    var phi_1181_: u32;
-    var phi_1182_: u32;
-    var phi_1183_: u32;
-    var phi_1184_: u32;
-    var phi_1192_: bool;
-    var phi_1200_: u32;
-    var phi_1205_: u32;
-    var phi_1209_: u32;
-    var phi_1210_: u32;
-    var phi_1214_: f32;
-    var phi_1216_: mask_Masked;
-    var phi_1266_: bool;
+    var phi_1154_: lt_mask_Neighbourhood;
+    var phi_1155_: lt_mask_Neighbourhood;
+    var phi_1156_: lt_mask_Neighbourhood;
+    var phi_1188_: bool;
+    var phi_1189_: bool;
+    var phi_1211_: bool;
+    var phi_1212_: bool;
+    var phi_1213_: bool;
+    var phi_1217_: bool;
+    var phi_1239_: bool;
+    var phi_1240_: bool;
+    var phi_1253_: bool;
+    var phi_1254_: bool;
+    var phi_1255_: bool;
+    var phi_1262_: u32;
+    var phi_1263_: u32;
+    var phi_1264_: u32;
+    var phi_1265_: u32;
+    var phi_1266_: u32;
     var phi_1267_: u32;
-    var phi_1278_: u32;
+    var phi_1268_: u32;
+    var phi_1280_: bool;
+    var phi_1281_: bool;
+    var phi_1282_: bool;
+    var phi_1283_: bool;
+    var phi_1287_: bool;
+    var phi_1293_: bool;
+    var phi_1301_: u32;
+    var phi_1306_: u32;
+    var phi_1315_: u32;
+    var phi_1320_: u32;
+    var phi_1324_: u32;
+    var phi_1325_: u32;
+    var phi_1326_: u32;
+    var phi_1330_: f32;
+    var phi_1332_: mask_Masked;
+    var phi_1382_: bool;
+    var phi_1383_: u32;
+    var phi_1394_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e54 = id_1;
@@ -490,7 +530,7 @@ fn function_() {
         }
         let _e244 = phi_456_;
         if _e244.unnamed_1 {
-            phi_1216_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
+            phi_1332_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
         } else {
             let _e249 = (_e91 < 0.5f);
             if (_e91 > 0f) {
@@ -753,42 +793,47 @@ fn function_() {
             let _e657 = phi_854_;
             let _e659 = phi_855_;
             let _e663 = lt_mask_Reprojection(_e659.pixel, _e657, _e659.has_moved);
-            if _e663.has_moved {
-            }
-            let _e669 = lt_mask_Neighbourhood(false, true);
+            let _e664 = lt_mask_Neighbourhood(false, true);
             if _e253 {
-                phi_1094_ = _e669;
+                phi_861_ = false;
             } else {
-                if true {
-                    if _e657 {
+                phi_861_ = true;
+            }
+            let _e666 = phi_861_;
+            if _e666 {
+                if _e657 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1154_ = _e664;
+                    } else {
+                        let _e670 = p.member.expansion;
                         if _e663.has_moved {
-                            let _e672 = p.member.moving_pattern;
-                            phi_883_ = _e672;
+                            let _e673 = p.member.moving_pattern;
+                            phi_883_ = _e673;
                         } else {
-                            let _e674 = p.member.still_pattern;
-                            phi_883_ = _e674;
+                            let _e675 = p.member.still_pattern;
+                            phi_883_ = _e675;
                         }
-                        let _e676 = phi_883_;
+                        let _e677 = phi_883_;
                         phi_885_ = 0u;
-                        phi_888_ = _e669;
+                        phi_888_ = _e664;
                         loop {
-                            let _e678 = phi_885_;
-                            let _e680 = phi_888_;
-                            local_1 = _e680;
-                            if (1u <= _e676) {
-                                if (_e676 <= 4u) {
+                            let _e679 = phi_885_;
+                            let _e681 = phi_888_;
+                            local_1 = _e681;
+                            if (1u <= _e677) {
+                                if (_e677 <= 4u) {
                                     phi_900_ = false;
                                 } else {
                                     phi_900_ = true;
                                 }
-                                let _e684 = phi_900_;
-                                phi_901_ = _e684;
+                                let _e685 = phi_900_;
+                                phi_901_ = _e685;
                             } else {
                                 phi_901_ = true;
                             }
-                            let _e686 = phi_901_;
-                            if _e686 {
-                                switch bitcast<i32>(_e676) {
+                            let _e687 = phi_901_;
+                            if _e687 {
+                                switch bitcast<i32>(_e677) {
                                     case 5: {
                                         phi_910_ = 4u;
                                         break;
@@ -806,40 +851,40 @@ fn function_() {
                                         break;
                                     }
                                 }
-                                let _e689 = phi_910_;
-                                phi_911_ = _e689;
+                                let _e690 = phi_910_;
+                                phi_911_ = _e690;
                             } else {
                                 phi_911_ = 5u;
                             }
-                            let _e691 = phi_911_;
-                            let _e692 = (_e678 < _e691);
-                            if _e692 {
-                                let _e698 = p.member.frame;
-                                let _e702 = p.member.current.size[0u];
-                                let _e704 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e676) {
+                            let _e692 = phi_911_;
+                            let _e693 = (_e679 < _e692);
+                            if _e693 {
+                                let _e699 = p.member.frame;
+                                let _e703 = p.member.current.size[0u];
+                                let _e705 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e677) {
                                     case 1: {
-                                        let _e714 = lt_mask_pattern_plus(_e678);
-                                        phi_991_ = vec2<i32>(_e714.x, _e714.y);
+                                        let _e715 = lt_mask_pattern_plus(_e679);
+                                        phi_991_ = vec2<i32>(_e715.x, _e715.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e718 = lt_mask_pattern_cross(_e678);
-                                        phi_991_ = vec2<i32>(_e718.x, _e718.y);
+                                        let _e719 = lt_mask_pattern_cross(_e679);
+                                        phi_991_ = vec2<i32>(_e719.x, _e719.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e724 = lt_mask_pattern_plus_or_cross(_e678, ((_e663.pixel.x + _e663.pixel.y) & 1u));
-                                        phi_991_ = vec2<i32>(_e724.x, _e724.y);
+                                        let _e725 = lt_mask_pattern_plus_or_cross(_e679, ((_e663.pixel.x + _e663.pixel.y) & 1u));
+                                        phi_991_ = vec2<i32>(_e725.x, _e725.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e729 = lt_mask_pattern_plus_or_cross(_e678, (_e698 & 1u));
-                                        phi_991_ = vec2<i32>(_e729.x, _e729.y);
+                                        let _e730 = lt_mask_pattern_plus_or_cross(_e679, (_e699 & 1u));
+                                        phi_991_ = vec2<i32>(_e730.x, _e730.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e698 & 3u)) {
+                                        switch bitcast<i32>((_e699 & 3u)) {
                                             case 0: {
                                                 phi_971_ = vec2(-1i);
                                                 break;
@@ -857,297 +902,493 @@ fn function_() {
                                                 break;
                                             }
                                         }
-                                        let _e740 = phi_971_;
-                                        phi_991_ = (_e740 + vec2<i32>(bitcast<i32>((_e678 & 1u)), bitcast<i32>(((_e678 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e741 = phi_971_;
+                                        phi_991_ = (_e741 + vec2<i32>(bitcast<i32>((_e679 & 1u)), bitcast<i32>(((_e679 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_991_ = vec2<i32>((bitcast<i32>((_e678 % 5u)) - 2i), (bitcast<i32>(((_e678 / 5u) % 5u)) - 2i));
+                                        phi_991_ = vec2<i32>((bitcast<i32>((_e679 % 5u)) - 2i), (bitcast<i32>(((_e679 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e757 = lt_mask_pattern_diamond(_e678);
-                                        phi_991_ = vec2<i32>(_e757.x, _e757.y);
+                                        let _e758 = lt_mask_pattern_diamond(_e679);
+                                        phi_991_ = vec2<i32>(_e758.x, _e758.y);
                                         break;
                                     }
                                     default: {
-                                        phi_991_ = vec2<i32>((bitcast<i32>((_e678 % 3u)) - 1i), (bitcast<i32>(((_e678 / 3u) % 3u)) - 1i));
+                                        phi_991_ = vec2<i32>((bitcast<i32>((_e679 % 3u)) - 1i), (bitcast<i32>(((_e679 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e762 = phi_991_;
-                                let _e765 = lt_mask_pattern_step_clamped(_e663.pixel.x, _e762.x, _e702);
-                                let _e766 = lt_mask_pattern_step_clamped(_e663.pixel.y, _e762.y, _e704);
-                                let _e770 = ((((_e766 * _e86) + _e765) * _e82) + (_e78 / 32u));
+                                let _e763 = phi_991_;
+                                let _e766 = lt_mask_pattern_step_clamped(_e663.pixel.x, _e763.x, _e703);
+                                let _e767 = lt_mask_pattern_step_clamped(_e663.pixel.y, _e763.y, _e705);
+                                let _e771 = ((((_e767 * _e86) + _e766) * _e82) + (_e78 / 32u));
                                 if (_e80 > 29u) {
-                                    let _e772 = (_e770 + 1u);
-                                    if (_e772 < _e60) {
+                                    let _e773 = (_e771 + 1u);
+                                    if (_e773 < _e60) {
                                     } else {
                                         return;
                                     }
-                                    let _e776 = last_bits.member[(0u + _e772)];
-                                    phi_1016_ = _e776;
+                                    let _e777 = last_bits.member[(0u + _e773)];
+                                    phi_1016_ = _e777;
                                 } else {
                                     phi_1016_ = 0u;
                                 }
-                                let _e778 = phi_1016_;
-                                if (_e770 < _e60) {
+                                let _e779 = phi_1016_;
+                                if (_e771 < _e60) {
                                 } else {
                                     return;
                                 }
-                                let _e782 = last_bits.member[(0u + _e770)];
-                                let _e785 = (_e782 >> bitcast<u32>((_e80 & 31u)));
+                                let _e783 = last_bits.member[(0u + _e771)];
+                                let _e786 = (_e783 >> bitcast<u32>((_e80 & 31u)));
                                 if (_e80 > 29u) {
-                                    phi_1035_ = (_e785 | (_e778 << bitcast<u32>(((32u - _e80) & 31u))));
+                                    phi_1035_ = (_e786 | (_e779 << bitcast<u32>(((32u - _e80) & 31u))));
                                 } else {
-                                    phi_1035_ = _e785;
+                                    phi_1035_ = _e786;
                                 }
-                                let _e793 = phi_1035_;
-                                if ((_e793 & 2u) == 0u) {
-                                    phi_1043_ = (_e793 & 1u);
+                                let _e794 = phi_1035_;
+                                if ((_e794 & 2u) == 0u) {
+                                    phi_1043_ = (_e794 & 1u);
                                 } else {
-                                    phi_1043_ = (_e793 & 7u);
+                                    phi_1043_ = (_e794 & 7u);
                                 }
-                                let _e799 = phi_1043_;
-                                if _e680.any_expands {
-                                    phi_1069_ = true;
+                                let _e800 = phi_1043_;
+                                if _e681.any_expands {
+                                    phi_1131_ = true;
                                 } else {
-                                    if ((_e799 & 2u) != 0u) {
-                                        if (((_e799 & 4u) != 0u) != _e249) {
-                                            phi_1060_ = false;
-                                        } else {
-                                            phi_1060_ = true;
+                                    if ((_e800 & 2u) != 0u) {
+                                        let _e807 = (((_e800 & 4u) != 0u) != _e249);
+                                        switch bitcast<i32>(_e670) {
+                                            case 1: {
+                                                phi_1071_ = bool();
+                                                phi_1072_ = false;
+                                                phi_1073_ = true;
+                                                phi_1074_ = false;
+                                                phi_1075_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e807 {
+                                                    phi_1069_ = (((_e800 & 4u) != 0u) != ((_e800 & 1u) != 0u));
+                                                    phi_1070_ = false;
+                                                } else {
+                                                    phi_1069_ = bool();
+                                                    phi_1070_ = true;
+                                                }
+                                                let _e815 = phi_1069_;
+                                                let _e817 = phi_1070_;
+                                                phi_1071_ = _e815;
+                                                phi_1072_ = false;
+                                                phi_1073_ = false;
+                                                phi_1074_ = _e817;
+                                                phi_1075_ = _e807;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1071_ = bool();
+                                                phi_1072_ = true;
+                                                phi_1073_ = false;
+                                                phi_1074_ = false;
+                                                phi_1075_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e808 = phi_1060_;
-                                        phi_1061_ = _e808;
-                                    } else {
-                                        phi_1061_ = true;
-                                    }
-                                    let _e810 = phi_1061_;
-                                    if _e810 {
-                                        phi_1068_ = (((_e799 & 1u) != 0u) != _e249);
-                                    } else {
-                                        phi_1068_ = true;
-                                    }
-                                    let _e815 = phi_1068_;
-                                    phi_1069_ = _e815;
-                                }
-                                let _e817 = phi_1069_;
-                                if _e680.all_remove {
-                                    if (((_e799 & 1u) != 0u) == _e249) {
-                                        if ((_e799 & 2u) != 0u) {
-                                            phi_1087_ = (((_e799 & 4u) != 0u) == _e249);
-                                        } else {
-                                            phi_1087_ = true;
-                                        }
-                                        let _e827 = phi_1087_;
+                                        let _e819 = phi_1071_;
+                                        let _e821 = phi_1072_;
+                                        let _e823 = phi_1073_;
+                                        let _e825 = phi_1074_;
+                                        let _e827 = phi_1075_;
+                                        phi_1083_ = _e807;
+                                        phi_1084_ = _e819;
+                                        phi_1085_ = _e821;
+                                        phi_1086_ = _e823;
+                                        phi_1087_ = _e825;
                                         phi_1088_ = _e827;
                                     } else {
+                                        switch bitcast<i32>(_e670) {
+                                            case 1: {
+                                                phi_1080_ = false;
+                                                phi_1081_ = true;
+                                                phi_1082_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1080_ = false;
+                                                phi_1081_ = false;
+                                                phi_1082_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1080_ = true;
+                                                phi_1081_ = false;
+                                                phi_1082_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e830 = phi_1080_;
+                                        let _e832 = phi_1081_;
+                                        let _e834 = phi_1082_;
+                                        phi_1083_ = false;
+                                        phi_1084_ = bool();
+                                        phi_1085_ = _e830;
+                                        phi_1086_ = _e832;
+                                        phi_1087_ = _e834;
                                         phi_1088_ = false;
                                     }
-                                    let _e829 = phi_1088_;
-                                    phi_1089_ = _e829;
-                                } else {
-                                    phi_1089_ = false;
+                                    let _e836 = phi_1083_;
+                                    let _e838 = phi_1084_;
+                                    let _e840 = phi_1085_;
+                                    let _e842 = phi_1086_;
+                                    let _e844 = phi_1087_;
+                                    let _e846 = phi_1088_;
+                                    if _e840 {
+                                        if ((_e800 & 2u) != 0u) {
+                                            if (((_e800 & 4u) != 0u) != _e249) {
+                                                phi_1103_ = false;
+                                            } else {
+                                                phi_1103_ = true;
+                                            }
+                                            let _e853 = phi_1103_;
+                                            phi_1104_ = _e853;
+                                        } else {
+                                            phi_1104_ = true;
+                                        }
+                                        let _e855 = phi_1104_;
+                                        if _e855 {
+                                            phi_1111_ = (((_e800 & 1u) != 0u) != _e249);
+                                        } else {
+                                            phi_1111_ = true;
+                                        }
+                                        let _e860 = phi_1111_;
+                                        phi_1112_ = _e860;
+                                        phi_1113_ = false;
+                                        phi_1114_ = false;
+                                        phi_1115_ = false;
+                                    } else {
+                                        phi_1112_ = bool();
+                                        phi_1113_ = _e842;
+                                        phi_1114_ = _e844;
+                                        phi_1115_ = _e846;
+                                    }
+                                    let _e862 = phi_1112_;
+                                    let _e864 = phi_1113_;
+                                    let _e866 = phi_1114_;
+                                    let _e868 = phi_1115_;
+                                    if _e864 {
+                                        phi_1119_ = _e836;
+                                        phi_1120_ = false;
+                                        phi_1121_ = false;
+                                    } else {
+                                        phi_1119_ = _e862;
+                                        phi_1120_ = _e866;
+                                        phi_1121_ = _e868;
+                                    }
+                                    let _e870 = phi_1119_;
+                                    let _e872 = phi_1120_;
+                                    let _e874 = phi_1121_;
+                                    if _e872 {
+                                        phi_1125_ = false;
+                                        phi_1126_ = true;
+                                    } else {
+                                        phi_1125_ = _e838;
+                                        phi_1126_ = _e874;
+                                    }
+                                    let _e876 = phi_1125_;
+                                    let _e878 = phi_1126_;
+                                    if _e878 {
+                                        phi_1130_ = _e876;
+                                    } else {
+                                        phi_1130_ = _e870;
+                                    }
+                                    let _e880 = phi_1130_;
+                                    phi_1131_ = _e880;
                                 }
-                                let _e831 = phi_1089_;
-                                phi_886_ = (_e678 + 1u);
-                                phi_889_ = lt_mask_Neighbourhood(_e817, _e831);
+                                let _e882 = phi_1131_;
+                                if _e681.all_remove {
+                                    if (((_e800 & 1u) != 0u) == _e249) {
+                                        if ((_e800 & 2u) != 0u) {
+                                            phi_1149_ = (((_e800 & 4u) != 0u) == _e249);
+                                        } else {
+                                            phi_1149_ = true;
+                                        }
+                                        let _e892 = phi_1149_;
+                                        phi_1150_ = _e892;
+                                    } else {
+                                        phi_1150_ = false;
+                                    }
+                                    let _e894 = phi_1150_;
+                                    phi_1151_ = _e894;
+                                } else {
+                                    phi_1151_ = false;
+                                }
+                                let _e896 = phi_1151_;
+                                phi_886_ = (_e679 + 1u);
+                                phi_889_ = lt_mask_Neighbourhood(_e882, _e896);
                             } else {
                                 phi_886_ = u32();
                                 phi_889_ = lt_mask_Neighbourhood();
                             }
-                            let _e835 = phi_886_;
-                            let _e837 = phi_889_;
+                            let _e900 = phi_886_;
+                            let _e902 = phi_889_;
                             continue;
                             continuing {
-                                phi_885_ = _e835;
-                                phi_888_ = _e837;
-                                break if !(_e692);
+                                phi_885_ = _e900;
+                                phi_888_ = _e902;
+                                break if !(_e693);
                             }
                         }
-                        let _e1065 = local_1;
-                        phi_1092_ = _e1065;
-                    } else {
-                        phi_1092_ = _e669;
+                        let _e1191 = local_1;
+                        phi_1154_ = _e1191;
                     }
-                    let _e840 = phi_1092_;
-                    phi_1093_ = _e840;
+                    let _e905 = phi_1154_;
+                    phi_1155_ = _e905;
                 } else {
-                    phi_1093_ = _e669;
+                    phi_1155_ = _e664;
                 }
-                let _e842 = phi_1093_;
-                phi_1094_ = _e842;
-            }
-            let _e844 = phi_1094_;
-            let _e847 = p.member.frame;
-            let _e849 = p.member.refresh;
-            if (_e849 == 0u) {
-                phi_1127_ = false;
+                let _e907 = phi_1155_;
+                phi_1156_ = _e907;
             } else {
-                if (_e849 == 0u) {
+                phi_1156_ = _e664;
+            }
+            let _e909 = phi_1156_;
+            let _e912 = p.member.frame;
+            let _e914 = p.member.refresh;
+            if (_e914 == 0u) {
+                phi_1189_ = false;
+            } else {
+                if (_e914 == 0u) {
                     return;
                 }
-                let _e858 = ((_e54.x + (_e54.y * (((_e849 * 5u) / 8u) | 1u))) + (_e847 % _e849));
-                if (_e849 == 0u) {
-                    phi_1126_ = (_e858 == 0u);
+                let _e923 = ((_e54.x + (_e54.y * (((_e914 * 5u) / 8u) | 1u))) + (_e912 % _e914));
+                if (_e914 == 0u) {
+                    phi_1188_ = (_e923 == 0u);
                 } else {
-                    if (_e849 == 0u) {
+                    if (_e914 == 0u) {
                         return;
                     }
-                    phi_1126_ = ((_e858 % _e849) == 0u);
+                    phi_1188_ = ((_e923 % _e914) == 0u);
                 }
-                let _e865 = phi_1126_;
-                phi_1127_ = _e865;
+                let _e930 = phi_1188_;
+                phi_1189_ = _e930;
             }
-            let _e867 = phi_1127_;
-            if (_e91 != 0.5f) {
-                if _e657 {
-                    if _e867 {
-                        phi_1182_ = 6u;
-                    } else {
-                        if _e253 {
-                            phi_1157_ = true;
+            let _e932 = phi_1189_;
+            if _e657 {
+                if _e932 {
+                    phi_1211_ = bool();
+                } else {
+                    phi_1211_ = ((0u & 2u) != 0u);
+                }
+                let _e938 = phi_1211_;
+                phi_1212_ = _e938;
+                phi_1213_ = _e932;
+            } else {
+                phi_1212_ = bool();
+                phi_1213_ = true;
+            }
+            let _e940 = phi_1212_;
+            let _e942 = phi_1213_;
+            if _e942 {
+                phi_1217_ = false;
+            } else {
+                phi_1217_ = _e940;
+            }
+            let _e944 = phi_1217_;
+            if _e944 {
+                phi_1268_ = 7u;
+            } else {
+                if (_e91 != 0.5f) {
+                    if _e657 {
+                        if _e932 {
+                            phi_1265_ = 6u;
                         } else {
-                            if _e844.any_expands {
-                                phi_1156_ = false;
-                            } else {
-                                phi_1156_ = true;
-                            }
-                            let _e871 = phi_1156_;
-                            phi_1157_ = _e871;
-                        }
-                        let _e873 = phi_1157_;
-                        if _e873 {
                             if _e253 {
-                                if false {
-                                    if _e844.all_remove {
-                                        phi_1170_ = false;
-                                    } else {
-                                        phi_1170_ = true;
-                                    }
-                                    let _e875 = phi_1170_;
-                                    phi_1171_ = _e875;
-                                } else {
-                                    phi_1171_ = true;
-                                }
-                                let _e877 = phi_1171_;
-                                phi_1172_ = _e877;
+                                phi_1240_ = true;
                             } else {
-                                phi_1172_ = true;
+                                if _e909.any_expands {
+                                    phi_1239_ = false;
+                                } else {
+                                    phi_1239_ = true;
+                                }
+                                let _e946 = phi_1239_;
+                                phi_1240_ = _e946;
                             }
-                            let _e879 = phi_1172_;
-                            if _e879 {
+                            let _e948 = phi_1240_;
+                            if _e948 {
                                 if _e253 {
-                                    phi_1179_ = 1u;
+                                    if false {
+                                        if _e909.all_remove {
+                                            phi_1253_ = false;
+                                        } else {
+                                            phi_1253_ = true;
+                                        }
+                                        let _e950 = phi_1253_;
+                                        phi_1254_ = _e950;
+                                    } else {
+                                        phi_1254_ = true;
+                                    }
+                                    let _e952 = phi_1254_;
+                                    phi_1255_ = _e952;
                                 } else {
-                                    phi_1179_ = 0u;
+                                    phi_1255_ = true;
                                 }
-                                let _e881 = phi_1179_;
-                                phi_1180_ = _e881;
+                                let _e954 = phi_1255_;
+                                if _e954 {
+                                    if _e253 {
+                                        phi_1262_ = 1u;
+                                    } else {
+                                        phi_1262_ = 0u;
+                                    }
+                                    let _e956 = phi_1262_;
+                                    phi_1263_ = _e956;
+                                } else {
+                                    phi_1263_ = 5u;
+                                }
+                                let _e958 = phi_1263_;
+                                phi_1264_ = _e958;
                             } else {
-                                phi_1180_ = 5u;
+                                phi_1264_ = 4u;
                             }
-                            let _e883 = phi_1180_;
-                            phi_1181_ = _e883;
-                        } else {
-                            phi_1181_ = 4u;
+                            let _e960 = phi_1264_;
+                            phi_1265_ = _e960;
                         }
-                        let _e885 = phi_1181_;
-                        phi_1182_ = _e885;
+                        let _e962 = phi_1265_;
+                        phi_1266_ = _e962;
+                    } else {
+                        phi_1266_ = 3u;
                     }
-                    let _e887 = phi_1182_;
-                    phi_1183_ = _e887;
+                    let _e964 = phi_1266_;
+                    phi_1267_ = _e964;
                 } else {
-                    phi_1183_ = 3u;
+                    phi_1267_ = 2u;
                 }
-                let _e889 = phi_1183_;
-                phi_1184_ = _e889;
-            } else {
-                phi_1184_ = 2u;
+                let _e966 = phi_1267_;
+                phi_1268_ = _e966;
             }
-            let _e891 = phi_1184_;
-            if !((_e891 == 0u)) {
-                phi_1192_ = !((_e891 == 5u));
+            let _e968 = phi_1268_;
+            if !((_e968 == 0u)) {
+                if !((_e968 == 5u)) {
+                    phi_1280_ = !(_e944);
+                    phi_1281_ = false;
+                } else {
+                    phi_1280_ = bool();
+                    phi_1281_ = true;
+                }
+                let _e975 = phi_1280_;
+                let _e977 = phi_1281_;
+                phi_1282_ = _e975;
+                phi_1283_ = _e977;
             } else {
-                phi_1192_ = false;
+                phi_1282_ = bool();
+                phi_1283_ = true;
             }
-            let _e897 = phi_1192_;
-            if _e897 {
+            let _e979 = phi_1282_;
+            let _e981 = phi_1283_;
+            if _e981 {
+                phi_1287_ = false;
+            } else {
+                phi_1287_ = _e979;
+            }
+            let _e983 = phi_1287_;
+            if _e944 {
+                phi_1293_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1293_ = _e249;
+            }
+            let _e987 = phi_1293_;
+            if _e983 {
                 if _e249 {
-                    phi_1200_ = (2u | 1u);
+                    phi_1301_ = (2u | 1u);
                 } else {
-                    phi_1200_ = 2u;
+                    phi_1301_ = 2u;
                 }
-                let _e900 = phi_1200_;
+                let _e990 = phi_1301_;
                 if false {
-                    phi_1205_ = (_e900 | 4u);
+                    phi_1306_ = (_e990 | 4u);
                 } else {
-                    phi_1205_ = _e900;
+                    phi_1306_ = _e990;
                 }
-                let _e903 = phi_1205_;
-                phi_1210_ = _e903;
+                let _e993 = phi_1306_;
+                phi_1326_ = _e993;
             } else {
-                if _e249 {
-                    phi_1209_ = 1u;
+                if (_e968 == 7u) {
+                    if _e249 {
+                        phi_1315_ = (2u | 1u);
+                    } else {
+                        phi_1315_ = 2u;
+                    }
+                    let _e997 = phi_1315_;
+                    if _e987 {
+                        phi_1320_ = (_e997 | 4u);
+                    } else {
+                        phi_1320_ = _e997;
+                    }
+                    let _e1000 = phi_1320_;
+                    phi_1325_ = _e1000;
                 } else {
-                    phi_1209_ = 0u;
+                    if _e249 {
+                        phi_1324_ = 1u;
+                    } else {
+                        phi_1324_ = 0u;
+                    }
+                    let _e1002 = phi_1324_;
+                    phi_1325_ = _e1002;
                 }
-                let _e905 = phi_1209_;
-                phi_1210_ = _e905;
+                let _e1004 = phi_1325_;
+                phi_1326_ = _e1004;
             }
-            let _e907 = phi_1210_;
-            if _e249 {
-                phi_1214_ = 0f;
+            let _e1006 = phi_1326_;
+            if _e987 {
+                phi_1330_ = 0f;
             } else {
-                phi_1214_ = 1f;
+                phi_1330_ = 1f;
             }
-            let _e909 = phi_1214_;
-            phi_1216_ = mask_Masked(_e909, _e907, _e897);
+            let _e1008 = phi_1330_;
+            phi_1332_ = mask_Masked(_e1008, _e1006, _e983);
         }
-        let _e912 = phi_1216_;
-        visibility.member[_e70.shift] = _e912.visibility;
-        let _e917 = p.member.light.number;
-        let _e918 = (_e917 * 3u);
-        let _e920 = (_e918 % 32u);
-        let _e922 = p.member.light.mask_words;
-        let _e924 = ((_e70.shift * _e922) + (_e918 / 32u));
-        let _e926 = bits.member[_e924];
-        bits.member[_e924] = ((_e926 & ~((7u << bitcast<u32>((_e920 & 31u))))) | (_e912.bits << bitcast<u32>((_e920 & 31u))));
-        if (_e920 > 29u) {
-            let _e941 = bits.member[(_e924 + 1u)];
-            let _e943 = (32u - _e920);
-            bits.member[(_e924 + 1u)] = ((_e941 & ~((7u >> bitcast<u32>((_e943 & 31u))))) | (_e912.bits >> bitcast<u32>((_e943 & 31u))));
+        let _e1011 = phi_1332_;
+        visibility.member[_e70.shift] = _e1011.visibility;
+        let _e1016 = p.member.light.number;
+        let _e1017 = (_e1016 * 3u);
+        let _e1019 = (_e1017 % 32u);
+        let _e1021 = p.member.light.mask_words;
+        let _e1023 = ((_e70.shift * _e1021) + (_e1017 / 32u));
+        let _e1025 = bits.member[_e1023];
+        bits.member[_e1023] = ((_e1025 & ~((7u << bitcast<u32>((_e1019 & 31u))))) | (_e1011.bits << bitcast<u32>((_e1019 & 31u))));
+        if (_e1019 > 29u) {
+            let _e1040 = bits.member[(_e1023 + 1u)];
+            let _e1042 = (32u - _e1019);
+            bits.member[(_e1023 + 1u)] = ((_e1040 & ~((7u >> bitcast<u32>((_e1042 & 31u))))) | (_e1011.bits >> bitcast<u32>((_e1042 & 31u))));
         }
-        phi_1266_ = _e912.needs_ray;
-        phi_1267_ = _e70.shift;
+        phi_1382_ = _e1011.needs_ray;
+        phi_1383_ = _e70.shift;
     } else {
-        phi_1266_ = false;
-        phi_1267_ = 0u;
+        phi_1382_ = false;
+        phi_1383_ = 0u;
     }
-    let _e957 = phi_1266_;
-    let _e959 = phi_1267_;
+    let _e1056 = phi_1382_;
+    let _e1058 = phi_1383_;
     if (_e55 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e957 {
-        let _e963 = atomicAdd((&shared_[0u]), 1u);
-        phi_1278_ = _e963;
+    if _e1056 {
+        let _e1062 = atomicAdd((&shared_[0u]), 1u);
+        phi_1394_ = _e1062;
     } else {
-        phi_1278_ = 0u;
+        phi_1394_ = 0u;
     }
-    let _e965 = phi_1278_;
+    let _e1064 = phi_1394_;
     workgroupBarrier();
     if (_e55 == 0u) {
-        let _e969 = atomicLoad((&shared_[0u]));
-        let _e970 = atomicAdd((&list.member[3u]), _e969);
-        atomicStore((&shared_[1u]), _e970);
+        let _e1068 = atomicLoad((&shared_[0u]));
+        let _e1069 = atomicAdd((&list.member[3u]), _e1068);
+        atomicStore((&shared_[1u]), _e1069);
     }
     workgroupBarrier();
-    if _e957 {
-        let _e973 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e973) + _e965)]), _e959);
+    if _e1056 {
+        let _e1072 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1072) + _e1064)]), _e1058);
     }
     return;
 }

@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -335,61 +335,106 @@ fn function_() {
     var phi_850_: bool;
     var phi_854_: bool;
     var phi_855_: lt_mask_Reprojection;
-    var phi_869_: bool;
-    var phi_880_: bool;
-    var phi_881_: bool;
-    var phi_882_: bool;
-    var phi_883_: bool;
-    var phi_884_: bool;
-    var phi_885_: bool;
-    var phi_889_: bool;
-    var phi_894_: bool;
-    var phi_909_: u32;
-    var phi_911_: u32;
-    var phi_914_: lt_mask_Neighbourhood;
-    var phi_926_: bool;
+    var phi_896_: u32;
+    var phi_915_: u32;
+    var phi_923_: u32;
+    var phi_924_: u32;
+    var phi_925_: bool;
+    var phi_926_: u32;
     var phi_927_: bool;
-    var phi_936_: u32;
-    var phi_937_: u32;
-    var phi_997_: vec2<i32>;
-    var phi_1017_: vec2<i32>;
-    var phi_1042_: u32;
-    var phi_1061_: u32;
-    var phi_1069_: u32;
-    var phi_1086_: bool;
-    var phi_1087_: bool;
-    var phi_1094_: bool;
-    var phi_1095_: bool;
-    var phi_1113_: bool;
-    var phi_1114_: bool;
-    var phi_1115_: bool;
-    var phi_912_: u32;
-    var phi_915_: lt_mask_Neighbourhood;
-    var phi_1118_: lt_mask_Neighbourhood;
-    var phi_1119_: lt_mask_Neighbourhood;
-    var phi_1151_: bool;
+    var phi_928_: bool;
+    var phi_929_: u32;
+    var phi_930_: bool;
+    var phi_931_: bool;
+    var phi_935_: bool;
+    var phi_939_: u32;
+    var phi_944_: bool;
+    var phi_966_: u32;
+    var phi_968_: u32;
+    var phi_971_: lt_mask_Neighbourhood;
+    var phi_983_: bool;
+    var phi_984_: bool;
+    var phi_993_: u32;
+    var phi_994_: u32;
+    var phi_1054_: vec2<i32>;
+    var phi_1074_: vec2<i32>;
+    var phi_1099_: u32;
+    var phi_1118_: u32;
+    var phi_1126_: u32;
     var phi_1152_: bool;
-    var phi_1181_: bool;
-    var phi_1182_: bool;
+    var phi_1153_: bool;
+    var phi_1154_: bool;
+    var phi_1155_: bool;
+    var phi_1156_: bool;
+    var phi_1157_: bool;
+    var phi_1158_: bool;
+    var phi_1163_: bool;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
+    var phi_1166_: bool;
+    var phi_1167_: bool;
+    var phi_1168_: bool;
+    var phi_1169_: bool;
+    var phi_1170_: bool;
+    var phi_1171_: bool;
+    var phi_1186_: bool;
+    var phi_1187_: bool;
+    var phi_1194_: bool;
     var phi_1195_: bool;
     var phi_1196_: bool;
     var phi_1197_: bool;
-    var phi_1204_: u32;
-    var phi_1205_: u32;
-    var phi_1206_: u32;
-    var phi_1207_: u32;
-    var phi_1208_: u32;
-    var phi_1209_: u32;
-    var phi_1217_: bool;
-    var phi_1225_: u32;
-    var phi_1230_: u32;
-    var phi_1234_: u32;
-    var phi_1235_: u32;
-    var phi_1239_: f32;
-    var phi_1241_: mask_Masked;
-    var phi_1291_: bool;
-    var phi_1292_: u32;
-    var phi_1303_: u32;
+    var phi_1198_: bool;
+    var phi_1202_: bool;
+    var phi_1203_: bool;
+    var phi_1204_: bool;
+    var phi_1208_: bool;
+    var phi_1209_: bool;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
+    var phi_1232_: bool;
+    var phi_1233_: bool;
+    var phi_1234_: bool;
+    var phi_969_: u32;
+    var phi_972_: lt_mask_Neighbourhood;
+    var phi_1237_: lt_mask_Neighbourhood;
+    var phi_1238_: lt_mask_Neighbourhood;
+    var phi_1239_: lt_mask_Neighbourhood;
+    var phi_1271_: bool;
+    var phi_1272_: bool;
+    var phi_1294_: bool;
+    var phi_1295_: bool;
+    var phi_1296_: bool;
+    var phi_1300_: bool;
+    var phi_1322_: bool;
+    var phi_1323_: bool;
+    var phi_1336_: bool;
+    var phi_1337_: bool;
+    var phi_1338_: bool;
+    var phi_1345_: u32;
+    var phi_1346_: u32;
+    var phi_1347_: u32;
+    var phi_1348_: u32;
+    var phi_1349_: u32;
+    var phi_1350_: u32;
+    var phi_1351_: u32;
+    var phi_1363_: bool;
+    var phi_1364_: bool;
+    var phi_1365_: bool;
+    var phi_1366_: bool;
+    var phi_1370_: bool;
+    var phi_1376_: bool;
+    var phi_1384_: u32;
+    var phi_1389_: u32;
+    var phi_1398_: u32;
+    var phi_1403_: u32;
+    var phi_1407_: u32;
+    var phi_1408_: u32;
+    var phi_1409_: u32;
+    var phi_1413_: f32;
+    var phi_1415_: mask_Masked;
+    var phi_1465_: bool;
+    var phi_1466_: u32;
+    var phi_1477_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e54 = id_1;
@@ -401,6 +446,7 @@ fn function_() {
     if (bitcast<i32>(_e70.word) != 0i) {
         let _e77 = p.member.light.number;
         let _e78 = (_e77 * 3u);
+        let _e79 = (_e78 / 32u);
         let _e80 = (_e78 % 32u);
         let _e82 = p.member.light.mask_words;
         let _e86 = p.member.current.size[0u];
@@ -498,7 +544,7 @@ fn function_() {
         }
         let _e244 = phi_456_;
         if _e244.unnamed_1 {
-            phi_1241_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
+            phi_1415_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
         } else {
             let _e249 = (_e91 < 0.5f);
             if (_e91 > 0f) {
@@ -762,439 +808,680 @@ fn function_() {
             let _e659 = phi_855_;
             let _e663 = lt_mask_Reprojection(_e659.pixel, _e657, _e659.has_moved);
             let _e665 = p.member.flags;
-            if _e663.has_moved {
-                let _e670 = p.member.flags;
-                phi_869_ = ((_e670 & 4u) == 0u);
+            let _e667 = ((_e665 & 2u) != 0u);
+            let _e669 = p.member.flags;
+            if ((_e669 & 4u) == 0u) {
+                phi_929_ = u32();
+                phi_930_ = true;
+                phi_931_ = false;
             } else {
-                phi_869_ = false;
-            }
-            let _e674 = phi_869_;
-            if ((_e665 & 2u) != 0u) {
-                if false {
-                    phi_882_ = bool();
-                    phi_883_ = true;
-                } else {
-                    if true {
-                        phi_880_ = !(_e674);
-                        phi_881_ = false;
-                    } else {
-                        phi_880_ = bool();
-                        phi_881_ = true;
-                    }
-                    let _e677 = phi_880_;
-                    let _e679 = phi_881_;
-                    phi_882_ = _e677;
-                    phi_883_ = _e679;
-                }
-                let _e681 = phi_882_;
-                let _e683 = phi_883_;
-                phi_884_ = _e681;
-                phi_885_ = _e683;
-            } else {
-                phi_884_ = bool();
-                phi_885_ = true;
-            }
-            let _e685 = phi_884_;
-            let _e687 = phi_885_;
-            if _e687 {
-                phi_889_ = false;
-            } else {
-                phi_889_ = _e685;
-            }
-            let _e689 = phi_889_;
-            let _e690 = lt_mask_Neighbourhood(false, true);
-            if _e253 {
-                phi_894_ = _e689;
-            } else {
-                phi_894_ = false;
-            }
-            let _e692 = phi_894_;
-            if _e692 {
                 if _e657 {
-                    if _e663.has_moved {
-                        let _e695 = p.member.moving_pattern;
-                        phi_909_ = _e695;
-                    } else {
-                        let _e697 = p.member.still_pattern;
-                        phi_909_ = _e697;
-                    }
-                    let _e699 = phi_909_;
-                    phi_911_ = 0u;
-                    phi_914_ = _e690;
-                    loop {
-                        let _e701 = phi_911_;
-                        let _e703 = phi_914_;
-                        local_1 = _e703;
-                        if (1u <= _e699) {
-                            if (_e699 <= 4u) {
-                                phi_926_ = false;
-                            } else {
-                                phi_926_ = true;
-                            }
-                            let _e707 = phi_926_;
-                            phi_927_ = _e707;
-                        } else {
-                            phi_927_ = true;
-                        }
-                        let _e709 = phi_927_;
-                        if _e709 {
-                            switch bitcast<i32>(_e699) {
-                                case 5: {
-                                    phi_936_ = 4u;
-                                    break;
-                                }
-                                case 6: {
-                                    phi_936_ = 25u;
-                                    break;
-                                }
-                                case 7: {
-                                    phi_936_ = 13u;
-                                    break;
-                                }
-                                default: {
-                                    phi_936_ = 9u;
-                                    break;
-                                }
-                            }
-                            let _e712 = phi_936_;
-                            phi_937_ = _e712;
-                        } else {
-                            phi_937_ = 5u;
-                        }
-                        let _e714 = phi_937_;
-                        let _e715 = (_e701 < _e714);
-                        if _e715 {
-                            let _e721 = p.member.frame;
-                            let _e725 = p.member.current.size[0u];
-                            let _e727 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e699) {
-                                case 1: {
-                                    let _e737 = lt_mask_pattern_plus(_e701);
-                                    phi_1017_ = vec2<i32>(_e737.x, _e737.y);
-                                    break;
-                                }
-                                case 2: {
-                                    let _e741 = lt_mask_pattern_cross(_e701);
-                                    phi_1017_ = vec2<i32>(_e741.x, _e741.y);
-                                    break;
-                                }
-                                case 3: {
-                                    let _e747 = lt_mask_pattern_plus_or_cross(_e701, ((_e663.pixel.x + _e663.pixel.y) & 1u));
-                                    phi_1017_ = vec2<i32>(_e747.x, _e747.y);
-                                    break;
-                                }
-                                case 4: {
-                                    let _e752 = lt_mask_pattern_plus_or_cross(_e701, (_e721 & 1u));
-                                    phi_1017_ = vec2<i32>(_e752.x, _e752.y);
-                                    break;
-                                }
-                                case 5: {
-                                    switch bitcast<i32>((_e721 & 3u)) {
-                                        case 0: {
-                                            phi_997_ = vec2(-1i);
-                                            break;
-                                        }
-                                        case 1: {
-                                            phi_997_ = vec2(0i);
-                                            break;
-                                        }
-                                        case 2: {
-                                            phi_997_ = vec2<i32>(0i, -1i);
-                                            break;
-                                        }
-                                        default: {
-                                            phi_997_ = vec2<i32>(-1i, 0i);
-                                            break;
-                                        }
-                                    }
-                                    let _e763 = phi_997_;
-                                    phi_1017_ = (_e763 + vec2<i32>(bitcast<i32>((_e701 & 1u)), bitcast<i32>(((_e701 >> bitcast<u32>(1i)) & 1u))));
-                                    break;
-                                }
-                                case 6: {
-                                    phi_1017_ = vec2<i32>((bitcast<i32>((_e701 % 5u)) - 2i), (bitcast<i32>(((_e701 / 5u) % 5u)) - 2i));
-                                    break;
-                                }
-                                case 7: {
-                                    let _e780 = lt_mask_pattern_diamond(_e701);
-                                    phi_1017_ = vec2<i32>(_e780.x, _e780.y);
-                                    break;
-                                }
-                                default: {
-                                    phi_1017_ = vec2<i32>((bitcast<i32>((_e701 % 3u)) - 1i), (bitcast<i32>(((_e701 / 3u) % 3u)) - 1i));
-                                    break;
-                                }
-                            }
-                            let _e785 = phi_1017_;
-                            let _e788 = lt_mask_pattern_step_clamped(_e663.pixel.x, _e785.x, _e725);
-                            let _e789 = lt_mask_pattern_step_clamped(_e663.pixel.y, _e785.y, _e727);
-                            let _e793 = ((((_e789 * _e86) + _e788) * _e82) + (_e78 / 32u));
-                            if (_e80 > 29u) {
-                                let _e795 = (_e793 + 1u);
-                                if (_e795 < _e60) {
-                                } else {
-                                    return;
-                                }
-                                let _e799 = last_bits.member[(0u + _e795)];
-                                phi_1042_ = _e799;
-                            } else {
-                                phi_1042_ = 0u;
-                            }
-                            let _e801 = phi_1042_;
-                            if (_e793 < _e60) {
+                    if !(_e663.has_moved) {
+                        let _e677 = ((((_e54.y * _e86) + _e54.x) * _e82) + _e79);
+                        if (_e80 > 29u) {
+                            let _e679 = (_e677 + 1u);
+                            if (_e679 < _e60) {
                             } else {
                                 return;
                             }
-                            let _e805 = last_bits.member[(0u + _e793)];
-                            let _e808 = (_e805 >> bitcast<u32>((_e80 & 31u)));
-                            if (_e80 > 29u) {
-                                phi_1061_ = (_e808 | (_e801 << bitcast<u32>(((32u - _e80) & 31u))));
-                            } else {
-                                phi_1061_ = _e808;
-                            }
-                            let _e816 = phi_1061_;
-                            if ((_e816 & 2u) == 0u) {
-                                phi_1069_ = (_e816 & 1u);
-                            } else {
-                                phi_1069_ = (_e816 & 7u);
-                            }
-                            let _e822 = phi_1069_;
-                            if _e703.any_expands {
-                                phi_1095_ = true;
-                            } else {
-                                if ((_e822 & 2u) != 0u) {
-                                    if (((_e822 & 4u) != 0u) != _e249) {
-                                        phi_1086_ = false;
-                                    } else {
-                                        phi_1086_ = true;
-                                    }
-                                    let _e831 = phi_1086_;
-                                    phi_1087_ = _e831;
-                                } else {
-                                    phi_1087_ = true;
-                                }
-                                let _e833 = phi_1087_;
-                                if _e833 {
-                                    phi_1094_ = (((_e822 & 1u) != 0u) != _e249);
-                                } else {
-                                    phi_1094_ = true;
-                                }
-                                let _e838 = phi_1094_;
-                                phi_1095_ = _e838;
-                            }
-                            let _e840 = phi_1095_;
-                            if _e703.all_remove {
-                                if (((_e822 & 1u) != 0u) == _e249) {
-                                    if ((_e822 & 2u) != 0u) {
-                                        phi_1113_ = (((_e822 & 4u) != 0u) == _e249);
-                                    } else {
-                                        phi_1113_ = true;
-                                    }
-                                    let _e850 = phi_1113_;
-                                    phi_1114_ = _e850;
-                                } else {
-                                    phi_1114_ = false;
-                                }
-                                let _e852 = phi_1114_;
-                                phi_1115_ = _e852;
-                            } else {
-                                phi_1115_ = false;
-                            }
-                            let _e854 = phi_1115_;
-                            phi_912_ = (_e701 + 1u);
-                            phi_915_ = lt_mask_Neighbourhood(_e840, _e854);
+                            let _e683 = last_bits.member[(0u + _e679)];
+                            phi_896_ = _e683;
                         } else {
-                            phi_912_ = u32();
-                            phi_915_ = lt_mask_Neighbourhood();
+                            phi_896_ = 0u;
                         }
-                        let _e858 = phi_912_;
-                        let _e860 = phi_915_;
-                        continue;
-                        continuing {
-                            phi_911_ = _e858;
-                            phi_914_ = _e860;
-                            break if !(_e715);
+                        let _e685 = phi_896_;
+                        if (_e677 < _e60) {
+                        } else {
+                            return;
                         }
+                        let _e689 = last_bits.member[(0u + _e677)];
+                        let _e692 = (_e689 >> bitcast<u32>((_e80 & 31u)));
+                        if (_e80 > 29u) {
+                            phi_915_ = (_e692 | (_e685 << bitcast<u32>(((32u - _e80) & 31u))));
+                        } else {
+                            phi_915_ = _e692;
+                        }
+                        let _e700 = phi_915_;
+                        if ((_e700 & 2u) == 0u) {
+                            phi_923_ = (_e700 & 1u);
+                        } else {
+                            phi_923_ = (_e700 & 7u);
+                        }
+                        let _e706 = phi_923_;
+                        phi_924_ = _e706;
+                        phi_925_ = false;
+                    } else {
+                        phi_924_ = u32();
+                        phi_925_ = true;
                     }
-                    let _e1095 = local_1;
-                    phi_1118_ = _e1095;
+                    let _e708 = phi_924_;
+                    let _e710 = phi_925_;
+                    phi_926_ = _e708;
+                    phi_927_ = false;
+                    phi_928_ = _e710;
                 } else {
-                    phi_1118_ = _e690;
+                    phi_926_ = u32();
+                    phi_927_ = true;
+                    phi_928_ = false;
                 }
-                let _e863 = phi_1118_;
-                phi_1119_ = _e863;
-            } else {
-                phi_1119_ = _e690;
+                let _e712 = phi_926_;
+                let _e714 = phi_927_;
+                let _e716 = phi_928_;
+                phi_929_ = _e712;
+                phi_930_ = _e714;
+                phi_931_ = _e716;
             }
-            let _e865 = phi_1119_;
-            let _e868 = p.member.frame;
-            let _e870 = p.member.refresh;
-            if (_e870 == 0u) {
-                phi_1152_ = false;
+            let _e718 = phi_929_;
+            let _e720 = phi_930_;
+            let _e722 = phi_931_;
+            if _e720 {
+                phi_935_ = true;
             } else {
-                if (_e870 == 0u) {
+                phi_935_ = _e722;
+            }
+            let _e724 = phi_935_;
+            if _e724 {
+                phi_939_ = 0u;
+            } else {
+                phi_939_ = _e718;
+            }
+            let _e726 = phi_939_;
+            let _e727 = lt_mask_Neighbourhood(false, true);
+            if _e253 {
+                phi_944_ = _e667;
+            } else {
+                phi_944_ = false;
+            }
+            let _e729 = phi_944_;
+            if _e729 {
+                if _e657 {
+                    if ((_e726 & 2u) != 0u) {
+                        phi_1237_ = _e727;
+                    } else {
+                        let _e733 = p.member.expansion;
+                        if _e663.has_moved {
+                            let _e736 = p.member.moving_pattern;
+                            phi_966_ = _e736;
+                        } else {
+                            let _e738 = p.member.still_pattern;
+                            phi_966_ = _e738;
+                        }
+                        let _e740 = phi_966_;
+                        phi_968_ = 0u;
+                        phi_971_ = _e727;
+                        loop {
+                            let _e742 = phi_968_;
+                            let _e744 = phi_971_;
+                            local_1 = _e744;
+                            if (1u <= _e740) {
+                                if (_e740 <= 4u) {
+                                    phi_983_ = false;
+                                } else {
+                                    phi_983_ = true;
+                                }
+                                let _e748 = phi_983_;
+                                phi_984_ = _e748;
+                            } else {
+                                phi_984_ = true;
+                            }
+                            let _e750 = phi_984_;
+                            if _e750 {
+                                switch bitcast<i32>(_e740) {
+                                    case 5: {
+                                        phi_993_ = 4u;
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_993_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_993_ = 13u;
+                                        break;
+                                    }
+                                    default: {
+                                        phi_993_ = 9u;
+                                        break;
+                                    }
+                                }
+                                let _e753 = phi_993_;
+                                phi_994_ = _e753;
+                            } else {
+                                phi_994_ = 5u;
+                            }
+                            let _e755 = phi_994_;
+                            let _e756 = (_e742 < _e755);
+                            if _e756 {
+                                let _e762 = p.member.frame;
+                                let _e766 = p.member.current.size[0u];
+                                let _e768 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e740) {
+                                    case 1: {
+                                        let _e778 = lt_mask_pattern_plus(_e742);
+                                        phi_1074_ = vec2<i32>(_e778.x, _e778.y);
+                                        break;
+                                    }
+                                    case 2: {
+                                        let _e782 = lt_mask_pattern_cross(_e742);
+                                        phi_1074_ = vec2<i32>(_e782.x, _e782.y);
+                                        break;
+                                    }
+                                    case 3: {
+                                        let _e788 = lt_mask_pattern_plus_or_cross(_e742, ((_e663.pixel.x + _e663.pixel.y) & 1u));
+                                        phi_1074_ = vec2<i32>(_e788.x, _e788.y);
+                                        break;
+                                    }
+                                    case 4: {
+                                        let _e793 = lt_mask_pattern_plus_or_cross(_e742, (_e762 & 1u));
+                                        phi_1074_ = vec2<i32>(_e793.x, _e793.y);
+                                        break;
+                                    }
+                                    case 5: {
+                                        switch bitcast<i32>((_e762 & 3u)) {
+                                            case 0: {
+                                                phi_1054_ = vec2(-1i);
+                                                break;
+                                            }
+                                            case 1: {
+                                                phi_1054_ = vec2(0i);
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1054_ = vec2<i32>(0i, -1i);
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1054_ = vec2<i32>(-1i, 0i);
+                                                break;
+                                            }
+                                        }
+                                        let _e804 = phi_1054_;
+                                        phi_1074_ = (_e804 + vec2<i32>(bitcast<i32>((_e742 & 1u)), bitcast<i32>(((_e742 >> bitcast<u32>(1i)) & 1u))));
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1074_ = vec2<i32>((bitcast<i32>((_e742 % 5u)) - 2i), (bitcast<i32>(((_e742 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e821 = lt_mask_pattern_diamond(_e742);
+                                        phi_1074_ = vec2<i32>(_e821.x, _e821.y);
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1074_ = vec2<i32>((bitcast<i32>((_e742 % 3u)) - 1i), (bitcast<i32>(((_e742 / 3u) % 3u)) - 1i));
+                                        break;
+                                    }
+                                }
+                                let _e826 = phi_1074_;
+                                let _e829 = lt_mask_pattern_step_clamped(_e663.pixel.x, _e826.x, _e766);
+                                let _e830 = lt_mask_pattern_step_clamped(_e663.pixel.y, _e826.y, _e768);
+                                let _e834 = ((((_e830 * _e86) + _e829) * _e82) + _e79);
+                                if (_e80 > 29u) {
+                                    let _e836 = (_e834 + 1u);
+                                    if (_e836 < _e60) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e840 = last_bits.member[(0u + _e836)];
+                                    phi_1099_ = _e840;
+                                } else {
+                                    phi_1099_ = 0u;
+                                }
+                                let _e842 = phi_1099_;
+                                if (_e834 < _e60) {
+                                } else {
+                                    return;
+                                }
+                                let _e846 = last_bits.member[(0u + _e834)];
+                                let _e849 = (_e846 >> bitcast<u32>((_e80 & 31u)));
+                                if (_e80 > 29u) {
+                                    phi_1118_ = (_e849 | (_e842 << bitcast<u32>(((32u - _e80) & 31u))));
+                                } else {
+                                    phi_1118_ = _e849;
+                                }
+                                let _e857 = phi_1118_;
+                                if ((_e857 & 2u) == 0u) {
+                                    phi_1126_ = (_e857 & 1u);
+                                } else {
+                                    phi_1126_ = (_e857 & 7u);
+                                }
+                                let _e863 = phi_1126_;
+                                if _e744.any_expands {
+                                    phi_1214_ = true;
+                                } else {
+                                    if ((_e863 & 2u) != 0u) {
+                                        let _e870 = (((_e863 & 4u) != 0u) != _e249);
+                                        switch bitcast<i32>(_e733) {
+                                            case 1: {
+                                                phi_1154_ = bool();
+                                                phi_1155_ = false;
+                                                phi_1156_ = true;
+                                                phi_1157_ = false;
+                                                phi_1158_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e870 {
+                                                    phi_1152_ = (((_e863 & 4u) != 0u) != ((_e863 & 1u) != 0u));
+                                                    phi_1153_ = false;
+                                                } else {
+                                                    phi_1152_ = bool();
+                                                    phi_1153_ = true;
+                                                }
+                                                let _e878 = phi_1152_;
+                                                let _e880 = phi_1153_;
+                                                phi_1154_ = _e878;
+                                                phi_1155_ = false;
+                                                phi_1156_ = false;
+                                                phi_1157_ = _e880;
+                                                phi_1158_ = _e870;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1154_ = bool();
+                                                phi_1155_ = true;
+                                                phi_1156_ = false;
+                                                phi_1157_ = false;
+                                                phi_1158_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e882 = phi_1154_;
+                                        let _e884 = phi_1155_;
+                                        let _e886 = phi_1156_;
+                                        let _e888 = phi_1157_;
+                                        let _e890 = phi_1158_;
+                                        phi_1166_ = _e870;
+                                        phi_1167_ = _e882;
+                                        phi_1168_ = _e884;
+                                        phi_1169_ = _e886;
+                                        phi_1170_ = _e888;
+                                        phi_1171_ = _e890;
+                                    } else {
+                                        switch bitcast<i32>(_e733) {
+                                            case 1: {
+                                                phi_1163_ = false;
+                                                phi_1164_ = true;
+                                                phi_1165_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1163_ = false;
+                                                phi_1164_ = false;
+                                                phi_1165_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1163_ = true;
+                                                phi_1164_ = false;
+                                                phi_1165_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e893 = phi_1163_;
+                                        let _e895 = phi_1164_;
+                                        let _e897 = phi_1165_;
+                                        phi_1166_ = false;
+                                        phi_1167_ = bool();
+                                        phi_1168_ = _e893;
+                                        phi_1169_ = _e895;
+                                        phi_1170_ = _e897;
+                                        phi_1171_ = false;
+                                    }
+                                    let _e899 = phi_1166_;
+                                    let _e901 = phi_1167_;
+                                    let _e903 = phi_1168_;
+                                    let _e905 = phi_1169_;
+                                    let _e907 = phi_1170_;
+                                    let _e909 = phi_1171_;
+                                    if _e903 {
+                                        if ((_e863 & 2u) != 0u) {
+                                            if (((_e863 & 4u) != 0u) != _e249) {
+                                                phi_1186_ = false;
+                                            } else {
+                                                phi_1186_ = true;
+                                            }
+                                            let _e916 = phi_1186_;
+                                            phi_1187_ = _e916;
+                                        } else {
+                                            phi_1187_ = true;
+                                        }
+                                        let _e918 = phi_1187_;
+                                        if _e918 {
+                                            phi_1194_ = (((_e863 & 1u) != 0u) != _e249);
+                                        } else {
+                                            phi_1194_ = true;
+                                        }
+                                        let _e923 = phi_1194_;
+                                        phi_1195_ = _e923;
+                                        phi_1196_ = false;
+                                        phi_1197_ = false;
+                                        phi_1198_ = false;
+                                    } else {
+                                        phi_1195_ = bool();
+                                        phi_1196_ = _e905;
+                                        phi_1197_ = _e907;
+                                        phi_1198_ = _e909;
+                                    }
+                                    let _e925 = phi_1195_;
+                                    let _e927 = phi_1196_;
+                                    let _e929 = phi_1197_;
+                                    let _e931 = phi_1198_;
+                                    if _e927 {
+                                        phi_1202_ = _e899;
+                                        phi_1203_ = false;
+                                        phi_1204_ = false;
+                                    } else {
+                                        phi_1202_ = _e925;
+                                        phi_1203_ = _e929;
+                                        phi_1204_ = _e931;
+                                    }
+                                    let _e933 = phi_1202_;
+                                    let _e935 = phi_1203_;
+                                    let _e937 = phi_1204_;
+                                    if _e935 {
+                                        phi_1208_ = false;
+                                        phi_1209_ = true;
+                                    } else {
+                                        phi_1208_ = _e901;
+                                        phi_1209_ = _e937;
+                                    }
+                                    let _e939 = phi_1208_;
+                                    let _e941 = phi_1209_;
+                                    if _e941 {
+                                        phi_1213_ = _e939;
+                                    } else {
+                                        phi_1213_ = _e933;
+                                    }
+                                    let _e943 = phi_1213_;
+                                    phi_1214_ = _e943;
+                                }
+                                let _e945 = phi_1214_;
+                                if _e744.all_remove {
+                                    if (((_e863 & 1u) != 0u) == _e249) {
+                                        if ((_e863 & 2u) != 0u) {
+                                            phi_1232_ = (((_e863 & 4u) != 0u) == _e249);
+                                        } else {
+                                            phi_1232_ = true;
+                                        }
+                                        let _e955 = phi_1232_;
+                                        phi_1233_ = _e955;
+                                    } else {
+                                        phi_1233_ = false;
+                                    }
+                                    let _e957 = phi_1233_;
+                                    phi_1234_ = _e957;
+                                } else {
+                                    phi_1234_ = false;
+                                }
+                                let _e959 = phi_1234_;
+                                phi_969_ = (_e742 + 1u);
+                                phi_972_ = lt_mask_Neighbourhood(_e945, _e959);
+                            } else {
+                                phi_969_ = u32();
+                                phi_972_ = lt_mask_Neighbourhood();
+                            }
+                            let _e963 = phi_969_;
+                            let _e965 = phi_972_;
+                            continue;
+                            continuing {
+                                phi_968_ = _e963;
+                                phi_971_ = _e965;
+                                break if !(_e756);
+                            }
+                        }
+                        let _e1267 = local_1;
+                        phi_1237_ = _e1267;
+                    }
+                    let _e968 = phi_1237_;
+                    phi_1238_ = _e968;
+                } else {
+                    phi_1238_ = _e727;
+                }
+                let _e970 = phi_1238_;
+                phi_1239_ = _e970;
+            } else {
+                phi_1239_ = _e727;
+            }
+            let _e972 = phi_1239_;
+            let _e975 = p.member.frame;
+            let _e977 = p.member.refresh;
+            if (_e977 == 0u) {
+                phi_1272_ = false;
+            } else {
+                if (_e977 == 0u) {
                     return;
                 }
-                let _e879 = ((_e54.x + (_e54.y * (((_e870 * 5u) / 8u) | 1u))) + (_e868 % _e870));
-                if (_e870 == 0u) {
-                    phi_1151_ = (_e879 == 0u);
+                let _e986 = ((_e54.x + (_e54.y * (((_e977 * 5u) / 8u) | 1u))) + (_e975 % _e977));
+                if (_e977 == 0u) {
+                    phi_1271_ = (_e986 == 0u);
                 } else {
-                    if (_e870 == 0u) {
+                    if (_e977 == 0u) {
                         return;
                     }
-                    phi_1151_ = ((_e879 % _e870) == 0u);
+                    phi_1271_ = ((_e986 % _e977) == 0u);
                 }
-                let _e886 = phi_1151_;
-                phi_1152_ = _e886;
+                let _e993 = phi_1271_;
+                phi_1272_ = _e993;
             }
-            let _e888 = phi_1152_;
-            if (_e91 != 0.5f) {
-                if _e657 {
-                    if _e888 {
-                        phi_1207_ = 6u;
-                    } else {
-                        if _e253 {
-                            phi_1182_ = true;
+            let _e995 = phi_1272_;
+            if _e657 {
+                if _e995 {
+                    phi_1294_ = bool();
+                } else {
+                    phi_1294_ = ((_e726 & 2u) != 0u);
+                }
+                let _e1001 = phi_1294_;
+                phi_1295_ = _e1001;
+                phi_1296_ = _e995;
+            } else {
+                phi_1295_ = bool();
+                phi_1296_ = true;
+            }
+            let _e1003 = phi_1295_;
+            let _e1005 = phi_1296_;
+            if _e1005 {
+                phi_1300_ = false;
+            } else {
+                phi_1300_ = _e1003;
+            }
+            let _e1007 = phi_1300_;
+            if _e1007 {
+                phi_1351_ = 7u;
+            } else {
+                if (_e91 != 0.5f) {
+                    if _e657 {
+                        if _e995 {
+                            phi_1348_ = 6u;
                         } else {
-                            if _e865.any_expands {
-                                phi_1181_ = false;
-                            } else {
-                                phi_1181_ = true;
-                            }
-                            let _e892 = phi_1181_;
-                            phi_1182_ = _e892;
-                        }
-                        let _e894 = phi_1182_;
-                        if _e894 {
                             if _e253 {
-                                if _e689 {
-                                    if _e865.all_remove {
-                                        phi_1195_ = false;
-                                    } else {
-                                        phi_1195_ = true;
-                                    }
-                                    let _e896 = phi_1195_;
-                                    phi_1196_ = _e896;
-                                } else {
-                                    phi_1196_ = true;
-                                }
-                                let _e898 = phi_1196_;
-                                phi_1197_ = _e898;
+                                phi_1323_ = true;
                             } else {
-                                phi_1197_ = true;
+                                if _e972.any_expands {
+                                    phi_1322_ = false;
+                                } else {
+                                    phi_1322_ = true;
+                                }
+                                let _e1009 = phi_1322_;
+                                phi_1323_ = _e1009;
                             }
-                            let _e900 = phi_1197_;
-                            if _e900 {
+                            let _e1011 = phi_1323_;
+                            if _e1011 {
                                 if _e253 {
-                                    phi_1204_ = 1u;
+                                    if _e667 {
+                                        if _e972.all_remove {
+                                            phi_1336_ = false;
+                                        } else {
+                                            phi_1336_ = true;
+                                        }
+                                        let _e1013 = phi_1336_;
+                                        phi_1337_ = _e1013;
+                                    } else {
+                                        phi_1337_ = true;
+                                    }
+                                    let _e1015 = phi_1337_;
+                                    phi_1338_ = _e1015;
                                 } else {
-                                    phi_1204_ = 0u;
+                                    phi_1338_ = true;
                                 }
-                                let _e902 = phi_1204_;
-                                phi_1205_ = _e902;
+                                let _e1017 = phi_1338_;
+                                if _e1017 {
+                                    if _e253 {
+                                        phi_1345_ = 1u;
+                                    } else {
+                                        phi_1345_ = 0u;
+                                    }
+                                    let _e1019 = phi_1345_;
+                                    phi_1346_ = _e1019;
+                                } else {
+                                    phi_1346_ = 5u;
+                                }
+                                let _e1021 = phi_1346_;
+                                phi_1347_ = _e1021;
                             } else {
-                                phi_1205_ = 5u;
+                                phi_1347_ = 4u;
                             }
-                            let _e904 = phi_1205_;
-                            phi_1206_ = _e904;
-                        } else {
-                            phi_1206_ = 4u;
+                            let _e1023 = phi_1347_;
+                            phi_1348_ = _e1023;
                         }
-                        let _e906 = phi_1206_;
-                        phi_1207_ = _e906;
+                        let _e1025 = phi_1348_;
+                        phi_1349_ = _e1025;
+                    } else {
+                        phi_1349_ = 3u;
                     }
-                    let _e908 = phi_1207_;
-                    phi_1208_ = _e908;
+                    let _e1027 = phi_1349_;
+                    phi_1350_ = _e1027;
                 } else {
-                    phi_1208_ = 3u;
+                    phi_1350_ = 2u;
                 }
-                let _e910 = phi_1208_;
-                phi_1209_ = _e910;
-            } else {
-                phi_1209_ = 2u;
+                let _e1029 = phi_1350_;
+                phi_1351_ = _e1029;
             }
-            let _e912 = phi_1209_;
-            if !((_e912 == 0u)) {
-                phi_1217_ = !((_e912 == 5u));
+            let _e1031 = phi_1351_;
+            if !((_e1031 == 0u)) {
+                if !((_e1031 == 5u)) {
+                    phi_1363_ = !(_e1007);
+                    phi_1364_ = false;
+                } else {
+                    phi_1363_ = bool();
+                    phi_1364_ = true;
+                }
+                let _e1038 = phi_1363_;
+                let _e1040 = phi_1364_;
+                phi_1365_ = _e1038;
+                phi_1366_ = _e1040;
             } else {
-                phi_1217_ = false;
+                phi_1365_ = bool();
+                phi_1366_ = true;
             }
-            let _e918 = phi_1217_;
-            if _e918 {
+            let _e1042 = phi_1365_;
+            let _e1044 = phi_1366_;
+            if _e1044 {
+                phi_1370_ = false;
+            } else {
+                phi_1370_ = _e1042;
+            }
+            let _e1046 = phi_1370_;
+            if _e1007 {
+                phi_1376_ = ((_e726 & 4u) != 0u);
+            } else {
+                phi_1376_ = _e249;
+            }
+            let _e1050 = phi_1376_;
+            if _e1046 {
                 if _e249 {
-                    phi_1225_ = (2u | 1u);
+                    phi_1384_ = (2u | 1u);
                 } else {
-                    phi_1225_ = 2u;
+                    phi_1384_ = 2u;
                 }
-                let _e921 = phi_1225_;
+                let _e1053 = phi_1384_;
                 if false {
-                    phi_1230_ = (_e921 | 4u);
+                    phi_1389_ = (_e1053 | 4u);
                 } else {
-                    phi_1230_ = _e921;
+                    phi_1389_ = _e1053;
                 }
-                let _e924 = phi_1230_;
-                phi_1235_ = _e924;
+                let _e1056 = phi_1389_;
+                phi_1409_ = _e1056;
             } else {
-                if _e249 {
-                    phi_1234_ = 1u;
+                if (_e1031 == 7u) {
+                    if _e249 {
+                        phi_1398_ = (2u | 1u);
+                    } else {
+                        phi_1398_ = 2u;
+                    }
+                    let _e1060 = phi_1398_;
+                    if _e1050 {
+                        phi_1403_ = (_e1060 | 4u);
+                    } else {
+                        phi_1403_ = _e1060;
+                    }
+                    let _e1063 = phi_1403_;
+                    phi_1408_ = _e1063;
                 } else {
-                    phi_1234_ = 0u;
+                    if _e249 {
+                        phi_1407_ = 1u;
+                    } else {
+                        phi_1407_ = 0u;
+                    }
+                    let _e1065 = phi_1407_;
+                    phi_1408_ = _e1065;
                 }
-                let _e926 = phi_1234_;
-                phi_1235_ = _e926;
+                let _e1067 = phi_1408_;
+                phi_1409_ = _e1067;
             }
-            let _e928 = phi_1235_;
-            if _e249 {
-                phi_1239_ = 0f;
+            let _e1069 = phi_1409_;
+            if _e1050 {
+                phi_1413_ = 0f;
             } else {
-                phi_1239_ = 1f;
+                phi_1413_ = 1f;
             }
-            let _e930 = phi_1239_;
-            phi_1241_ = mask_Masked(_e930, _e928, _e918);
+            let _e1071 = phi_1413_;
+            phi_1415_ = mask_Masked(_e1071, _e1069, _e1046);
         }
-        let _e933 = phi_1241_;
-        visibility.member[_e70.shift] = _e933.visibility;
-        let _e938 = p.member.light.number;
-        let _e939 = (_e938 * 3u);
-        let _e941 = (_e939 % 32u);
-        let _e943 = p.member.light.mask_words;
-        let _e945 = ((_e70.shift * _e943) + (_e939 / 32u));
-        let _e947 = bits.member[_e945];
-        bits.member[_e945] = ((_e947 & ~((7u << bitcast<u32>((_e941 & 31u))))) | (_e933.bits << bitcast<u32>((_e941 & 31u))));
-        if (_e941 > 29u) {
-            let _e962 = bits.member[(_e945 + 1u)];
-            let _e964 = (32u - _e941);
-            bits.member[(_e945 + 1u)] = ((_e962 & ~((7u >> bitcast<u32>((_e964 & 31u))))) | (_e933.bits >> bitcast<u32>((_e964 & 31u))));
+        let _e1074 = phi_1415_;
+        visibility.member[_e70.shift] = _e1074.visibility;
+        let _e1079 = p.member.light.number;
+        let _e1080 = (_e1079 * 3u);
+        let _e1082 = (_e1080 % 32u);
+        let _e1084 = p.member.light.mask_words;
+        let _e1086 = ((_e70.shift * _e1084) + (_e1080 / 32u));
+        let _e1088 = bits.member[_e1086];
+        bits.member[_e1086] = ((_e1088 & ~((7u << bitcast<u32>((_e1082 & 31u))))) | (_e1074.bits << bitcast<u32>((_e1082 & 31u))));
+        if (_e1082 > 29u) {
+            let _e1103 = bits.member[(_e1086 + 1u)];
+            let _e1105 = (32u - _e1082);
+            bits.member[(_e1086 + 1u)] = ((_e1103 & ~((7u >> bitcast<u32>((_e1105 & 31u))))) | (_e1074.bits >> bitcast<u32>((_e1105 & 31u))));
         }
-        phi_1291_ = _e933.needs_ray;
-        phi_1292_ = _e70.shift;
+        phi_1465_ = _e1074.needs_ray;
+        phi_1466_ = _e70.shift;
     } else {
-        phi_1291_ = false;
-        phi_1292_ = 0u;
+        phi_1465_ = false;
+        phi_1466_ = 0u;
     }
-    let _e978 = phi_1291_;
-    let _e980 = phi_1292_;
+    let _e1119 = phi_1465_;
+    let _e1121 = phi_1466_;
     if (_e55 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e978 {
-        let _e984 = atomicAdd((&shared_[0u]), 1u);
-        phi_1303_ = _e984;
+    if _e1119 {
+        let _e1125 = atomicAdd((&shared_[0u]), 1u);
+        phi_1477_ = _e1125;
     } else {
-        phi_1303_ = 0u;
+        phi_1477_ = 0u;
     }
-    let _e986 = phi_1303_;
+    let _e1127 = phi_1477_;
     workgroupBarrier();
     if (_e55 == 0u) {
-        let _e990 = atomicLoad((&shared_[0u]));
-        let _e991 = atomicAdd((&list.member[3u]), _e990);
-        atomicStore((&shared_[1u]), _e991);
+        let _e1131 = atomicLoad((&shared_[0u]));
+        let _e1132 = atomicAdd((&list.member[3u]), _e1131);
+        atomicStore((&shared_[1u]), _e1132);
     }
     workgroupBarrier();
-    if _e978 {
-        let _e994 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e994) + _e986)]), _e980);
+    if _e1119 {
+        let _e1135 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1135) + _e1127)]), _e1121);
     }
     return;
 }

@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -353,6 +353,7 @@ fn function_() {
     var phi_926_: bool;
     var phi_930_: bool;
     var phi_931_: lt_mask_Reprojection;
+    var phi_937_: bool;
     var phi_959_: u32;
     var phi_961_: u32;
     var phi_964_: lt_mask_Neighbourhood;
@@ -365,47 +366,86 @@ fn function_() {
     var phi_1094_: u32;
     var phi_1113_: u32;
     var phi_1121_: u32;
-    var phi_1138_: bool;
-    var phi_1139_: bool;
-    var phi_1146_: bool;
     var phi_1147_: bool;
+    var phi_1148_: bool;
+    var phi_1149_: bool;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1158_: bool;
+    var phi_1159_: bool;
+    var phi_1160_: bool;
+    var phi_1161_: bool;
+    var phi_1162_: bool;
+    var phi_1163_: bool;
+    var phi_1164_: bool;
     var phi_1165_: bool;
     var phi_1166_: bool;
-    var phi_1167_: bool;
+    var phi_1181_: bool;
+    var phi_1182_: bool;
+    var phi_1189_: bool;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1192_: bool;
+    var phi_1193_: bool;
+    var phi_1197_: bool;
+    var phi_1198_: bool;
+    var phi_1199_: bool;
+    var phi_1203_: bool;
+    var phi_1204_: bool;
+    var phi_1208_: bool;
+    var phi_1209_: bool;
+    var phi_1227_: bool;
+    var phi_1228_: bool;
+    var phi_1229_: bool;
     var phi_962_: u32;
     var phi_965_: lt_mask_Neighbourhood;
-    var phi_1170_: lt_mask_Neighbourhood;
-    var phi_1171_: lt_mask_Neighbourhood;
-    var phi_1172_: lt_mask_Neighbourhood;
-    var phi_1204_: bool;
-    var phi_1205_: bool;
-    var phi_1234_: bool;
-    var phi_1235_: bool;
-    var phi_1248_: bool;
-    var phi_1249_: bool;
-    var phi_1250_: bool;
-    var phi_1257_: u32;
-    var phi_1258_: u32;
-    var phi_1259_: u32;
-    var phi_1260_: u32;
-    var phi_1261_: u32;
-    var phi_1262_: u32;
-    var phi_1270_: bool;
-    var phi_1278_: u32;
-    var phi_1283_: u32;
-    var phi_1287_: u32;
-    var phi_1288_: u32;
-    var phi_1292_: f32;
-    var phi_1294_: mask_Masked;
-    var phi_1366_: bool;
-    var phi_1367_: bool;
-    var phi_1368_: bool;
-    var phi_1369_: bool;
-    var phi_1373_: bool;
-    var phi_1401_: f32;
-    var phi_1404_: bool;
-    var phi_1405_: u32;
-    var phi_1416_: u32;
+    var phi_1232_: lt_mask_Neighbourhood;
+    var phi_1233_: lt_mask_Neighbourhood;
+    var phi_1234_: lt_mask_Neighbourhood;
+    var phi_1266_: bool;
+    var phi_1267_: bool;
+    var phi_1289_: bool;
+    var phi_1290_: bool;
+    var phi_1291_: bool;
+    var phi_1295_: bool;
+    var phi_1317_: bool;
+    var phi_1318_: bool;
+    var phi_1331_: bool;
+    var phi_1332_: bool;
+    var phi_1333_: bool;
+    var phi_1340_: u32;
+    var phi_1341_: u32;
+    var phi_1342_: u32;
+    var phi_1343_: u32;
+    var phi_1344_: u32;
+    var phi_1345_: u32;
+    var phi_1346_: u32;
+    var phi_1358_: bool;
+    var phi_1359_: bool;
+    var phi_1360_: bool;
+    var phi_1361_: bool;
+    var phi_1365_: bool;
+    var phi_1371_: bool;
+    var phi_1379_: u32;
+    var phi_1384_: u32;
+    var phi_1393_: u32;
+    var phi_1398_: u32;
+    var phi_1402_: u32;
+    var phi_1403_: u32;
+    var phi_1404_: u32;
+    var phi_1408_: f32;
+    var phi_1410_: mask_Masked;
+    var phi_1482_: bool;
+    var phi_1483_: bool;
+    var phi_1484_: bool;
+    var phi_1485_: bool;
+    var phi_1489_: bool;
+    var phi_1517_: f32;
+    var phi_1520_: bool;
+    var phi_1521_: u32;
+    var phi_1532_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e60 = id_1;
@@ -516,7 +556,7 @@ fn function_() {
         }
         let _e273 = phi_477_;
         if _e273.unnamed_1 {
-            phi_1294_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
+            phi_1410_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
         } else {
             let _e278 = (_e120 < 0.5f);
             if (_e120 > 0f) {
@@ -812,42 +852,47 @@ fn function_() {
             let _e728 = phi_930_;
             let _e730 = phi_931_;
             let _e734 = lt_mask_Reprojection(_e730.pixel, _e728, _e730.has_moved);
-            if _e734.has_moved {
-            }
-            let _e740 = lt_mask_Neighbourhood(false, true);
+            let _e735 = lt_mask_Neighbourhood(false, true);
             if _e282 {
-                phi_1172_ = _e740;
+                phi_937_ = false;
             } else {
-                if true {
-                    if _e728 {
+                phi_937_ = true;
+            }
+            let _e737 = phi_937_;
+            if _e737 {
+                if _e728 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1232_ = _e735;
+                    } else {
+                        let _e741 = p.member.expansion;
                         if _e734.has_moved {
-                            let _e743 = p.member.moving_pattern;
-                            phi_959_ = _e743;
+                            let _e744 = p.member.moving_pattern;
+                            phi_959_ = _e744;
                         } else {
-                            let _e745 = p.member.still_pattern;
-                            phi_959_ = _e745;
+                            let _e746 = p.member.still_pattern;
+                            phi_959_ = _e746;
                         }
-                        let _e747 = phi_959_;
+                        let _e748 = phi_959_;
                         phi_961_ = 0u;
-                        phi_964_ = _e740;
+                        phi_964_ = _e735;
                         loop {
-                            let _e749 = phi_961_;
-                            let _e751 = phi_964_;
-                            local_1 = _e751;
-                            if (1u <= _e747) {
-                                if (_e747 <= 4u) {
+                            let _e750 = phi_961_;
+                            let _e752 = phi_964_;
+                            local_1 = _e752;
+                            if (1u <= _e748) {
+                                if (_e748 <= 4u) {
                                     phi_976_ = false;
                                 } else {
                                     phi_976_ = true;
                                 }
-                                let _e755 = phi_976_;
-                                phi_977_ = _e755;
+                                let _e756 = phi_976_;
+                                phi_977_ = _e756;
                             } else {
                                 phi_977_ = true;
                             }
-                            let _e757 = phi_977_;
-                            if _e757 {
-                                switch bitcast<i32>(_e747) {
+                            let _e758 = phi_977_;
+                            if _e758 {
+                                switch bitcast<i32>(_e748) {
                                     case 5: {
                                         phi_986_ = 4u;
                                         break;
@@ -865,40 +910,40 @@ fn function_() {
                                         break;
                                     }
                                 }
-                                let _e760 = phi_986_;
-                                phi_987_ = _e760;
+                                let _e761 = phi_986_;
+                                phi_987_ = _e761;
                             } else {
                                 phi_987_ = 5u;
                             }
-                            let _e762 = phi_987_;
-                            let _e763 = (_e749 < _e762);
-                            if _e763 {
-                                let _e769 = p.member.frame;
-                                let _e773 = p.member.current.size[0u];
-                                let _e775 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e747) {
+                            let _e763 = phi_987_;
+                            let _e764 = (_e750 < _e763);
+                            if _e764 {
+                                let _e770 = p.member.frame;
+                                let _e774 = p.member.current.size[0u];
+                                let _e776 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e748) {
                                     case 1: {
-                                        let _e785 = lt_mask_pattern_plus(_e749);
-                                        phi_1067_ = vec2<i32>(_e785.x, _e785.y);
+                                        let _e786 = lt_mask_pattern_plus(_e750);
+                                        phi_1067_ = vec2<i32>(_e786.x, _e786.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e789 = lt_mask_pattern_cross(_e749);
-                                        phi_1067_ = vec2<i32>(_e789.x, _e789.y);
+                                        let _e790 = lt_mask_pattern_cross(_e750);
+                                        phi_1067_ = vec2<i32>(_e790.x, _e790.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e795 = lt_mask_pattern_plus_or_cross(_e749, ((_e734.pixel.x + _e734.pixel.y) & 1u));
-                                        phi_1067_ = vec2<i32>(_e795.x, _e795.y);
+                                        let _e796 = lt_mask_pattern_plus_or_cross(_e750, ((_e734.pixel.x + _e734.pixel.y) & 1u));
+                                        phi_1067_ = vec2<i32>(_e796.x, _e796.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e800 = lt_mask_pattern_plus_or_cross(_e749, (_e769 & 1u));
-                                        phi_1067_ = vec2<i32>(_e800.x, _e800.y);
+                                        let _e801 = lt_mask_pattern_plus_or_cross(_e750, (_e770 & 1u));
+                                        phi_1067_ = vec2<i32>(_e801.x, _e801.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e769 & 3u)) {
+                                        switch bitcast<i32>((_e770 & 3u)) {
                                             case 0: {
                                                 phi_1047_ = vec2(-1i);
                                                 break;
@@ -916,337 +961,533 @@ fn function_() {
                                                 break;
                                             }
                                         }
-                                        let _e811 = phi_1047_;
-                                        phi_1067_ = (_e811 + vec2<i32>(bitcast<i32>((_e749 & 1u)), bitcast<i32>(((_e749 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e812 = phi_1047_;
+                                        phi_1067_ = (_e812 + vec2<i32>(bitcast<i32>((_e750 & 1u)), bitcast<i32>(((_e750 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1067_ = vec2<i32>((bitcast<i32>((_e749 % 5u)) - 2i), (bitcast<i32>(((_e749 / 5u) % 5u)) - 2i));
+                                        phi_1067_ = vec2<i32>((bitcast<i32>((_e750 % 5u)) - 2i), (bitcast<i32>(((_e750 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e828 = lt_mask_pattern_diamond(_e749);
-                                        phi_1067_ = vec2<i32>(_e828.x, _e828.y);
+                                        let _e829 = lt_mask_pattern_diamond(_e750);
+                                        phi_1067_ = vec2<i32>(_e829.x, _e829.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1067_ = vec2<i32>((bitcast<i32>((_e749 % 3u)) - 1i), (bitcast<i32>(((_e749 / 3u) % 3u)) - 1i));
+                                        phi_1067_ = vec2<i32>((bitcast<i32>((_e750 % 3u)) - 1i), (bitcast<i32>(((_e750 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e833 = phi_1067_;
-                                let _e836 = lt_mask_pattern_step_clamped(_e734.pixel.x, _e833.x, _e773);
-                                let _e837 = lt_mask_pattern_step_clamped(_e734.pixel.y, _e833.y, _e775);
-                                let _e844 = ((((_e837 * _e112) + _e836) * _e108.words) + _e108.light.word);
+                                let _e834 = phi_1067_;
+                                let _e837 = lt_mask_pattern_step_clamped(_e734.pixel.x, _e834.x, _e774);
+                                let _e838 = lt_mask_pattern_step_clamped(_e734.pixel.y, _e834.y, _e776);
+                                let _e845 = ((((_e838 * _e112) + _e837) * _e108.words) + _e108.light.word);
                                 if (_e108.light.shift > 29u) {
-                                    let _e848 = (_e844 + 1u);
-                                    if (_e848 < _e66) {
+                                    let _e849 = (_e845 + 1u);
+                                    if (_e849 < _e66) {
                                     } else {
                                         return;
                                     }
-                                    let _e852 = last_bits.member[(0u + _e848)];
-                                    phi_1094_ = _e852;
+                                    let _e853 = last_bits.member[(0u + _e849)];
+                                    phi_1094_ = _e853;
                                 } else {
                                     phi_1094_ = 0u;
                                 }
-                                let _e854 = phi_1094_;
-                                if (_e844 < _e66) {
+                                let _e855 = phi_1094_;
+                                if (_e845 < _e66) {
                                 } else {
                                     return;
                                 }
-                                let _e860 = last_bits.member[(0u + _e844)];
-                                let _e863 = (_e860 >> bitcast<u32>((_e108.light.shift & 31u)));
+                                let _e861 = last_bits.member[(0u + _e845)];
+                                let _e864 = (_e861 >> bitcast<u32>((_e108.light.shift & 31u)));
                                 if (_e108.light.shift > 29u) {
-                                    phi_1113_ = (_e863 | (_e854 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                                    phi_1113_ = (_e864 | (_e855 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
                                 } else {
-                                    phi_1113_ = _e863;
+                                    phi_1113_ = _e864;
                                 }
-                                let _e871 = phi_1113_;
-                                if ((_e871 & 2u) == 0u) {
-                                    phi_1121_ = (_e871 & 1u);
+                                let _e872 = phi_1113_;
+                                if ((_e872 & 2u) == 0u) {
+                                    phi_1121_ = (_e872 & 1u);
                                 } else {
-                                    phi_1121_ = (_e871 & 7u);
+                                    phi_1121_ = (_e872 & 7u);
                                 }
-                                let _e877 = phi_1121_;
-                                if _e751.any_expands {
-                                    phi_1147_ = true;
+                                let _e878 = phi_1121_;
+                                if _e752.any_expands {
+                                    phi_1209_ = true;
                                 } else {
-                                    if ((_e877 & 2u) != 0u) {
-                                        if (((_e877 & 4u) != 0u) != _e278) {
-                                            phi_1138_ = false;
-                                        } else {
-                                            phi_1138_ = true;
+                                    if ((_e878 & 2u) != 0u) {
+                                        let _e885 = (((_e878 & 4u) != 0u) != _e278);
+                                        switch bitcast<i32>(_e741) {
+                                            case 1: {
+                                                phi_1149_ = bool();
+                                                phi_1150_ = false;
+                                                phi_1151_ = true;
+                                                phi_1152_ = false;
+                                                phi_1153_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e885 {
+                                                    phi_1147_ = (((_e878 & 4u) != 0u) != ((_e878 & 1u) != 0u));
+                                                    phi_1148_ = false;
+                                                } else {
+                                                    phi_1147_ = bool();
+                                                    phi_1148_ = true;
+                                                }
+                                                let _e893 = phi_1147_;
+                                                let _e895 = phi_1148_;
+                                                phi_1149_ = _e893;
+                                                phi_1150_ = false;
+                                                phi_1151_ = false;
+                                                phi_1152_ = _e895;
+                                                phi_1153_ = _e885;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1149_ = bool();
+                                                phi_1150_ = true;
+                                                phi_1151_ = false;
+                                                phi_1152_ = false;
+                                                phi_1153_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e886 = phi_1138_;
-                                        phi_1139_ = _e886;
-                                    } else {
-                                        phi_1139_ = true;
-                                    }
-                                    let _e888 = phi_1139_;
-                                    if _e888 {
-                                        phi_1146_ = (((_e877 & 1u) != 0u) != _e278);
-                                    } else {
-                                        phi_1146_ = true;
-                                    }
-                                    let _e893 = phi_1146_;
-                                    phi_1147_ = _e893;
-                                }
-                                let _e895 = phi_1147_;
-                                if _e751.all_remove {
-                                    if (((_e877 & 1u) != 0u) == _e278) {
-                                        if ((_e877 & 2u) != 0u) {
-                                            phi_1165_ = (((_e877 & 4u) != 0u) == _e278);
-                                        } else {
-                                            phi_1165_ = true;
-                                        }
-                                        let _e905 = phi_1165_;
+                                        let _e897 = phi_1149_;
+                                        let _e899 = phi_1150_;
+                                        let _e901 = phi_1151_;
+                                        let _e903 = phi_1152_;
+                                        let _e905 = phi_1153_;
+                                        phi_1161_ = _e885;
+                                        phi_1162_ = _e897;
+                                        phi_1163_ = _e899;
+                                        phi_1164_ = _e901;
+                                        phi_1165_ = _e903;
                                         phi_1166_ = _e905;
                                     } else {
+                                        switch bitcast<i32>(_e741) {
+                                            case 1: {
+                                                phi_1158_ = false;
+                                                phi_1159_ = true;
+                                                phi_1160_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1158_ = false;
+                                                phi_1159_ = false;
+                                                phi_1160_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1158_ = true;
+                                                phi_1159_ = false;
+                                                phi_1160_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e908 = phi_1158_;
+                                        let _e910 = phi_1159_;
+                                        let _e912 = phi_1160_;
+                                        phi_1161_ = false;
+                                        phi_1162_ = bool();
+                                        phi_1163_ = _e908;
+                                        phi_1164_ = _e910;
+                                        phi_1165_ = _e912;
                                         phi_1166_ = false;
                                     }
-                                    let _e907 = phi_1166_;
-                                    phi_1167_ = _e907;
-                                } else {
-                                    phi_1167_ = false;
+                                    let _e914 = phi_1161_;
+                                    let _e916 = phi_1162_;
+                                    let _e918 = phi_1163_;
+                                    let _e920 = phi_1164_;
+                                    let _e922 = phi_1165_;
+                                    let _e924 = phi_1166_;
+                                    if _e918 {
+                                        if ((_e878 & 2u) != 0u) {
+                                            if (((_e878 & 4u) != 0u) != _e278) {
+                                                phi_1181_ = false;
+                                            } else {
+                                                phi_1181_ = true;
+                                            }
+                                            let _e931 = phi_1181_;
+                                            phi_1182_ = _e931;
+                                        } else {
+                                            phi_1182_ = true;
+                                        }
+                                        let _e933 = phi_1182_;
+                                        if _e933 {
+                                            phi_1189_ = (((_e878 & 1u) != 0u) != _e278);
+                                        } else {
+                                            phi_1189_ = true;
+                                        }
+                                        let _e938 = phi_1189_;
+                                        phi_1190_ = _e938;
+                                        phi_1191_ = false;
+                                        phi_1192_ = false;
+                                        phi_1193_ = false;
+                                    } else {
+                                        phi_1190_ = bool();
+                                        phi_1191_ = _e920;
+                                        phi_1192_ = _e922;
+                                        phi_1193_ = _e924;
+                                    }
+                                    let _e940 = phi_1190_;
+                                    let _e942 = phi_1191_;
+                                    let _e944 = phi_1192_;
+                                    let _e946 = phi_1193_;
+                                    if _e942 {
+                                        phi_1197_ = _e914;
+                                        phi_1198_ = false;
+                                        phi_1199_ = false;
+                                    } else {
+                                        phi_1197_ = _e940;
+                                        phi_1198_ = _e944;
+                                        phi_1199_ = _e946;
+                                    }
+                                    let _e948 = phi_1197_;
+                                    let _e950 = phi_1198_;
+                                    let _e952 = phi_1199_;
+                                    if _e950 {
+                                        phi_1203_ = false;
+                                        phi_1204_ = true;
+                                    } else {
+                                        phi_1203_ = _e916;
+                                        phi_1204_ = _e952;
+                                    }
+                                    let _e954 = phi_1203_;
+                                    let _e956 = phi_1204_;
+                                    if _e956 {
+                                        phi_1208_ = _e954;
+                                    } else {
+                                        phi_1208_ = _e948;
+                                    }
+                                    let _e958 = phi_1208_;
+                                    phi_1209_ = _e958;
                                 }
-                                let _e909 = phi_1167_;
-                                phi_962_ = (_e749 + 1u);
-                                phi_965_ = lt_mask_Neighbourhood(_e895, _e909);
+                                let _e960 = phi_1209_;
+                                if _e752.all_remove {
+                                    if (((_e878 & 1u) != 0u) == _e278) {
+                                        if ((_e878 & 2u) != 0u) {
+                                            phi_1227_ = (((_e878 & 4u) != 0u) == _e278);
+                                        } else {
+                                            phi_1227_ = true;
+                                        }
+                                        let _e970 = phi_1227_;
+                                        phi_1228_ = _e970;
+                                    } else {
+                                        phi_1228_ = false;
+                                    }
+                                    let _e972 = phi_1228_;
+                                    phi_1229_ = _e972;
+                                } else {
+                                    phi_1229_ = false;
+                                }
+                                let _e974 = phi_1229_;
+                                phi_962_ = (_e750 + 1u);
+                                phi_965_ = lt_mask_Neighbourhood(_e960, _e974);
                             } else {
                                 phi_962_ = u32();
                                 phi_965_ = lt_mask_Neighbourhood();
                             }
-                            let _e913 = phi_962_;
-                            let _e915 = phi_965_;
+                            let _e978 = phi_962_;
+                            let _e980 = phi_965_;
                             continue;
                             continuing {
-                                phi_961_ = _e913;
-                                phi_964_ = _e915;
-                                break if !(_e763);
+                                phi_961_ = _e978;
+                                phi_964_ = _e980;
+                                break if !(_e764);
                             }
                         }
-                        let _e1200 = local_1;
-                        phi_1170_ = _e1200;
-                    } else {
-                        phi_1170_ = _e740;
+                        let _e1326 = local_1;
+                        phi_1232_ = _e1326;
                     }
-                    let _e918 = phi_1170_;
-                    phi_1171_ = _e918;
+                    let _e983 = phi_1232_;
+                    phi_1233_ = _e983;
                 } else {
-                    phi_1171_ = _e740;
+                    phi_1233_ = _e735;
                 }
-                let _e920 = phi_1171_;
-                phi_1172_ = _e920;
-            }
-            let _e922 = phi_1172_;
-            let _e925 = p.member.frame;
-            let _e927 = p.member.refresh;
-            if (_e927 == 0u) {
-                phi_1205_ = false;
+                let _e985 = phi_1233_;
+                phi_1234_ = _e985;
             } else {
-                if (_e927 == 0u) {
+                phi_1234_ = _e735;
+            }
+            let _e987 = phi_1234_;
+            let _e990 = p.member.frame;
+            let _e992 = p.member.refresh;
+            if (_e992 == 0u) {
+                phi_1267_ = false;
+            } else {
+                if (_e992 == 0u) {
                     return;
                 }
-                let _e936 = ((_e60.x + (_e60.y * (((_e927 * 5u) / 8u) | 1u))) + (_e925 % _e927));
-                if (_e927 == 0u) {
-                    phi_1204_ = (_e936 == 0u);
+                let _e1001 = ((_e60.x + (_e60.y * (((_e992 * 5u) / 8u) | 1u))) + (_e990 % _e992));
+                if (_e992 == 0u) {
+                    phi_1266_ = (_e1001 == 0u);
                 } else {
-                    if (_e927 == 0u) {
+                    if (_e992 == 0u) {
                         return;
                     }
-                    phi_1204_ = ((_e936 % _e927) == 0u);
+                    phi_1266_ = ((_e1001 % _e992) == 0u);
                 }
-                let _e943 = phi_1204_;
-                phi_1205_ = _e943;
+                let _e1008 = phi_1266_;
+                phi_1267_ = _e1008;
             }
-            let _e945 = phi_1205_;
-            if (_e120 != 0.5f) {
-                if _e728 {
-                    if _e945 {
-                        phi_1260_ = 6u;
-                    } else {
-                        if _e282 {
-                            phi_1235_ = true;
+            let _e1010 = phi_1267_;
+            if _e728 {
+                if _e1010 {
+                    phi_1289_ = bool();
+                } else {
+                    phi_1289_ = ((0u & 2u) != 0u);
+                }
+                let _e1016 = phi_1289_;
+                phi_1290_ = _e1016;
+                phi_1291_ = _e1010;
+            } else {
+                phi_1290_ = bool();
+                phi_1291_ = true;
+            }
+            let _e1018 = phi_1290_;
+            let _e1020 = phi_1291_;
+            if _e1020 {
+                phi_1295_ = false;
+            } else {
+                phi_1295_ = _e1018;
+            }
+            let _e1022 = phi_1295_;
+            if _e1022 {
+                phi_1346_ = 7u;
+            } else {
+                if (_e120 != 0.5f) {
+                    if _e728 {
+                        if _e1010 {
+                            phi_1343_ = 6u;
                         } else {
-                            if _e922.any_expands {
-                                phi_1234_ = false;
-                            } else {
-                                phi_1234_ = true;
-                            }
-                            let _e949 = phi_1234_;
-                            phi_1235_ = _e949;
-                        }
-                        let _e951 = phi_1235_;
-                        if _e951 {
                             if _e282 {
-                                if false {
-                                    if _e922.all_remove {
-                                        phi_1248_ = false;
-                                    } else {
-                                        phi_1248_ = true;
-                                    }
-                                    let _e953 = phi_1248_;
-                                    phi_1249_ = _e953;
-                                } else {
-                                    phi_1249_ = true;
-                                }
-                                let _e955 = phi_1249_;
-                                phi_1250_ = _e955;
+                                phi_1318_ = true;
                             } else {
-                                phi_1250_ = true;
+                                if _e987.any_expands {
+                                    phi_1317_ = false;
+                                } else {
+                                    phi_1317_ = true;
+                                }
+                                let _e1024 = phi_1317_;
+                                phi_1318_ = _e1024;
                             }
-                            let _e957 = phi_1250_;
-                            if _e957 {
+                            let _e1026 = phi_1318_;
+                            if _e1026 {
                                 if _e282 {
-                                    phi_1257_ = 1u;
+                                    if false {
+                                        if _e987.all_remove {
+                                            phi_1331_ = false;
+                                        } else {
+                                            phi_1331_ = true;
+                                        }
+                                        let _e1028 = phi_1331_;
+                                        phi_1332_ = _e1028;
+                                    } else {
+                                        phi_1332_ = true;
+                                    }
+                                    let _e1030 = phi_1332_;
+                                    phi_1333_ = _e1030;
                                 } else {
-                                    phi_1257_ = 0u;
+                                    phi_1333_ = true;
                                 }
-                                let _e959 = phi_1257_;
-                                phi_1258_ = _e959;
+                                let _e1032 = phi_1333_;
+                                if _e1032 {
+                                    if _e282 {
+                                        phi_1340_ = 1u;
+                                    } else {
+                                        phi_1340_ = 0u;
+                                    }
+                                    let _e1034 = phi_1340_;
+                                    phi_1341_ = _e1034;
+                                } else {
+                                    phi_1341_ = 5u;
+                                }
+                                let _e1036 = phi_1341_;
+                                phi_1342_ = _e1036;
                             } else {
-                                phi_1258_ = 5u;
+                                phi_1342_ = 4u;
                             }
-                            let _e961 = phi_1258_;
-                            phi_1259_ = _e961;
-                        } else {
-                            phi_1259_ = 4u;
+                            let _e1038 = phi_1342_;
+                            phi_1343_ = _e1038;
                         }
-                        let _e963 = phi_1259_;
-                        phi_1260_ = _e963;
+                        let _e1040 = phi_1343_;
+                        phi_1344_ = _e1040;
+                    } else {
+                        phi_1344_ = 3u;
                     }
-                    let _e965 = phi_1260_;
-                    phi_1261_ = _e965;
+                    let _e1042 = phi_1344_;
+                    phi_1345_ = _e1042;
                 } else {
-                    phi_1261_ = 3u;
+                    phi_1345_ = 2u;
                 }
-                let _e967 = phi_1261_;
-                phi_1262_ = _e967;
-            } else {
-                phi_1262_ = 2u;
+                let _e1044 = phi_1345_;
+                phi_1346_ = _e1044;
             }
-            let _e969 = phi_1262_;
-            if !((_e969 == 0u)) {
-                phi_1270_ = !((_e969 == 5u));
+            let _e1046 = phi_1346_;
+            if !((_e1046 == 0u)) {
+                if !((_e1046 == 5u)) {
+                    phi_1358_ = !(_e1022);
+                    phi_1359_ = false;
+                } else {
+                    phi_1358_ = bool();
+                    phi_1359_ = true;
+                }
+                let _e1053 = phi_1358_;
+                let _e1055 = phi_1359_;
+                phi_1360_ = _e1053;
+                phi_1361_ = _e1055;
             } else {
-                phi_1270_ = false;
+                phi_1360_ = bool();
+                phi_1361_ = true;
             }
-            let _e975 = phi_1270_;
-            if _e975 {
+            let _e1057 = phi_1360_;
+            let _e1059 = phi_1361_;
+            if _e1059 {
+                phi_1365_ = false;
+            } else {
+                phi_1365_ = _e1057;
+            }
+            let _e1061 = phi_1365_;
+            if _e1022 {
+                phi_1371_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1371_ = _e278;
+            }
+            let _e1065 = phi_1371_;
+            if _e1061 {
                 if _e278 {
-                    phi_1278_ = (2u | 1u);
+                    phi_1379_ = (2u | 1u);
                 } else {
-                    phi_1278_ = 2u;
+                    phi_1379_ = 2u;
                 }
-                let _e978 = phi_1278_;
+                let _e1068 = phi_1379_;
                 if false {
-                    phi_1283_ = (_e978 | 4u);
+                    phi_1384_ = (_e1068 | 4u);
                 } else {
-                    phi_1283_ = _e978;
+                    phi_1384_ = _e1068;
                 }
-                let _e981 = phi_1283_;
-                phi_1288_ = _e981;
+                let _e1071 = phi_1384_;
+                phi_1404_ = _e1071;
             } else {
-                if _e278 {
-                    phi_1287_ = 1u;
+                if (_e1046 == 7u) {
+                    if _e278 {
+                        phi_1393_ = (2u | 1u);
+                    } else {
+                        phi_1393_ = 2u;
+                    }
+                    let _e1075 = phi_1393_;
+                    if _e1065 {
+                        phi_1398_ = (_e1075 | 4u);
+                    } else {
+                        phi_1398_ = _e1075;
+                    }
+                    let _e1078 = phi_1398_;
+                    phi_1403_ = _e1078;
                 } else {
-                    phi_1287_ = 0u;
+                    if _e278 {
+                        phi_1402_ = 1u;
+                    } else {
+                        phi_1402_ = 0u;
+                    }
+                    let _e1080 = phi_1402_;
+                    phi_1403_ = _e1080;
                 }
-                let _e983 = phi_1287_;
-                phi_1288_ = _e983;
+                let _e1082 = phi_1403_;
+                phi_1404_ = _e1082;
             }
-            let _e985 = phi_1288_;
-            if _e278 {
-                phi_1292_ = 0f;
+            let _e1084 = phi_1404_;
+            if _e1065 {
+                phi_1408_ = 0f;
             } else {
-                phi_1292_ = 1f;
+                phi_1408_ = 1f;
             }
-            let _e987 = phi_1292_;
-            phi_1294_ = mask_Masked(_e987, _e985, _e975);
+            let _e1086 = phi_1408_;
+            phi_1410_ = mask_Masked(_e1086, _e1084, _e1061);
         }
-        let _e990 = phi_1294_;
-        visibility.member[_e81.shift] = _e990.visibility;
-        let _e995 = p.member.light.number;
-        let _e996 = (_e995 * 3u);
-        let _e998 = (_e996 % 32u);
-        let _e1000 = p.member.light.mask_words;
-        let _e1002 = ((_e81.shift * _e1000) + (_e996 / 32u));
-        let _e1004 = bits.member[_e1002];
-        bits.member[_e1002] = ((_e1004 & ~((7u << bitcast<u32>((_e998 & 31u))))) | (_e990.bits << bitcast<u32>((_e998 & 31u))));
-        if (_e998 > 29u) {
-            let _e1019 = bits.member[(_e1002 + 1u)];
-            let _e1021 = (32u - _e998);
-            bits.member[(_e1002 + 1u)] = ((_e1019 & ~((7u >> bitcast<u32>((_e1021 & 31u))))) | (_e990.bits >> bitcast<u32>((_e1021 & 31u))));
+        let _e1089 = phi_1410_;
+        visibility.member[_e81.shift] = _e1089.visibility;
+        let _e1094 = p.member.light.number;
+        let _e1095 = (_e1094 * 3u);
+        let _e1097 = (_e1095 % 32u);
+        let _e1099 = p.member.light.mask_words;
+        let _e1101 = ((_e81.shift * _e1099) + (_e1095 / 32u));
+        let _e1103 = bits.member[_e1101];
+        bits.member[_e1101] = ((_e1103 & ~((7u << bitcast<u32>((_e1097 & 31u))))) | (_e1089.bits << bitcast<u32>((_e1097 & 31u))));
+        if (_e1097 > 29u) {
+            let _e1118 = bits.member[(_e1101 + 1u)];
+            let _e1120 = (32u - _e1097);
+            bits.member[(_e1101 + 1u)] = ((_e1118 & ~((7u >> bitcast<u32>((_e1120 & 31u))))) | (_e1089.bits >> bitcast<u32>((_e1120 & 31u))));
         }
-        let _e1036 = samples.member[_e81.shift].normal[0u];
-        let _e1038 = global[0u];
-        if (_e1036 == _e1038) {
-            let _e1041 = samples.member[_e81.shift].normal[1u];
-            let _e1043 = global[1u];
-            if (_e1041 == _e1043) {
-                let _e1046 = samples.member[_e81.shift].normal[2u];
-                let _e1048 = global[2u];
-                phi_1366_ = (_e1046 == _e1048);
-                phi_1367_ = false;
+        let _e1135 = samples.member[_e81.shift].normal[0u];
+        let _e1137 = global[0u];
+        if (_e1135 == _e1137) {
+            let _e1140 = samples.member[_e81.shift].normal[1u];
+            let _e1142 = global[1u];
+            if (_e1140 == _e1142) {
+                let _e1145 = samples.member[_e81.shift].normal[2u];
+                let _e1147 = global[2u];
+                phi_1482_ = (_e1145 == _e1147);
+                phi_1483_ = false;
             } else {
-                phi_1366_ = bool();
-                phi_1367_ = true;
+                phi_1482_ = bool();
+                phi_1483_ = true;
             }
-            let _e1051 = phi_1366_;
-            let _e1053 = phi_1367_;
-            phi_1368_ = _e1051;
-            phi_1369_ = _e1053;
+            let _e1150 = phi_1482_;
+            let _e1152 = phi_1483_;
+            phi_1484_ = _e1150;
+            phi_1485_ = _e1152;
         } else {
-            phi_1368_ = bool();
-            phi_1369_ = true;
+            phi_1484_ = bool();
+            phi_1485_ = true;
         }
-        let _e1055 = phi_1368_;
-        let _e1057 = phi_1369_;
-        if _e1057 {
-            phi_1373_ = false;
+        let _e1154 = phi_1484_;
+        let _e1156 = phi_1485_;
+        if _e1156 {
+            phi_1489_ = false;
         } else {
-            phi_1373_ = _e1055;
+            phi_1489_ = _e1154;
         }
-        let _e1059 = phi_1373_;
-        if !(_e1059) {
-            let _e1062 = samples.member[_e81.shift].position;
-            let _e1064 = p.member.current.eye;
-            let _e1075 = p.member.current.forward;
-            phi_1401_ = ((((_e1062.x - _e1064.x) * _e1075.x) + ((_e1062.y - _e1064.y) * _e1075.y)) + ((_e1062.z - _e1064.z) * _e1075.z));
+        let _e1158 = phi_1489_;
+        if !(_e1158) {
+            let _e1161 = samples.member[_e81.shift].position;
+            let _e1163 = p.member.current.eye;
+            let _e1174 = p.member.current.forward;
+            phi_1517_ = ((((_e1161.x - _e1163.x) * _e1174.x) + ((_e1161.y - _e1163.y) * _e1174.y)) + ((_e1161.z - _e1163.z) * _e1174.z));
         } else {
-            phi_1401_ = 0f;
+            phi_1517_ = 0f;
         }
-        let _e1085 = phi_1401_;
-        depths.member[_e81.shift] = _e1085;
-        phi_1404_ = _e990.needs_ray;
-        phi_1405_ = _e81.shift;
+        let _e1184 = phi_1517_;
+        depths.member[_e81.shift] = _e1184;
+        phi_1520_ = _e1089.needs_ray;
+        phi_1521_ = _e81.shift;
     } else {
-        phi_1404_ = false;
-        phi_1405_ = 0u;
+        phi_1520_ = false;
+        phi_1521_ = 0u;
     }
-    let _e1089 = phi_1404_;
-    let _e1091 = phi_1405_;
+    let _e1188 = phi_1520_;
+    let _e1190 = phi_1521_;
     if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1089 {
-        let _e1095 = atomicAdd((&shared_[0u]), 1u);
-        phi_1416_ = _e1095;
+    if _e1188 {
+        let _e1194 = atomicAdd((&shared_[0u]), 1u);
+        phi_1532_ = _e1194;
     } else {
-        phi_1416_ = 0u;
+        phi_1532_ = 0u;
     }
-    let _e1097 = phi_1416_;
+    let _e1196 = phi_1532_;
     workgroupBarrier();
     if (_e61 == 0u) {
-        let _e1101 = atomicLoad((&shared_[0u]));
-        let _e1102 = atomicAdd((&list.member[3u]), _e1101);
-        atomicStore((&shared_[1u]), _e1102);
+        let _e1200 = atomicLoad((&shared_[0u]));
+        let _e1201 = atomicAdd((&list.member[3u]), _e1200);
+        atomicStore((&shared_[1u]), _e1201);
     }
     workgroupBarrier();
-    if _e1089 {
-        let _e1105 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1105) + _e1097)]), _e1091);
+    if _e1188 {
+        let _e1204 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1204) + _e1196)]), _e1190);
     }
     return;
 }

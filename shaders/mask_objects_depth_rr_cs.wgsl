@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -353,67 +353,112 @@ fn function_() {
     var phi_926_: bool;
     var phi_930_: bool;
     var phi_931_: lt_mask_Reprojection;
-    var phi_945_: bool;
-    var phi_956_: bool;
-    var phi_957_: bool;
-    var phi_958_: bool;
-    var phi_959_: bool;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_965_: bool;
-    var phi_970_: bool;
-    var phi_985_: u32;
-    var phi_987_: u32;
-    var phi_990_: lt_mask_Neighbourhood;
-    var phi_1002_: bool;
+    var phi_974_: u32;
+    var phi_993_: u32;
+    var phi_1001_: u32;
+    var phi_1002_: u32;
     var phi_1003_: bool;
-    var phi_1012_: u32;
-    var phi_1013_: u32;
-    var phi_1073_: vec2<i32>;
-    var phi_1093_: vec2<i32>;
-    var phi_1120_: u32;
-    var phi_1139_: u32;
-    var phi_1147_: u32;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
-    var phi_1191_: bool;
-    var phi_1192_: bool;
-    var phi_1193_: bool;
-    var phi_988_: u32;
-    var phi_991_: lt_mask_Neighbourhood;
-    var phi_1196_: lt_mask_Neighbourhood;
-    var phi_1197_: lt_mask_Neighbourhood;
-    var phi_1229_: bool;
-    var phi_1230_: bool;
-    var phi_1259_: bool;
-    var phi_1260_: bool;
-    var phi_1273_: bool;
+    var phi_1004_: u32;
+    var phi_1005_: bool;
+    var phi_1006_: bool;
+    var phi_1007_: u32;
+    var phi_1008_: bool;
+    var phi_1009_: bool;
+    var phi_1013_: bool;
+    var phi_1017_: u32;
+    var phi_1022_: bool;
+    var phi_1044_: u32;
+    var phi_1046_: u32;
+    var phi_1049_: lt_mask_Neighbourhood;
+    var phi_1061_: bool;
+    var phi_1062_: bool;
+    var phi_1071_: u32;
+    var phi_1072_: u32;
+    var phi_1132_: vec2<i32>;
+    var phi_1152_: vec2<i32>;
+    var phi_1179_: u32;
+    var phi_1198_: u32;
+    var phi_1206_: u32;
+    var phi_1232_: bool;
+    var phi_1233_: bool;
+    var phi_1234_: bool;
+    var phi_1235_: bool;
+    var phi_1236_: bool;
+    var phi_1237_: bool;
+    var phi_1238_: bool;
+    var phi_1243_: bool;
+    var phi_1244_: bool;
+    var phi_1245_: bool;
+    var phi_1246_: bool;
+    var phi_1247_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1250_: bool;
+    var phi_1251_: bool;
+    var phi_1266_: bool;
+    var phi_1267_: bool;
     var phi_1274_: bool;
     var phi_1275_: bool;
-    var phi_1282_: u32;
-    var phi_1283_: u32;
-    var phi_1284_: u32;
-    var phi_1285_: u32;
-    var phi_1286_: u32;
-    var phi_1287_: u32;
-    var phi_1295_: bool;
-    var phi_1303_: u32;
-    var phi_1308_: u32;
-    var phi_1312_: u32;
-    var phi_1313_: u32;
-    var phi_1317_: f32;
-    var phi_1319_: mask_Masked;
-    var phi_1391_: bool;
-    var phi_1392_: bool;
-    var phi_1393_: bool;
-    var phi_1394_: bool;
-    var phi_1398_: bool;
-    var phi_1426_: f32;
-    var phi_1429_: bool;
+    var phi_1276_: bool;
+    var phi_1277_: bool;
+    var phi_1278_: bool;
+    var phi_1282_: bool;
+    var phi_1283_: bool;
+    var phi_1284_: bool;
+    var phi_1288_: bool;
+    var phi_1289_: bool;
+    var phi_1293_: bool;
+    var phi_1294_: bool;
+    var phi_1312_: bool;
+    var phi_1313_: bool;
+    var phi_1314_: bool;
+    var phi_1047_: u32;
+    var phi_1050_: lt_mask_Neighbourhood;
+    var phi_1317_: lt_mask_Neighbourhood;
+    var phi_1318_: lt_mask_Neighbourhood;
+    var phi_1319_: lt_mask_Neighbourhood;
+    var phi_1351_: bool;
+    var phi_1352_: bool;
+    var phi_1374_: bool;
+    var phi_1375_: bool;
+    var phi_1376_: bool;
+    var phi_1380_: bool;
+    var phi_1402_: bool;
+    var phi_1403_: bool;
+    var phi_1416_: bool;
+    var phi_1417_: bool;
+    var phi_1418_: bool;
+    var phi_1425_: u32;
+    var phi_1426_: u32;
+    var phi_1427_: u32;
+    var phi_1428_: u32;
+    var phi_1429_: u32;
     var phi_1430_: u32;
-    var phi_1441_: u32;
+    var phi_1431_: u32;
+    var phi_1443_: bool;
+    var phi_1444_: bool;
+    var phi_1445_: bool;
+    var phi_1446_: bool;
+    var phi_1450_: bool;
+    var phi_1456_: bool;
+    var phi_1464_: u32;
+    var phi_1469_: u32;
+    var phi_1478_: u32;
+    var phi_1483_: u32;
+    var phi_1487_: u32;
+    var phi_1488_: u32;
+    var phi_1489_: u32;
+    var phi_1493_: f32;
+    var phi_1495_: mask_Masked;
+    var phi_1567_: bool;
+    var phi_1568_: bool;
+    var phi_1569_: bool;
+    var phi_1570_: bool;
+    var phi_1574_: bool;
+    var phi_1602_: f32;
+    var phi_1605_: bool;
+    var phi_1606_: u32;
+    var phi_1617_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e60 = id_1;
@@ -524,7 +569,7 @@ fn function_() {
         }
         let _e273 = phi_477_;
         if _e273.unnamed_1 {
-            phi_1319_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
+            phi_1495_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
         } else {
             let _e278 = (_e120 < 0.5f);
             if (_e120 > 0f) {
@@ -821,479 +866,720 @@ fn function_() {
             let _e730 = phi_931_;
             let _e734 = lt_mask_Reprojection(_e730.pixel, _e728, _e730.has_moved);
             let _e736 = p.member.flags;
-            if _e734.has_moved {
-                let _e741 = p.member.flags;
-                phi_945_ = ((_e741 & 4u) == 0u);
+            let _e738 = ((_e736 & 2u) != 0u);
+            let _e740 = p.member.flags;
+            if ((_e740 & 4u) == 0u) {
+                phi_1007_ = u32();
+                phi_1008_ = true;
+                phi_1009_ = false;
             } else {
-                phi_945_ = false;
-            }
-            let _e745 = phi_945_;
-            if ((_e736 & 2u) != 0u) {
-                if false {
-                    phi_958_ = bool();
-                    phi_959_ = true;
-                } else {
-                    if true {
-                        phi_956_ = !(_e745);
-                        phi_957_ = false;
-                    } else {
-                        phi_956_ = bool();
-                        phi_957_ = true;
-                    }
-                    let _e748 = phi_956_;
-                    let _e750 = phi_957_;
-                    phi_958_ = _e748;
-                    phi_959_ = _e750;
-                }
-                let _e752 = phi_958_;
-                let _e754 = phi_959_;
-                phi_960_ = _e752;
-                phi_961_ = _e754;
-            } else {
-                phi_960_ = bool();
-                phi_961_ = true;
-            }
-            let _e756 = phi_960_;
-            let _e758 = phi_961_;
-            if _e758 {
-                phi_965_ = false;
-            } else {
-                phi_965_ = _e756;
-            }
-            let _e760 = phi_965_;
-            let _e761 = lt_mask_Neighbourhood(false, true);
-            if _e282 {
-                phi_970_ = _e760;
-            } else {
-                phi_970_ = false;
-            }
-            let _e763 = phi_970_;
-            if _e763 {
                 if _e728 {
-                    if _e734.has_moved {
-                        let _e766 = p.member.moving_pattern;
-                        phi_985_ = _e766;
-                    } else {
-                        let _e768 = p.member.still_pattern;
-                        phi_985_ = _e768;
-                    }
-                    let _e770 = phi_985_;
-                    phi_987_ = 0u;
-                    phi_990_ = _e761;
-                    loop {
-                        let _e772 = phi_987_;
-                        let _e774 = phi_990_;
-                        local_1 = _e774;
-                        if (1u <= _e770) {
-                            if (_e770 <= 4u) {
-                                phi_1002_ = false;
-                            } else {
-                                phi_1002_ = true;
-                            }
-                            let _e778 = phi_1002_;
-                            phi_1003_ = _e778;
-                        } else {
-                            phi_1003_ = true;
-                        }
-                        let _e780 = phi_1003_;
-                        if _e780 {
-                            switch bitcast<i32>(_e770) {
-                                case 5: {
-                                    phi_1012_ = 4u;
-                                    break;
-                                }
-                                case 6: {
-                                    phi_1012_ = 25u;
-                                    break;
-                                }
-                                case 7: {
-                                    phi_1012_ = 13u;
-                                    break;
-                                }
-                                default: {
-                                    phi_1012_ = 9u;
-                                    break;
-                                }
-                            }
-                            let _e783 = phi_1012_;
-                            phi_1013_ = _e783;
-                        } else {
-                            phi_1013_ = 5u;
-                        }
-                        let _e785 = phi_1013_;
-                        let _e786 = (_e772 < _e785);
-                        if _e786 {
-                            let _e792 = p.member.frame;
-                            let _e796 = p.member.current.size[0u];
-                            let _e798 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e770) {
-                                case 1: {
-                                    let _e808 = lt_mask_pattern_plus(_e772);
-                                    phi_1093_ = vec2<i32>(_e808.x, _e808.y);
-                                    break;
-                                }
-                                case 2: {
-                                    let _e812 = lt_mask_pattern_cross(_e772);
-                                    phi_1093_ = vec2<i32>(_e812.x, _e812.y);
-                                    break;
-                                }
-                                case 3: {
-                                    let _e818 = lt_mask_pattern_plus_or_cross(_e772, ((_e734.pixel.x + _e734.pixel.y) & 1u));
-                                    phi_1093_ = vec2<i32>(_e818.x, _e818.y);
-                                    break;
-                                }
-                                case 4: {
-                                    let _e823 = lt_mask_pattern_plus_or_cross(_e772, (_e792 & 1u));
-                                    phi_1093_ = vec2<i32>(_e823.x, _e823.y);
-                                    break;
-                                }
-                                case 5: {
-                                    switch bitcast<i32>((_e792 & 3u)) {
-                                        case 0: {
-                                            phi_1073_ = vec2(-1i);
-                                            break;
-                                        }
-                                        case 1: {
-                                            phi_1073_ = vec2(0i);
-                                            break;
-                                        }
-                                        case 2: {
-                                            phi_1073_ = vec2<i32>(0i, -1i);
-                                            break;
-                                        }
-                                        default: {
-                                            phi_1073_ = vec2<i32>(-1i, 0i);
-                                            break;
-                                        }
-                                    }
-                                    let _e834 = phi_1073_;
-                                    phi_1093_ = (_e834 + vec2<i32>(bitcast<i32>((_e772 & 1u)), bitcast<i32>(((_e772 >> bitcast<u32>(1i)) & 1u))));
-                                    break;
-                                }
-                                case 6: {
-                                    phi_1093_ = vec2<i32>((bitcast<i32>((_e772 % 5u)) - 2i), (bitcast<i32>(((_e772 / 5u) % 5u)) - 2i));
-                                    break;
-                                }
-                                case 7: {
-                                    let _e851 = lt_mask_pattern_diamond(_e772);
-                                    phi_1093_ = vec2<i32>(_e851.x, _e851.y);
-                                    break;
-                                }
-                                default: {
-                                    phi_1093_ = vec2<i32>((bitcast<i32>((_e772 % 3u)) - 1i), (bitcast<i32>(((_e772 / 3u) % 3u)) - 1i));
-                                    break;
-                                }
-                            }
-                            let _e856 = phi_1093_;
-                            let _e859 = lt_mask_pattern_step_clamped(_e734.pixel.x, _e856.x, _e796);
-                            let _e860 = lt_mask_pattern_step_clamped(_e734.pixel.y, _e856.y, _e798);
-                            let _e867 = ((((_e860 * _e112) + _e859) * _e108.words) + _e108.light.word);
-                            if (_e108.light.shift > 29u) {
-                                let _e871 = (_e867 + 1u);
-                                if (_e871 < _e66) {
-                                } else {
-                                    return;
-                                }
-                                let _e875 = last_bits.member[(0u + _e871)];
-                                phi_1120_ = _e875;
-                            } else {
-                                phi_1120_ = 0u;
-                            }
-                            let _e877 = phi_1120_;
-                            if (_e867 < _e66) {
+                    if !(_e734.has_moved) {
+                        let _e751 = ((((_e60.y * _e112) + _e60.x) * _e108.words) + _e108.light.word);
+                        if (_e108.light.shift > 29u) {
+                            let _e755 = (_e751 + 1u);
+                            if (_e755 < _e66) {
                             } else {
                                 return;
                             }
-                            let _e883 = last_bits.member[(0u + _e867)];
-                            let _e886 = (_e883 >> bitcast<u32>((_e108.light.shift & 31u)));
-                            if (_e108.light.shift > 29u) {
-                                phi_1139_ = (_e886 | (_e877 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
-                            } else {
-                                phi_1139_ = _e886;
-                            }
-                            let _e894 = phi_1139_;
-                            if ((_e894 & 2u) == 0u) {
-                                phi_1147_ = (_e894 & 1u);
-                            } else {
-                                phi_1147_ = (_e894 & 7u);
-                            }
-                            let _e900 = phi_1147_;
-                            if _e774.any_expands {
-                                phi_1173_ = true;
-                            } else {
-                                if ((_e900 & 2u) != 0u) {
-                                    if (((_e900 & 4u) != 0u) != _e278) {
-                                        phi_1164_ = false;
-                                    } else {
-                                        phi_1164_ = true;
-                                    }
-                                    let _e909 = phi_1164_;
-                                    phi_1165_ = _e909;
-                                } else {
-                                    phi_1165_ = true;
-                                }
-                                let _e911 = phi_1165_;
-                                if _e911 {
-                                    phi_1172_ = (((_e900 & 1u) != 0u) != _e278);
-                                } else {
-                                    phi_1172_ = true;
-                                }
-                                let _e916 = phi_1172_;
-                                phi_1173_ = _e916;
-                            }
-                            let _e918 = phi_1173_;
-                            if _e774.all_remove {
-                                if (((_e900 & 1u) != 0u) == _e278) {
-                                    if ((_e900 & 2u) != 0u) {
-                                        phi_1191_ = (((_e900 & 4u) != 0u) == _e278);
-                                    } else {
-                                        phi_1191_ = true;
-                                    }
-                                    let _e928 = phi_1191_;
-                                    phi_1192_ = _e928;
-                                } else {
-                                    phi_1192_ = false;
-                                }
-                                let _e930 = phi_1192_;
-                                phi_1193_ = _e930;
-                            } else {
-                                phi_1193_ = false;
-                            }
-                            let _e932 = phi_1193_;
-                            phi_988_ = (_e772 + 1u);
-                            phi_991_ = lt_mask_Neighbourhood(_e918, _e932);
+                            let _e759 = last_bits.member[(0u + _e755)];
+                            phi_974_ = _e759;
                         } else {
-                            phi_988_ = u32();
-                            phi_991_ = lt_mask_Neighbourhood();
+                            phi_974_ = 0u;
                         }
-                        let _e936 = phi_988_;
-                        let _e938 = phi_991_;
-                        continue;
-                        continuing {
-                            phi_987_ = _e936;
-                            phi_990_ = _e938;
-                            break if !(_e786);
+                        let _e761 = phi_974_;
+                        if (_e751 < _e66) {
+                        } else {
+                            return;
                         }
+                        let _e767 = last_bits.member[(0u + _e751)];
+                        let _e770 = (_e767 >> bitcast<u32>((_e108.light.shift & 31u)));
+                        if (_e108.light.shift > 29u) {
+                            phi_993_ = (_e770 | (_e761 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                        } else {
+                            phi_993_ = _e770;
+                        }
+                        let _e778 = phi_993_;
+                        if ((_e778 & 2u) == 0u) {
+                            phi_1001_ = (_e778 & 1u);
+                        } else {
+                            phi_1001_ = (_e778 & 7u);
+                        }
+                        let _e784 = phi_1001_;
+                        phi_1002_ = _e784;
+                        phi_1003_ = false;
+                    } else {
+                        phi_1002_ = u32();
+                        phi_1003_ = true;
                     }
-                    let _e1230 = local_1;
-                    phi_1196_ = _e1230;
+                    let _e786 = phi_1002_;
+                    let _e788 = phi_1003_;
+                    phi_1004_ = _e786;
+                    phi_1005_ = false;
+                    phi_1006_ = _e788;
                 } else {
-                    phi_1196_ = _e761;
+                    phi_1004_ = u32();
+                    phi_1005_ = true;
+                    phi_1006_ = false;
                 }
-                let _e941 = phi_1196_;
-                phi_1197_ = _e941;
-            } else {
-                phi_1197_ = _e761;
+                let _e790 = phi_1004_;
+                let _e792 = phi_1005_;
+                let _e794 = phi_1006_;
+                phi_1007_ = _e790;
+                phi_1008_ = _e792;
+                phi_1009_ = _e794;
             }
-            let _e943 = phi_1197_;
-            let _e946 = p.member.frame;
-            let _e948 = p.member.refresh;
-            if (_e948 == 0u) {
-                phi_1230_ = false;
+            let _e796 = phi_1007_;
+            let _e798 = phi_1008_;
+            let _e800 = phi_1009_;
+            if _e798 {
+                phi_1013_ = true;
             } else {
-                if (_e948 == 0u) {
+                phi_1013_ = _e800;
+            }
+            let _e802 = phi_1013_;
+            if _e802 {
+                phi_1017_ = 0u;
+            } else {
+                phi_1017_ = _e796;
+            }
+            let _e804 = phi_1017_;
+            let _e805 = lt_mask_Neighbourhood(false, true);
+            if _e282 {
+                phi_1022_ = _e738;
+            } else {
+                phi_1022_ = false;
+            }
+            let _e807 = phi_1022_;
+            if _e807 {
+                if _e728 {
+                    if ((_e804 & 2u) != 0u) {
+                        phi_1317_ = _e805;
+                    } else {
+                        let _e811 = p.member.expansion;
+                        if _e734.has_moved {
+                            let _e814 = p.member.moving_pattern;
+                            phi_1044_ = _e814;
+                        } else {
+                            let _e816 = p.member.still_pattern;
+                            phi_1044_ = _e816;
+                        }
+                        let _e818 = phi_1044_;
+                        phi_1046_ = 0u;
+                        phi_1049_ = _e805;
+                        loop {
+                            let _e820 = phi_1046_;
+                            let _e822 = phi_1049_;
+                            local_1 = _e822;
+                            if (1u <= _e818) {
+                                if (_e818 <= 4u) {
+                                    phi_1061_ = false;
+                                } else {
+                                    phi_1061_ = true;
+                                }
+                                let _e826 = phi_1061_;
+                                phi_1062_ = _e826;
+                            } else {
+                                phi_1062_ = true;
+                            }
+                            let _e828 = phi_1062_;
+                            if _e828 {
+                                switch bitcast<i32>(_e818) {
+                                    case 5: {
+                                        phi_1071_ = 4u;
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1071_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_1071_ = 13u;
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1071_ = 9u;
+                                        break;
+                                    }
+                                }
+                                let _e831 = phi_1071_;
+                                phi_1072_ = _e831;
+                            } else {
+                                phi_1072_ = 5u;
+                            }
+                            let _e833 = phi_1072_;
+                            let _e834 = (_e820 < _e833);
+                            if _e834 {
+                                let _e840 = p.member.frame;
+                                let _e844 = p.member.current.size[0u];
+                                let _e846 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e818) {
+                                    case 1: {
+                                        let _e856 = lt_mask_pattern_plus(_e820);
+                                        phi_1152_ = vec2<i32>(_e856.x, _e856.y);
+                                        break;
+                                    }
+                                    case 2: {
+                                        let _e860 = lt_mask_pattern_cross(_e820);
+                                        phi_1152_ = vec2<i32>(_e860.x, _e860.y);
+                                        break;
+                                    }
+                                    case 3: {
+                                        let _e866 = lt_mask_pattern_plus_or_cross(_e820, ((_e734.pixel.x + _e734.pixel.y) & 1u));
+                                        phi_1152_ = vec2<i32>(_e866.x, _e866.y);
+                                        break;
+                                    }
+                                    case 4: {
+                                        let _e871 = lt_mask_pattern_plus_or_cross(_e820, (_e840 & 1u));
+                                        phi_1152_ = vec2<i32>(_e871.x, _e871.y);
+                                        break;
+                                    }
+                                    case 5: {
+                                        switch bitcast<i32>((_e840 & 3u)) {
+                                            case 0: {
+                                                phi_1132_ = vec2(-1i);
+                                                break;
+                                            }
+                                            case 1: {
+                                                phi_1132_ = vec2(0i);
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1132_ = vec2<i32>(0i, -1i);
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1132_ = vec2<i32>(-1i, 0i);
+                                                break;
+                                            }
+                                        }
+                                        let _e882 = phi_1132_;
+                                        phi_1152_ = (_e882 + vec2<i32>(bitcast<i32>((_e820 & 1u)), bitcast<i32>(((_e820 >> bitcast<u32>(1i)) & 1u))));
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1152_ = vec2<i32>((bitcast<i32>((_e820 % 5u)) - 2i), (bitcast<i32>(((_e820 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e899 = lt_mask_pattern_diamond(_e820);
+                                        phi_1152_ = vec2<i32>(_e899.x, _e899.y);
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1152_ = vec2<i32>((bitcast<i32>((_e820 % 3u)) - 1i), (bitcast<i32>(((_e820 / 3u) % 3u)) - 1i));
+                                        break;
+                                    }
+                                }
+                                let _e904 = phi_1152_;
+                                let _e907 = lt_mask_pattern_step_clamped(_e734.pixel.x, _e904.x, _e844);
+                                let _e908 = lt_mask_pattern_step_clamped(_e734.pixel.y, _e904.y, _e846);
+                                let _e915 = ((((_e908 * _e112) + _e907) * _e108.words) + _e108.light.word);
+                                if (_e108.light.shift > 29u) {
+                                    let _e919 = (_e915 + 1u);
+                                    if (_e919 < _e66) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e923 = last_bits.member[(0u + _e919)];
+                                    phi_1179_ = _e923;
+                                } else {
+                                    phi_1179_ = 0u;
+                                }
+                                let _e925 = phi_1179_;
+                                if (_e915 < _e66) {
+                                } else {
+                                    return;
+                                }
+                                let _e931 = last_bits.member[(0u + _e915)];
+                                let _e934 = (_e931 >> bitcast<u32>((_e108.light.shift & 31u)));
+                                if (_e108.light.shift > 29u) {
+                                    phi_1198_ = (_e934 | (_e925 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                                } else {
+                                    phi_1198_ = _e934;
+                                }
+                                let _e942 = phi_1198_;
+                                if ((_e942 & 2u) == 0u) {
+                                    phi_1206_ = (_e942 & 1u);
+                                } else {
+                                    phi_1206_ = (_e942 & 7u);
+                                }
+                                let _e948 = phi_1206_;
+                                if _e822.any_expands {
+                                    phi_1294_ = true;
+                                } else {
+                                    if ((_e948 & 2u) != 0u) {
+                                        let _e955 = (((_e948 & 4u) != 0u) != _e278);
+                                        switch bitcast<i32>(_e811) {
+                                            case 1: {
+                                                phi_1234_ = bool();
+                                                phi_1235_ = false;
+                                                phi_1236_ = true;
+                                                phi_1237_ = false;
+                                                phi_1238_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e955 {
+                                                    phi_1232_ = (((_e948 & 4u) != 0u) != ((_e948 & 1u) != 0u));
+                                                    phi_1233_ = false;
+                                                } else {
+                                                    phi_1232_ = bool();
+                                                    phi_1233_ = true;
+                                                }
+                                                let _e963 = phi_1232_;
+                                                let _e965 = phi_1233_;
+                                                phi_1234_ = _e963;
+                                                phi_1235_ = false;
+                                                phi_1236_ = false;
+                                                phi_1237_ = _e965;
+                                                phi_1238_ = _e955;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1234_ = bool();
+                                                phi_1235_ = true;
+                                                phi_1236_ = false;
+                                                phi_1237_ = false;
+                                                phi_1238_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e967 = phi_1234_;
+                                        let _e969 = phi_1235_;
+                                        let _e971 = phi_1236_;
+                                        let _e973 = phi_1237_;
+                                        let _e975 = phi_1238_;
+                                        phi_1246_ = _e955;
+                                        phi_1247_ = _e967;
+                                        phi_1248_ = _e969;
+                                        phi_1249_ = _e971;
+                                        phi_1250_ = _e973;
+                                        phi_1251_ = _e975;
+                                    } else {
+                                        switch bitcast<i32>(_e811) {
+                                            case 1: {
+                                                phi_1243_ = false;
+                                                phi_1244_ = true;
+                                                phi_1245_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1243_ = false;
+                                                phi_1244_ = false;
+                                                phi_1245_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1243_ = true;
+                                                phi_1244_ = false;
+                                                phi_1245_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e978 = phi_1243_;
+                                        let _e980 = phi_1244_;
+                                        let _e982 = phi_1245_;
+                                        phi_1246_ = false;
+                                        phi_1247_ = bool();
+                                        phi_1248_ = _e978;
+                                        phi_1249_ = _e980;
+                                        phi_1250_ = _e982;
+                                        phi_1251_ = false;
+                                    }
+                                    let _e984 = phi_1246_;
+                                    let _e986 = phi_1247_;
+                                    let _e988 = phi_1248_;
+                                    let _e990 = phi_1249_;
+                                    let _e992 = phi_1250_;
+                                    let _e994 = phi_1251_;
+                                    if _e988 {
+                                        if ((_e948 & 2u) != 0u) {
+                                            if (((_e948 & 4u) != 0u) != _e278) {
+                                                phi_1266_ = false;
+                                            } else {
+                                                phi_1266_ = true;
+                                            }
+                                            let _e1001 = phi_1266_;
+                                            phi_1267_ = _e1001;
+                                        } else {
+                                            phi_1267_ = true;
+                                        }
+                                        let _e1003 = phi_1267_;
+                                        if _e1003 {
+                                            phi_1274_ = (((_e948 & 1u) != 0u) != _e278);
+                                        } else {
+                                            phi_1274_ = true;
+                                        }
+                                        let _e1008 = phi_1274_;
+                                        phi_1275_ = _e1008;
+                                        phi_1276_ = false;
+                                        phi_1277_ = false;
+                                        phi_1278_ = false;
+                                    } else {
+                                        phi_1275_ = bool();
+                                        phi_1276_ = _e990;
+                                        phi_1277_ = _e992;
+                                        phi_1278_ = _e994;
+                                    }
+                                    let _e1010 = phi_1275_;
+                                    let _e1012 = phi_1276_;
+                                    let _e1014 = phi_1277_;
+                                    let _e1016 = phi_1278_;
+                                    if _e1012 {
+                                        phi_1282_ = _e984;
+                                        phi_1283_ = false;
+                                        phi_1284_ = false;
+                                    } else {
+                                        phi_1282_ = _e1010;
+                                        phi_1283_ = _e1014;
+                                        phi_1284_ = _e1016;
+                                    }
+                                    let _e1018 = phi_1282_;
+                                    let _e1020 = phi_1283_;
+                                    let _e1022 = phi_1284_;
+                                    if _e1020 {
+                                        phi_1288_ = false;
+                                        phi_1289_ = true;
+                                    } else {
+                                        phi_1288_ = _e986;
+                                        phi_1289_ = _e1022;
+                                    }
+                                    let _e1024 = phi_1288_;
+                                    let _e1026 = phi_1289_;
+                                    if _e1026 {
+                                        phi_1293_ = _e1024;
+                                    } else {
+                                        phi_1293_ = _e1018;
+                                    }
+                                    let _e1028 = phi_1293_;
+                                    phi_1294_ = _e1028;
+                                }
+                                let _e1030 = phi_1294_;
+                                if _e822.all_remove {
+                                    if (((_e948 & 1u) != 0u) == _e278) {
+                                        if ((_e948 & 2u) != 0u) {
+                                            phi_1312_ = (((_e948 & 4u) != 0u) == _e278);
+                                        } else {
+                                            phi_1312_ = true;
+                                        }
+                                        let _e1040 = phi_1312_;
+                                        phi_1313_ = _e1040;
+                                    } else {
+                                        phi_1313_ = false;
+                                    }
+                                    let _e1042 = phi_1313_;
+                                    phi_1314_ = _e1042;
+                                } else {
+                                    phi_1314_ = false;
+                                }
+                                let _e1044 = phi_1314_;
+                                phi_1047_ = (_e820 + 1u);
+                                phi_1050_ = lt_mask_Neighbourhood(_e1030, _e1044);
+                            } else {
+                                phi_1047_ = u32();
+                                phi_1050_ = lt_mask_Neighbourhood();
+                            }
+                            let _e1048 = phi_1047_;
+                            let _e1050 = phi_1050_;
+                            continue;
+                            continuing {
+                                phi_1046_ = _e1048;
+                                phi_1049_ = _e1050;
+                                break if !(_e834);
+                            }
+                        }
+                        let _e1409 = local_1;
+                        phi_1317_ = _e1409;
+                    }
+                    let _e1053 = phi_1317_;
+                    phi_1318_ = _e1053;
+                } else {
+                    phi_1318_ = _e805;
+                }
+                let _e1055 = phi_1318_;
+                phi_1319_ = _e1055;
+            } else {
+                phi_1319_ = _e805;
+            }
+            let _e1057 = phi_1319_;
+            let _e1060 = p.member.frame;
+            let _e1062 = p.member.refresh;
+            if (_e1062 == 0u) {
+                phi_1352_ = false;
+            } else {
+                if (_e1062 == 0u) {
                     return;
                 }
-                let _e957 = ((_e60.x + (_e60.y * (((_e948 * 5u) / 8u) | 1u))) + (_e946 % _e948));
-                if (_e948 == 0u) {
-                    phi_1229_ = (_e957 == 0u);
+                let _e1071 = ((_e60.x + (_e60.y * (((_e1062 * 5u) / 8u) | 1u))) + (_e1060 % _e1062));
+                if (_e1062 == 0u) {
+                    phi_1351_ = (_e1071 == 0u);
                 } else {
-                    if (_e948 == 0u) {
+                    if (_e1062 == 0u) {
                         return;
                     }
-                    phi_1229_ = ((_e957 % _e948) == 0u);
+                    phi_1351_ = ((_e1071 % _e1062) == 0u);
                 }
-                let _e964 = phi_1229_;
-                phi_1230_ = _e964;
+                let _e1078 = phi_1351_;
+                phi_1352_ = _e1078;
             }
-            let _e966 = phi_1230_;
-            if (_e120 != 0.5f) {
-                if _e728 {
-                    if _e966 {
-                        phi_1285_ = 6u;
-                    } else {
-                        if _e282 {
-                            phi_1260_ = true;
+            let _e1080 = phi_1352_;
+            if _e728 {
+                if _e1080 {
+                    phi_1374_ = bool();
+                } else {
+                    phi_1374_ = ((_e804 & 2u) != 0u);
+                }
+                let _e1086 = phi_1374_;
+                phi_1375_ = _e1086;
+                phi_1376_ = _e1080;
+            } else {
+                phi_1375_ = bool();
+                phi_1376_ = true;
+            }
+            let _e1088 = phi_1375_;
+            let _e1090 = phi_1376_;
+            if _e1090 {
+                phi_1380_ = false;
+            } else {
+                phi_1380_ = _e1088;
+            }
+            let _e1092 = phi_1380_;
+            if _e1092 {
+                phi_1431_ = 7u;
+            } else {
+                if (_e120 != 0.5f) {
+                    if _e728 {
+                        if _e1080 {
+                            phi_1428_ = 6u;
                         } else {
-                            if _e943.any_expands {
-                                phi_1259_ = false;
-                            } else {
-                                phi_1259_ = true;
-                            }
-                            let _e970 = phi_1259_;
-                            phi_1260_ = _e970;
-                        }
-                        let _e972 = phi_1260_;
-                        if _e972 {
                             if _e282 {
-                                if _e760 {
-                                    if _e943.all_remove {
-                                        phi_1273_ = false;
-                                    } else {
-                                        phi_1273_ = true;
-                                    }
-                                    let _e974 = phi_1273_;
-                                    phi_1274_ = _e974;
-                                } else {
-                                    phi_1274_ = true;
-                                }
-                                let _e976 = phi_1274_;
-                                phi_1275_ = _e976;
+                                phi_1403_ = true;
                             } else {
-                                phi_1275_ = true;
+                                if _e1057.any_expands {
+                                    phi_1402_ = false;
+                                } else {
+                                    phi_1402_ = true;
+                                }
+                                let _e1094 = phi_1402_;
+                                phi_1403_ = _e1094;
                             }
-                            let _e978 = phi_1275_;
-                            if _e978 {
+                            let _e1096 = phi_1403_;
+                            if _e1096 {
                                 if _e282 {
-                                    phi_1282_ = 1u;
+                                    if _e738 {
+                                        if _e1057.all_remove {
+                                            phi_1416_ = false;
+                                        } else {
+                                            phi_1416_ = true;
+                                        }
+                                        let _e1098 = phi_1416_;
+                                        phi_1417_ = _e1098;
+                                    } else {
+                                        phi_1417_ = true;
+                                    }
+                                    let _e1100 = phi_1417_;
+                                    phi_1418_ = _e1100;
                                 } else {
-                                    phi_1282_ = 0u;
+                                    phi_1418_ = true;
                                 }
-                                let _e980 = phi_1282_;
-                                phi_1283_ = _e980;
+                                let _e1102 = phi_1418_;
+                                if _e1102 {
+                                    if _e282 {
+                                        phi_1425_ = 1u;
+                                    } else {
+                                        phi_1425_ = 0u;
+                                    }
+                                    let _e1104 = phi_1425_;
+                                    phi_1426_ = _e1104;
+                                } else {
+                                    phi_1426_ = 5u;
+                                }
+                                let _e1106 = phi_1426_;
+                                phi_1427_ = _e1106;
                             } else {
-                                phi_1283_ = 5u;
+                                phi_1427_ = 4u;
                             }
-                            let _e982 = phi_1283_;
-                            phi_1284_ = _e982;
-                        } else {
-                            phi_1284_ = 4u;
+                            let _e1108 = phi_1427_;
+                            phi_1428_ = _e1108;
                         }
-                        let _e984 = phi_1284_;
-                        phi_1285_ = _e984;
+                        let _e1110 = phi_1428_;
+                        phi_1429_ = _e1110;
+                    } else {
+                        phi_1429_ = 3u;
                     }
-                    let _e986 = phi_1285_;
-                    phi_1286_ = _e986;
+                    let _e1112 = phi_1429_;
+                    phi_1430_ = _e1112;
                 } else {
-                    phi_1286_ = 3u;
+                    phi_1430_ = 2u;
                 }
-                let _e988 = phi_1286_;
-                phi_1287_ = _e988;
-            } else {
-                phi_1287_ = 2u;
+                let _e1114 = phi_1430_;
+                phi_1431_ = _e1114;
             }
-            let _e990 = phi_1287_;
-            if !((_e990 == 0u)) {
-                phi_1295_ = !((_e990 == 5u));
+            let _e1116 = phi_1431_;
+            if !((_e1116 == 0u)) {
+                if !((_e1116 == 5u)) {
+                    phi_1443_ = !(_e1092);
+                    phi_1444_ = false;
+                } else {
+                    phi_1443_ = bool();
+                    phi_1444_ = true;
+                }
+                let _e1123 = phi_1443_;
+                let _e1125 = phi_1444_;
+                phi_1445_ = _e1123;
+                phi_1446_ = _e1125;
             } else {
-                phi_1295_ = false;
+                phi_1445_ = bool();
+                phi_1446_ = true;
             }
-            let _e996 = phi_1295_;
-            if _e996 {
+            let _e1127 = phi_1445_;
+            let _e1129 = phi_1446_;
+            if _e1129 {
+                phi_1450_ = false;
+            } else {
+                phi_1450_ = _e1127;
+            }
+            let _e1131 = phi_1450_;
+            if _e1092 {
+                phi_1456_ = ((_e804 & 4u) != 0u);
+            } else {
+                phi_1456_ = _e278;
+            }
+            let _e1135 = phi_1456_;
+            if _e1131 {
                 if _e278 {
-                    phi_1303_ = (2u | 1u);
+                    phi_1464_ = (2u | 1u);
                 } else {
-                    phi_1303_ = 2u;
+                    phi_1464_ = 2u;
                 }
-                let _e999 = phi_1303_;
+                let _e1138 = phi_1464_;
                 if false {
-                    phi_1308_ = (_e999 | 4u);
+                    phi_1469_ = (_e1138 | 4u);
                 } else {
-                    phi_1308_ = _e999;
+                    phi_1469_ = _e1138;
                 }
-                let _e1002 = phi_1308_;
-                phi_1313_ = _e1002;
+                let _e1141 = phi_1469_;
+                phi_1489_ = _e1141;
             } else {
-                if _e278 {
-                    phi_1312_ = 1u;
+                if (_e1116 == 7u) {
+                    if _e278 {
+                        phi_1478_ = (2u | 1u);
+                    } else {
+                        phi_1478_ = 2u;
+                    }
+                    let _e1145 = phi_1478_;
+                    if _e1135 {
+                        phi_1483_ = (_e1145 | 4u);
+                    } else {
+                        phi_1483_ = _e1145;
+                    }
+                    let _e1148 = phi_1483_;
+                    phi_1488_ = _e1148;
                 } else {
-                    phi_1312_ = 0u;
+                    if _e278 {
+                        phi_1487_ = 1u;
+                    } else {
+                        phi_1487_ = 0u;
+                    }
+                    let _e1150 = phi_1487_;
+                    phi_1488_ = _e1150;
                 }
-                let _e1004 = phi_1312_;
-                phi_1313_ = _e1004;
+                let _e1152 = phi_1488_;
+                phi_1489_ = _e1152;
             }
-            let _e1006 = phi_1313_;
-            if _e278 {
-                phi_1317_ = 0f;
+            let _e1154 = phi_1489_;
+            if _e1135 {
+                phi_1493_ = 0f;
             } else {
-                phi_1317_ = 1f;
+                phi_1493_ = 1f;
             }
-            let _e1008 = phi_1317_;
-            phi_1319_ = mask_Masked(_e1008, _e1006, _e996);
+            let _e1156 = phi_1493_;
+            phi_1495_ = mask_Masked(_e1156, _e1154, _e1131);
         }
-        let _e1011 = phi_1319_;
-        visibility.member[_e81.shift] = _e1011.visibility;
-        let _e1016 = p.member.light.number;
-        let _e1017 = (_e1016 * 3u);
-        let _e1019 = (_e1017 % 32u);
-        let _e1021 = p.member.light.mask_words;
-        let _e1023 = ((_e81.shift * _e1021) + (_e1017 / 32u));
-        let _e1025 = bits.member[_e1023];
-        bits.member[_e1023] = ((_e1025 & ~((7u << bitcast<u32>((_e1019 & 31u))))) | (_e1011.bits << bitcast<u32>((_e1019 & 31u))));
-        if (_e1019 > 29u) {
-            let _e1040 = bits.member[(_e1023 + 1u)];
-            let _e1042 = (32u - _e1019);
-            bits.member[(_e1023 + 1u)] = ((_e1040 & ~((7u >> bitcast<u32>((_e1042 & 31u))))) | (_e1011.bits >> bitcast<u32>((_e1042 & 31u))));
+        let _e1159 = phi_1495_;
+        visibility.member[_e81.shift] = _e1159.visibility;
+        let _e1164 = p.member.light.number;
+        let _e1165 = (_e1164 * 3u);
+        let _e1167 = (_e1165 % 32u);
+        let _e1169 = p.member.light.mask_words;
+        let _e1171 = ((_e81.shift * _e1169) + (_e1165 / 32u));
+        let _e1173 = bits.member[_e1171];
+        bits.member[_e1171] = ((_e1173 & ~((7u << bitcast<u32>((_e1167 & 31u))))) | (_e1159.bits << bitcast<u32>((_e1167 & 31u))));
+        if (_e1167 > 29u) {
+            let _e1188 = bits.member[(_e1171 + 1u)];
+            let _e1190 = (32u - _e1167);
+            bits.member[(_e1171 + 1u)] = ((_e1188 & ~((7u >> bitcast<u32>((_e1190 & 31u))))) | (_e1159.bits >> bitcast<u32>((_e1190 & 31u))));
         }
-        let _e1057 = samples.member[_e81.shift].normal[0u];
-        let _e1059 = global[0u];
-        if (_e1057 == _e1059) {
-            let _e1062 = samples.member[_e81.shift].normal[1u];
-            let _e1064 = global[1u];
-            if (_e1062 == _e1064) {
-                let _e1067 = samples.member[_e81.shift].normal[2u];
-                let _e1069 = global[2u];
-                phi_1391_ = (_e1067 == _e1069);
-                phi_1392_ = false;
+        let _e1205 = samples.member[_e81.shift].normal[0u];
+        let _e1207 = global[0u];
+        if (_e1205 == _e1207) {
+            let _e1210 = samples.member[_e81.shift].normal[1u];
+            let _e1212 = global[1u];
+            if (_e1210 == _e1212) {
+                let _e1215 = samples.member[_e81.shift].normal[2u];
+                let _e1217 = global[2u];
+                phi_1567_ = (_e1215 == _e1217);
+                phi_1568_ = false;
             } else {
-                phi_1391_ = bool();
-                phi_1392_ = true;
+                phi_1567_ = bool();
+                phi_1568_ = true;
             }
-            let _e1072 = phi_1391_;
-            let _e1074 = phi_1392_;
-            phi_1393_ = _e1072;
-            phi_1394_ = _e1074;
+            let _e1220 = phi_1567_;
+            let _e1222 = phi_1568_;
+            phi_1569_ = _e1220;
+            phi_1570_ = _e1222;
         } else {
-            phi_1393_ = bool();
-            phi_1394_ = true;
+            phi_1569_ = bool();
+            phi_1570_ = true;
         }
-        let _e1076 = phi_1393_;
-        let _e1078 = phi_1394_;
-        if _e1078 {
-            phi_1398_ = false;
+        let _e1224 = phi_1569_;
+        let _e1226 = phi_1570_;
+        if _e1226 {
+            phi_1574_ = false;
         } else {
-            phi_1398_ = _e1076;
+            phi_1574_ = _e1224;
         }
-        let _e1080 = phi_1398_;
-        if !(_e1080) {
-            let _e1083 = samples.member[_e81.shift].position;
-            let _e1085 = p.member.current.eye;
-            let _e1096 = p.member.current.forward;
-            phi_1426_ = ((((_e1083.x - _e1085.x) * _e1096.x) + ((_e1083.y - _e1085.y) * _e1096.y)) + ((_e1083.z - _e1085.z) * _e1096.z));
+        let _e1228 = phi_1574_;
+        if !(_e1228) {
+            let _e1231 = samples.member[_e81.shift].position;
+            let _e1233 = p.member.current.eye;
+            let _e1244 = p.member.current.forward;
+            phi_1602_ = ((((_e1231.x - _e1233.x) * _e1244.x) + ((_e1231.y - _e1233.y) * _e1244.y)) + ((_e1231.z - _e1233.z) * _e1244.z));
         } else {
-            phi_1426_ = 0f;
+            phi_1602_ = 0f;
         }
-        let _e1106 = phi_1426_;
-        depths.member[_e81.shift] = _e1106;
-        phi_1429_ = _e1011.needs_ray;
-        phi_1430_ = _e81.shift;
+        let _e1254 = phi_1602_;
+        depths.member[_e81.shift] = _e1254;
+        phi_1605_ = _e1159.needs_ray;
+        phi_1606_ = _e81.shift;
     } else {
-        phi_1429_ = false;
-        phi_1430_ = 0u;
+        phi_1605_ = false;
+        phi_1606_ = 0u;
     }
-    let _e1110 = phi_1429_;
-    let _e1112 = phi_1430_;
+    let _e1258 = phi_1605_;
+    let _e1260 = phi_1606_;
     if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1110 {
-        let _e1116 = atomicAdd((&shared_[0u]), 1u);
-        phi_1441_ = _e1116;
+    if _e1258 {
+        let _e1264 = atomicAdd((&shared_[0u]), 1u);
+        phi_1617_ = _e1264;
     } else {
-        phi_1441_ = 0u;
+        phi_1617_ = 0u;
     }
-    let _e1118 = phi_1441_;
+    let _e1266 = phi_1617_;
     workgroupBarrier();
     if (_e61 == 0u) {
-        let _e1122 = atomicLoad((&shared_[0u]));
-        let _e1123 = atomicAdd((&list.member[3u]), _e1122);
-        atomicStore((&shared_[1u]), _e1123);
+        let _e1270 = atomicLoad((&shared_[0u]));
+        let _e1271 = atomicAdd((&list.member[3u]), _e1270);
+        atomicStore((&shared_[1u]), _e1271);
     }
     workgroupBarrier();
-    if _e1110 {
-        let _e1126 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1126) + _e1118)]), _e1112);
+    if _e1258 {
+        let _e1274 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1274) + _e1266)]), _e1260);
     }
     return;
 }

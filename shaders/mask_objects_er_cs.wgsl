@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -341,6 +341,7 @@ fn function_() {
     var phi_854_: bool;
     var phi_858_: bool;
     var phi_859_: lt_mask_Reprojection;
+    var phi_865_: bool;
     var phi_887_: u32;
     var phi_889_: u32;
     var phi_892_: lt_mask_Neighbourhood;
@@ -353,41 +354,80 @@ fn function_() {
     var phi_1020_: u32;
     var phi_1039_: u32;
     var phi_1047_: u32;
-    var phi_1064_: bool;
-    var phi_1065_: bool;
-    var phi_1072_: bool;
     var phi_1073_: bool;
+    var phi_1074_: bool;
+    var phi_1075_: bool;
+    var phi_1076_: bool;
+    var phi_1077_: bool;
+    var phi_1078_: bool;
+    var phi_1079_: bool;
+    var phi_1084_: bool;
+    var phi_1085_: bool;
+    var phi_1086_: bool;
+    var phi_1087_: bool;
+    var phi_1088_: bool;
+    var phi_1089_: bool;
+    var phi_1090_: bool;
     var phi_1091_: bool;
     var phi_1092_: bool;
-    var phi_1093_: bool;
+    var phi_1107_: bool;
+    var phi_1108_: bool;
+    var phi_1115_: bool;
+    var phi_1116_: bool;
+    var phi_1117_: bool;
+    var phi_1118_: bool;
+    var phi_1119_: bool;
+    var phi_1123_: bool;
+    var phi_1124_: bool;
+    var phi_1125_: bool;
+    var phi_1129_: bool;
+    var phi_1130_: bool;
+    var phi_1134_: bool;
+    var phi_1135_: bool;
+    var phi_1153_: bool;
+    var phi_1154_: bool;
+    var phi_1155_: bool;
     var phi_890_: u32;
     var phi_893_: lt_mask_Neighbourhood;
-    var phi_1096_: lt_mask_Neighbourhood;
-    var phi_1097_: lt_mask_Neighbourhood;
-    var phi_1098_: lt_mask_Neighbourhood;
-    var phi_1130_: bool;
-    var phi_1131_: bool;
-    var phi_1160_: bool;
-    var phi_1161_: bool;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_1176_: bool;
-    var phi_1183_: u32;
-    var phi_1184_: u32;
-    var phi_1185_: u32;
-    var phi_1186_: u32;
-    var phi_1187_: u32;
-    var phi_1188_: u32;
-    var phi_1196_: bool;
-    var phi_1204_: u32;
-    var phi_1209_: u32;
-    var phi_1213_: u32;
-    var phi_1214_: u32;
-    var phi_1218_: f32;
-    var phi_1220_: mask_Masked;
-    var phi_1270_: bool;
+    var phi_1158_: lt_mask_Neighbourhood;
+    var phi_1159_: lt_mask_Neighbourhood;
+    var phi_1160_: lt_mask_Neighbourhood;
+    var phi_1192_: bool;
+    var phi_1193_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1217_: bool;
+    var phi_1221_: bool;
+    var phi_1243_: bool;
+    var phi_1244_: bool;
+    var phi_1257_: bool;
+    var phi_1258_: bool;
+    var phi_1259_: bool;
+    var phi_1266_: u32;
+    var phi_1267_: u32;
+    var phi_1268_: u32;
+    var phi_1269_: u32;
+    var phi_1270_: u32;
     var phi_1271_: u32;
-    var phi_1282_: u32;
+    var phi_1272_: u32;
+    var phi_1284_: bool;
+    var phi_1285_: bool;
+    var phi_1286_: bool;
+    var phi_1287_: bool;
+    var phi_1291_: bool;
+    var phi_1297_: bool;
+    var phi_1305_: u32;
+    var phi_1310_: u32;
+    var phi_1319_: u32;
+    var phi_1324_: u32;
+    var phi_1328_: u32;
+    var phi_1329_: u32;
+    var phi_1330_: u32;
+    var phi_1334_: f32;
+    var phi_1336_: mask_Masked;
+    var phi_1386_: bool;
+    var phi_1387_: u32;
+    var phi_1398_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e55 = id_1;
@@ -496,7 +536,7 @@ fn function_() {
         }
         let _e249 = phi_466_;
         if _e249.unnamed_1 {
-            phi_1220_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
+            phi_1336_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
         } else {
             let _e254 = (_e96 < 0.5f);
             if (_e96 > 0f) {
@@ -759,42 +799,47 @@ fn function_() {
             let _e656 = phi_858_;
             let _e658 = phi_859_;
             let _e662 = lt_mask_Reprojection(_e658.pixel, _e656, _e658.has_moved);
-            if _e662.has_moved {
-            }
-            let _e668 = lt_mask_Neighbourhood(false, true);
+            let _e663 = lt_mask_Neighbourhood(false, true);
             if _e258 {
-                phi_1098_ = _e668;
+                phi_865_ = false;
             } else {
-                if true {
-                    if _e656 {
+                phi_865_ = true;
+            }
+            let _e665 = phi_865_;
+            if _e665 {
+                if _e656 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1158_ = _e663;
+                    } else {
+                        let _e669 = p.member.expansion;
                         if _e662.has_moved {
-                            let _e671 = p.member.moving_pattern;
-                            phi_887_ = _e671;
+                            let _e672 = p.member.moving_pattern;
+                            phi_887_ = _e672;
                         } else {
-                            let _e673 = p.member.still_pattern;
-                            phi_887_ = _e673;
+                            let _e674 = p.member.still_pattern;
+                            phi_887_ = _e674;
                         }
-                        let _e675 = phi_887_;
+                        let _e676 = phi_887_;
                         phi_889_ = 0u;
-                        phi_892_ = _e668;
+                        phi_892_ = _e663;
                         loop {
-                            let _e677 = phi_889_;
-                            let _e679 = phi_892_;
-                            local_1 = _e679;
-                            if (1u <= _e675) {
-                                if (_e675 <= 4u) {
+                            let _e678 = phi_889_;
+                            let _e680 = phi_892_;
+                            local_1 = _e680;
+                            if (1u <= _e676) {
+                                if (_e676 <= 4u) {
                                     phi_904_ = false;
                                 } else {
                                     phi_904_ = true;
                                 }
-                                let _e683 = phi_904_;
-                                phi_905_ = _e683;
+                                let _e684 = phi_904_;
+                                phi_905_ = _e684;
                             } else {
                                 phi_905_ = true;
                             }
-                            let _e685 = phi_905_;
-                            if _e685 {
-                                switch bitcast<i32>(_e675) {
+                            let _e686 = phi_905_;
+                            if _e686 {
+                                switch bitcast<i32>(_e676) {
                                     case 5: {
                                         phi_914_ = 4u;
                                         break;
@@ -812,40 +857,40 @@ fn function_() {
                                         break;
                                     }
                                 }
-                                let _e688 = phi_914_;
-                                phi_915_ = _e688;
+                                let _e689 = phi_914_;
+                                phi_915_ = _e689;
                             } else {
                                 phi_915_ = 5u;
                             }
-                            let _e690 = phi_915_;
-                            let _e691 = (_e677 < _e690);
-                            if _e691 {
-                                let _e697 = p.member.frame;
-                                let _e701 = p.member.current.size[0u];
-                                let _e703 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e675) {
+                            let _e691 = phi_915_;
+                            let _e692 = (_e678 < _e691);
+                            if _e692 {
+                                let _e698 = p.member.frame;
+                                let _e702 = p.member.current.size[0u];
+                                let _e704 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e676) {
                                     case 1: {
-                                        let _e713 = lt_mask_pattern_plus(_e677);
-                                        phi_995_ = vec2<i32>(_e713.x, _e713.y);
+                                        let _e714 = lt_mask_pattern_plus(_e678);
+                                        phi_995_ = vec2<i32>(_e714.x, _e714.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e717 = lt_mask_pattern_cross(_e677);
-                                        phi_995_ = vec2<i32>(_e717.x, _e717.y);
+                                        let _e718 = lt_mask_pattern_cross(_e678);
+                                        phi_995_ = vec2<i32>(_e718.x, _e718.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e723 = lt_mask_pattern_plus_or_cross(_e677, ((_e662.pixel.x + _e662.pixel.y) & 1u));
-                                        phi_995_ = vec2<i32>(_e723.x, _e723.y);
+                                        let _e724 = lt_mask_pattern_plus_or_cross(_e678, ((_e662.pixel.x + _e662.pixel.y) & 1u));
+                                        phi_995_ = vec2<i32>(_e724.x, _e724.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e728 = lt_mask_pattern_plus_or_cross(_e677, (_e697 & 1u));
-                                        phi_995_ = vec2<i32>(_e728.x, _e728.y);
+                                        let _e729 = lt_mask_pattern_plus_or_cross(_e678, (_e698 & 1u));
+                                        phi_995_ = vec2<i32>(_e729.x, _e729.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e697 & 3u)) {
+                                        switch bitcast<i32>((_e698 & 3u)) {
                                             case 0: {
                                                 phi_975_ = vec2(-1i);
                                                 break;
@@ -863,297 +908,493 @@ fn function_() {
                                                 break;
                                             }
                                         }
-                                        let _e739 = phi_975_;
-                                        phi_995_ = (_e739 + vec2<i32>(bitcast<i32>((_e677 & 1u)), bitcast<i32>(((_e677 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e740 = phi_975_;
+                                        phi_995_ = (_e740 + vec2<i32>(bitcast<i32>((_e678 & 1u)), bitcast<i32>(((_e678 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_995_ = vec2<i32>((bitcast<i32>((_e677 % 5u)) - 2i), (bitcast<i32>(((_e677 / 5u) % 5u)) - 2i));
+                                        phi_995_ = vec2<i32>((bitcast<i32>((_e678 % 5u)) - 2i), (bitcast<i32>(((_e678 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e756 = lt_mask_pattern_diamond(_e677);
-                                        phi_995_ = vec2<i32>(_e756.x, _e756.y);
+                                        let _e757 = lt_mask_pattern_diamond(_e678);
+                                        phi_995_ = vec2<i32>(_e757.x, _e757.y);
                                         break;
                                     }
                                     default: {
-                                        phi_995_ = vec2<i32>((bitcast<i32>((_e677 % 3u)) - 1i), (bitcast<i32>(((_e677 / 3u) % 3u)) - 1i));
+                                        phi_995_ = vec2<i32>((bitcast<i32>((_e678 % 3u)) - 1i), (bitcast<i32>(((_e678 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e761 = phi_995_;
-                                let _e764 = lt_mask_pattern_step_clamped(_e662.pixel.x, _e761.x, _e701);
-                                let _e765 = lt_mask_pattern_step_clamped(_e662.pixel.y, _e761.y, _e703);
-                                let _e769 = ((((_e765 * _e88) + _e764) * _e84) + (_e80 / 32u));
+                                let _e762 = phi_995_;
+                                let _e765 = lt_mask_pattern_step_clamped(_e662.pixel.x, _e762.x, _e702);
+                                let _e766 = lt_mask_pattern_step_clamped(_e662.pixel.y, _e762.y, _e704);
+                                let _e770 = ((((_e766 * _e88) + _e765) * _e84) + (_e80 / 32u));
                                 if (_e82 > 29u) {
-                                    let _e771 = (_e769 + 1u);
-                                    if (_e771 < _e61) {
+                                    let _e772 = (_e770 + 1u);
+                                    if (_e772 < _e61) {
                                     } else {
                                         return;
                                     }
-                                    let _e775 = last_bits.member[(0u + _e771)];
-                                    phi_1020_ = _e775;
+                                    let _e776 = last_bits.member[(0u + _e772)];
+                                    phi_1020_ = _e776;
                                 } else {
                                     phi_1020_ = 0u;
                                 }
-                                let _e777 = phi_1020_;
-                                if (_e769 < _e61) {
+                                let _e778 = phi_1020_;
+                                if (_e770 < _e61) {
                                 } else {
                                     return;
                                 }
-                                let _e781 = last_bits.member[(0u + _e769)];
-                                let _e784 = (_e781 >> bitcast<u32>((_e82 & 31u)));
+                                let _e782 = last_bits.member[(0u + _e770)];
+                                let _e785 = (_e782 >> bitcast<u32>((_e82 & 31u)));
                                 if (_e82 > 29u) {
-                                    phi_1039_ = (_e784 | (_e777 << bitcast<u32>(((32u - _e82) & 31u))));
+                                    phi_1039_ = (_e785 | (_e778 << bitcast<u32>(((32u - _e82) & 31u))));
                                 } else {
-                                    phi_1039_ = _e784;
+                                    phi_1039_ = _e785;
                                 }
-                                let _e792 = phi_1039_;
-                                if ((_e792 & 2u) == 0u) {
-                                    phi_1047_ = (_e792 & 1u);
+                                let _e793 = phi_1039_;
+                                if ((_e793 & 2u) == 0u) {
+                                    phi_1047_ = (_e793 & 1u);
                                 } else {
-                                    phi_1047_ = (_e792 & 7u);
+                                    phi_1047_ = (_e793 & 7u);
                                 }
-                                let _e798 = phi_1047_;
-                                if _e679.any_expands {
-                                    phi_1073_ = true;
+                                let _e799 = phi_1047_;
+                                if _e680.any_expands {
+                                    phi_1135_ = true;
                                 } else {
-                                    if ((_e798 & 2u) != 0u) {
-                                        if (((_e798 & 4u) != 0u) != _e254) {
-                                            phi_1064_ = false;
-                                        } else {
-                                            phi_1064_ = true;
+                                    if ((_e799 & 2u) != 0u) {
+                                        let _e806 = (((_e799 & 4u) != 0u) != _e254);
+                                        switch bitcast<i32>(_e669) {
+                                            case 1: {
+                                                phi_1075_ = bool();
+                                                phi_1076_ = false;
+                                                phi_1077_ = true;
+                                                phi_1078_ = false;
+                                                phi_1079_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e806 {
+                                                    phi_1073_ = (((_e799 & 4u) != 0u) != ((_e799 & 1u) != 0u));
+                                                    phi_1074_ = false;
+                                                } else {
+                                                    phi_1073_ = bool();
+                                                    phi_1074_ = true;
+                                                }
+                                                let _e814 = phi_1073_;
+                                                let _e816 = phi_1074_;
+                                                phi_1075_ = _e814;
+                                                phi_1076_ = false;
+                                                phi_1077_ = false;
+                                                phi_1078_ = _e816;
+                                                phi_1079_ = _e806;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1075_ = bool();
+                                                phi_1076_ = true;
+                                                phi_1077_ = false;
+                                                phi_1078_ = false;
+                                                phi_1079_ = false;
+                                                break;
+                                            }
                                         }
-                                        let _e807 = phi_1064_;
-                                        phi_1065_ = _e807;
-                                    } else {
-                                        phi_1065_ = true;
-                                    }
-                                    let _e809 = phi_1065_;
-                                    if _e809 {
-                                        phi_1072_ = (((_e798 & 1u) != 0u) != _e254);
-                                    } else {
-                                        phi_1072_ = true;
-                                    }
-                                    let _e814 = phi_1072_;
-                                    phi_1073_ = _e814;
-                                }
-                                let _e816 = phi_1073_;
-                                if _e679.all_remove {
-                                    if (((_e798 & 1u) != 0u) == _e254) {
-                                        if ((_e798 & 2u) != 0u) {
-                                            phi_1091_ = (((_e798 & 4u) != 0u) == _e254);
-                                        } else {
-                                            phi_1091_ = true;
-                                        }
-                                        let _e826 = phi_1091_;
+                                        let _e818 = phi_1075_;
+                                        let _e820 = phi_1076_;
+                                        let _e822 = phi_1077_;
+                                        let _e824 = phi_1078_;
+                                        let _e826 = phi_1079_;
+                                        phi_1087_ = _e806;
+                                        phi_1088_ = _e818;
+                                        phi_1089_ = _e820;
+                                        phi_1090_ = _e822;
+                                        phi_1091_ = _e824;
                                         phi_1092_ = _e826;
                                     } else {
+                                        switch bitcast<i32>(_e669) {
+                                            case 1: {
+                                                phi_1084_ = false;
+                                                phi_1085_ = true;
+                                                phi_1086_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1084_ = false;
+                                                phi_1085_ = false;
+                                                phi_1086_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1084_ = true;
+                                                phi_1085_ = false;
+                                                phi_1086_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e829 = phi_1084_;
+                                        let _e831 = phi_1085_;
+                                        let _e833 = phi_1086_;
+                                        phi_1087_ = false;
+                                        phi_1088_ = bool();
+                                        phi_1089_ = _e829;
+                                        phi_1090_ = _e831;
+                                        phi_1091_ = _e833;
                                         phi_1092_ = false;
                                     }
-                                    let _e828 = phi_1092_;
-                                    phi_1093_ = _e828;
-                                } else {
-                                    phi_1093_ = false;
+                                    let _e835 = phi_1087_;
+                                    let _e837 = phi_1088_;
+                                    let _e839 = phi_1089_;
+                                    let _e841 = phi_1090_;
+                                    let _e843 = phi_1091_;
+                                    let _e845 = phi_1092_;
+                                    if _e839 {
+                                        if ((_e799 & 2u) != 0u) {
+                                            if (((_e799 & 4u) != 0u) != _e254) {
+                                                phi_1107_ = false;
+                                            } else {
+                                                phi_1107_ = true;
+                                            }
+                                            let _e852 = phi_1107_;
+                                            phi_1108_ = _e852;
+                                        } else {
+                                            phi_1108_ = true;
+                                        }
+                                        let _e854 = phi_1108_;
+                                        if _e854 {
+                                            phi_1115_ = (((_e799 & 1u) != 0u) != _e254);
+                                        } else {
+                                            phi_1115_ = true;
+                                        }
+                                        let _e859 = phi_1115_;
+                                        phi_1116_ = _e859;
+                                        phi_1117_ = false;
+                                        phi_1118_ = false;
+                                        phi_1119_ = false;
+                                    } else {
+                                        phi_1116_ = bool();
+                                        phi_1117_ = _e841;
+                                        phi_1118_ = _e843;
+                                        phi_1119_ = _e845;
+                                    }
+                                    let _e861 = phi_1116_;
+                                    let _e863 = phi_1117_;
+                                    let _e865 = phi_1118_;
+                                    let _e867 = phi_1119_;
+                                    if _e863 {
+                                        phi_1123_ = _e835;
+                                        phi_1124_ = false;
+                                        phi_1125_ = false;
+                                    } else {
+                                        phi_1123_ = _e861;
+                                        phi_1124_ = _e865;
+                                        phi_1125_ = _e867;
+                                    }
+                                    let _e869 = phi_1123_;
+                                    let _e871 = phi_1124_;
+                                    let _e873 = phi_1125_;
+                                    if _e871 {
+                                        phi_1129_ = false;
+                                        phi_1130_ = true;
+                                    } else {
+                                        phi_1129_ = _e837;
+                                        phi_1130_ = _e873;
+                                    }
+                                    let _e875 = phi_1129_;
+                                    let _e877 = phi_1130_;
+                                    if _e877 {
+                                        phi_1134_ = _e875;
+                                    } else {
+                                        phi_1134_ = _e869;
+                                    }
+                                    let _e879 = phi_1134_;
+                                    phi_1135_ = _e879;
                                 }
-                                let _e830 = phi_1093_;
-                                phi_890_ = (_e677 + 1u);
-                                phi_893_ = lt_mask_Neighbourhood(_e816, _e830);
+                                let _e881 = phi_1135_;
+                                if _e680.all_remove {
+                                    if (((_e799 & 1u) != 0u) == _e254) {
+                                        if ((_e799 & 2u) != 0u) {
+                                            phi_1153_ = (((_e799 & 4u) != 0u) == _e254);
+                                        } else {
+                                            phi_1153_ = true;
+                                        }
+                                        let _e891 = phi_1153_;
+                                        phi_1154_ = _e891;
+                                    } else {
+                                        phi_1154_ = false;
+                                    }
+                                    let _e893 = phi_1154_;
+                                    phi_1155_ = _e893;
+                                } else {
+                                    phi_1155_ = false;
+                                }
+                                let _e895 = phi_1155_;
+                                phi_890_ = (_e678 + 1u);
+                                phi_893_ = lt_mask_Neighbourhood(_e881, _e895);
                             } else {
                                 phi_890_ = u32();
                                 phi_893_ = lt_mask_Neighbourhood();
                             }
-                            let _e834 = phi_890_;
-                            let _e836 = phi_893_;
+                            let _e899 = phi_890_;
+                            let _e901 = phi_893_;
                             continue;
                             continuing {
-                                phi_889_ = _e834;
-                                phi_892_ = _e836;
-                                break if !(_e691);
+                                phi_889_ = _e899;
+                                phi_892_ = _e901;
+                                break if !(_e692);
                             }
                         }
-                        let _e1064 = local_1;
-                        phi_1096_ = _e1064;
-                    } else {
-                        phi_1096_ = _e668;
+                        let _e1190 = local_1;
+                        phi_1158_ = _e1190;
                     }
-                    let _e839 = phi_1096_;
-                    phi_1097_ = _e839;
+                    let _e904 = phi_1158_;
+                    phi_1159_ = _e904;
                 } else {
-                    phi_1097_ = _e668;
+                    phi_1159_ = _e663;
                 }
-                let _e841 = phi_1097_;
-                phi_1098_ = _e841;
-            }
-            let _e843 = phi_1098_;
-            let _e846 = p.member.frame;
-            let _e848 = p.member.refresh;
-            if (_e848 == 0u) {
-                phi_1131_ = false;
+                let _e906 = phi_1159_;
+                phi_1160_ = _e906;
             } else {
-                if (_e848 == 0u) {
+                phi_1160_ = _e663;
+            }
+            let _e908 = phi_1160_;
+            let _e911 = p.member.frame;
+            let _e913 = p.member.refresh;
+            if (_e913 == 0u) {
+                phi_1193_ = false;
+            } else {
+                if (_e913 == 0u) {
                     return;
                 }
-                let _e857 = ((_e55.x + (_e55.y * (((_e848 * 5u) / 8u) | 1u))) + (_e846 % _e848));
-                if (_e848 == 0u) {
-                    phi_1130_ = (_e857 == 0u);
+                let _e922 = ((_e55.x + (_e55.y * (((_e913 * 5u) / 8u) | 1u))) + (_e911 % _e913));
+                if (_e913 == 0u) {
+                    phi_1192_ = (_e922 == 0u);
                 } else {
-                    if (_e848 == 0u) {
+                    if (_e913 == 0u) {
                         return;
                     }
-                    phi_1130_ = ((_e857 % _e848) == 0u);
+                    phi_1192_ = ((_e922 % _e913) == 0u);
                 }
-                let _e864 = phi_1130_;
-                phi_1131_ = _e864;
+                let _e929 = phi_1192_;
+                phi_1193_ = _e929;
             }
-            let _e866 = phi_1131_;
-            if (_e96 != 0.5f) {
-                if _e656 {
-                    if _e866 {
-                        phi_1186_ = 6u;
-                    } else {
-                        if _e258 {
-                            phi_1161_ = true;
+            let _e931 = phi_1193_;
+            if _e656 {
+                if _e931 {
+                    phi_1215_ = bool();
+                } else {
+                    phi_1215_ = ((0u & 2u) != 0u);
+                }
+                let _e937 = phi_1215_;
+                phi_1216_ = _e937;
+                phi_1217_ = _e931;
+            } else {
+                phi_1216_ = bool();
+                phi_1217_ = true;
+            }
+            let _e939 = phi_1216_;
+            let _e941 = phi_1217_;
+            if _e941 {
+                phi_1221_ = false;
+            } else {
+                phi_1221_ = _e939;
+            }
+            let _e943 = phi_1221_;
+            if _e943 {
+                phi_1272_ = 7u;
+            } else {
+                if (_e96 != 0.5f) {
+                    if _e656 {
+                        if _e931 {
+                            phi_1269_ = 6u;
                         } else {
-                            if _e843.any_expands {
-                                phi_1160_ = false;
-                            } else {
-                                phi_1160_ = true;
-                            }
-                            let _e870 = phi_1160_;
-                            phi_1161_ = _e870;
-                        }
-                        let _e872 = phi_1161_;
-                        if _e872 {
                             if _e258 {
-                                if false {
-                                    if _e843.all_remove {
-                                        phi_1174_ = false;
-                                    } else {
-                                        phi_1174_ = true;
-                                    }
-                                    let _e874 = phi_1174_;
-                                    phi_1175_ = _e874;
-                                } else {
-                                    phi_1175_ = true;
-                                }
-                                let _e876 = phi_1175_;
-                                phi_1176_ = _e876;
+                                phi_1244_ = true;
                             } else {
-                                phi_1176_ = true;
+                                if _e908.any_expands {
+                                    phi_1243_ = false;
+                                } else {
+                                    phi_1243_ = true;
+                                }
+                                let _e945 = phi_1243_;
+                                phi_1244_ = _e945;
                             }
-                            let _e878 = phi_1176_;
-                            if _e878 {
+                            let _e947 = phi_1244_;
+                            if _e947 {
                                 if _e258 {
-                                    phi_1183_ = 1u;
+                                    if false {
+                                        if _e908.all_remove {
+                                            phi_1257_ = false;
+                                        } else {
+                                            phi_1257_ = true;
+                                        }
+                                        let _e949 = phi_1257_;
+                                        phi_1258_ = _e949;
+                                    } else {
+                                        phi_1258_ = true;
+                                    }
+                                    let _e951 = phi_1258_;
+                                    phi_1259_ = _e951;
                                 } else {
-                                    phi_1183_ = 0u;
+                                    phi_1259_ = true;
                                 }
-                                let _e880 = phi_1183_;
-                                phi_1184_ = _e880;
+                                let _e953 = phi_1259_;
+                                if _e953 {
+                                    if _e258 {
+                                        phi_1266_ = 1u;
+                                    } else {
+                                        phi_1266_ = 0u;
+                                    }
+                                    let _e955 = phi_1266_;
+                                    phi_1267_ = _e955;
+                                } else {
+                                    phi_1267_ = 5u;
+                                }
+                                let _e957 = phi_1267_;
+                                phi_1268_ = _e957;
                             } else {
-                                phi_1184_ = 5u;
+                                phi_1268_ = 4u;
                             }
-                            let _e882 = phi_1184_;
-                            phi_1185_ = _e882;
-                        } else {
-                            phi_1185_ = 4u;
+                            let _e959 = phi_1268_;
+                            phi_1269_ = _e959;
                         }
-                        let _e884 = phi_1185_;
-                        phi_1186_ = _e884;
+                        let _e961 = phi_1269_;
+                        phi_1270_ = _e961;
+                    } else {
+                        phi_1270_ = 3u;
                     }
-                    let _e886 = phi_1186_;
-                    phi_1187_ = _e886;
+                    let _e963 = phi_1270_;
+                    phi_1271_ = _e963;
                 } else {
-                    phi_1187_ = 3u;
+                    phi_1271_ = 2u;
                 }
-                let _e888 = phi_1187_;
-                phi_1188_ = _e888;
-            } else {
-                phi_1188_ = 2u;
+                let _e965 = phi_1271_;
+                phi_1272_ = _e965;
             }
-            let _e890 = phi_1188_;
-            if !((_e890 == 0u)) {
-                phi_1196_ = !((_e890 == 5u));
+            let _e967 = phi_1272_;
+            if !((_e967 == 0u)) {
+                if !((_e967 == 5u)) {
+                    phi_1284_ = !(_e943);
+                    phi_1285_ = false;
+                } else {
+                    phi_1284_ = bool();
+                    phi_1285_ = true;
+                }
+                let _e974 = phi_1284_;
+                let _e976 = phi_1285_;
+                phi_1286_ = _e974;
+                phi_1287_ = _e976;
             } else {
-                phi_1196_ = false;
+                phi_1286_ = bool();
+                phi_1287_ = true;
             }
-            let _e896 = phi_1196_;
-            if _e896 {
+            let _e978 = phi_1286_;
+            let _e980 = phi_1287_;
+            if _e980 {
+                phi_1291_ = false;
+            } else {
+                phi_1291_ = _e978;
+            }
+            let _e982 = phi_1291_;
+            if _e943 {
+                phi_1297_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1297_ = _e254;
+            }
+            let _e986 = phi_1297_;
+            if _e982 {
                 if _e254 {
-                    phi_1204_ = (2u | 1u);
+                    phi_1305_ = (2u | 1u);
                 } else {
-                    phi_1204_ = 2u;
+                    phi_1305_ = 2u;
                 }
-                let _e899 = phi_1204_;
+                let _e989 = phi_1305_;
                 if false {
-                    phi_1209_ = (_e899 | 4u);
+                    phi_1310_ = (_e989 | 4u);
                 } else {
-                    phi_1209_ = _e899;
+                    phi_1310_ = _e989;
                 }
-                let _e902 = phi_1209_;
-                phi_1214_ = _e902;
+                let _e992 = phi_1310_;
+                phi_1330_ = _e992;
             } else {
-                if _e254 {
-                    phi_1213_ = 1u;
+                if (_e967 == 7u) {
+                    if _e254 {
+                        phi_1319_ = (2u | 1u);
+                    } else {
+                        phi_1319_ = 2u;
+                    }
+                    let _e996 = phi_1319_;
+                    if _e986 {
+                        phi_1324_ = (_e996 | 4u);
+                    } else {
+                        phi_1324_ = _e996;
+                    }
+                    let _e999 = phi_1324_;
+                    phi_1329_ = _e999;
                 } else {
-                    phi_1213_ = 0u;
+                    if _e254 {
+                        phi_1328_ = 1u;
+                    } else {
+                        phi_1328_ = 0u;
+                    }
+                    let _e1001 = phi_1328_;
+                    phi_1329_ = _e1001;
                 }
-                let _e904 = phi_1213_;
-                phi_1214_ = _e904;
+                let _e1003 = phi_1329_;
+                phi_1330_ = _e1003;
             }
-            let _e906 = phi_1214_;
-            if _e254 {
-                phi_1218_ = 0f;
+            let _e1005 = phi_1330_;
+            if _e986 {
+                phi_1334_ = 0f;
             } else {
-                phi_1218_ = 1f;
+                phi_1334_ = 1f;
             }
-            let _e908 = phi_1218_;
-            phi_1220_ = mask_Masked(_e908, _e906, _e896);
+            let _e1007 = phi_1334_;
+            phi_1336_ = mask_Masked(_e1007, _e1005, _e982);
         }
-        let _e911 = phi_1220_;
-        visibility.member[_e72.shift] = _e911.visibility;
-        let _e916 = p.member.light.number;
-        let _e917 = (_e916 * 3u);
-        let _e919 = (_e917 % 32u);
-        let _e921 = p.member.light.mask_words;
-        let _e923 = ((_e72.shift * _e921) + (_e917 / 32u));
-        let _e925 = bits.member[_e923];
-        bits.member[_e923] = ((_e925 & ~((7u << bitcast<u32>((_e919 & 31u))))) | (_e911.bits << bitcast<u32>((_e919 & 31u))));
-        if (_e919 > 29u) {
-            let _e940 = bits.member[(_e923 + 1u)];
-            let _e942 = (32u - _e919);
-            bits.member[(_e923 + 1u)] = ((_e940 & ~((7u >> bitcast<u32>((_e942 & 31u))))) | (_e911.bits >> bitcast<u32>((_e942 & 31u))));
+        let _e1010 = phi_1336_;
+        visibility.member[_e72.shift] = _e1010.visibility;
+        let _e1015 = p.member.light.number;
+        let _e1016 = (_e1015 * 3u);
+        let _e1018 = (_e1016 % 32u);
+        let _e1020 = p.member.light.mask_words;
+        let _e1022 = ((_e72.shift * _e1020) + (_e1016 / 32u));
+        let _e1024 = bits.member[_e1022];
+        bits.member[_e1022] = ((_e1024 & ~((7u << bitcast<u32>((_e1018 & 31u))))) | (_e1010.bits << bitcast<u32>((_e1018 & 31u))));
+        if (_e1018 > 29u) {
+            let _e1039 = bits.member[(_e1022 + 1u)];
+            let _e1041 = (32u - _e1018);
+            bits.member[(_e1022 + 1u)] = ((_e1039 & ~((7u >> bitcast<u32>((_e1041 & 31u))))) | (_e1010.bits >> bitcast<u32>((_e1041 & 31u))));
         }
-        phi_1270_ = _e911.needs_ray;
-        phi_1271_ = _e72.shift;
+        phi_1386_ = _e1010.needs_ray;
+        phi_1387_ = _e72.shift;
     } else {
-        phi_1270_ = false;
-        phi_1271_ = 0u;
+        phi_1386_ = false;
+        phi_1387_ = 0u;
     }
-    let _e956 = phi_1270_;
-    let _e958 = phi_1271_;
+    let _e1055 = phi_1386_;
+    let _e1057 = phi_1387_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e956 {
-        let _e962 = atomicAdd((&shared_[0u]), 1u);
-        phi_1282_ = _e962;
+    if _e1055 {
+        let _e1061 = atomicAdd((&shared_[0u]), 1u);
+        phi_1398_ = _e1061;
     } else {
-        phi_1282_ = 0u;
+        phi_1398_ = 0u;
     }
-    let _e964 = phi_1282_;
+    let _e1063 = phi_1398_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e968 = atomicLoad((&shared_[0u]));
-        let _e969 = atomicAdd((&list.member[3u]), _e968);
-        atomicStore((&shared_[1u]), _e969);
+        let _e1067 = atomicLoad((&shared_[0u]));
+        let _e1068 = atomicAdd((&list.member[3u]), _e1067);
+        atomicStore((&shared_[1u]), _e1068);
     }
     workgroupBarrier();
-    if _e956 {
-        let _e972 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e972) + _e964)]), _e958);
+    if _e1055 {
+        let _e1071 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1071) + _e1063)]), _e1057);
     }
     return;
 }

@@ -31,8 +31,8 @@ struct abi_MaskParams {
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
+    expansion: u32,
     pad0_: u32,
-    pad1_: u32,
 }
 
 struct type_9 {
@@ -341,61 +341,106 @@ fn function_() {
     var phi_854_: bool;
     var phi_858_: bool;
     var phi_859_: lt_mask_Reprojection;
-    var phi_873_: bool;
-    var phi_884_: bool;
-    var phi_885_: bool;
-    var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_888_: bool;
-    var phi_889_: bool;
-    var phi_893_: bool;
-    var phi_898_: bool;
-    var phi_913_: u32;
-    var phi_915_: u32;
-    var phi_918_: lt_mask_Neighbourhood;
-    var phi_930_: bool;
+    var phi_900_: u32;
+    var phi_919_: u32;
+    var phi_927_: u32;
+    var phi_928_: u32;
+    var phi_929_: bool;
+    var phi_930_: u32;
     var phi_931_: bool;
-    var phi_940_: u32;
-    var phi_941_: u32;
-    var phi_1001_: vec2<i32>;
-    var phi_1021_: vec2<i32>;
-    var phi_1046_: u32;
-    var phi_1065_: u32;
-    var phi_1073_: u32;
-    var phi_1090_: bool;
-    var phi_1091_: bool;
-    var phi_1098_: bool;
-    var phi_1099_: bool;
-    var phi_1117_: bool;
-    var phi_1118_: bool;
-    var phi_1119_: bool;
-    var phi_916_: u32;
-    var phi_919_: lt_mask_Neighbourhood;
-    var phi_1122_: lt_mask_Neighbourhood;
-    var phi_1123_: lt_mask_Neighbourhood;
-    var phi_1155_: bool;
+    var phi_932_: bool;
+    var phi_933_: u32;
+    var phi_934_: bool;
+    var phi_935_: bool;
+    var phi_939_: bool;
+    var phi_943_: u32;
+    var phi_948_: bool;
+    var phi_970_: u32;
+    var phi_972_: u32;
+    var phi_975_: lt_mask_Neighbourhood;
+    var phi_987_: bool;
+    var phi_988_: bool;
+    var phi_997_: u32;
+    var phi_998_: u32;
+    var phi_1058_: vec2<i32>;
+    var phi_1078_: vec2<i32>;
+    var phi_1103_: u32;
+    var phi_1122_: u32;
+    var phi_1130_: u32;
     var phi_1156_: bool;
-    var phi_1185_: bool;
-    var phi_1186_: bool;
+    var phi_1157_: bool;
+    var phi_1158_: bool;
+    var phi_1159_: bool;
+    var phi_1160_: bool;
+    var phi_1161_: bool;
+    var phi_1162_: bool;
+    var phi_1167_: bool;
+    var phi_1168_: bool;
+    var phi_1169_: bool;
+    var phi_1170_: bool;
+    var phi_1171_: bool;
+    var phi_1172_: bool;
+    var phi_1173_: bool;
+    var phi_1174_: bool;
+    var phi_1175_: bool;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1198_: bool;
     var phi_1199_: bool;
     var phi_1200_: bool;
     var phi_1201_: bool;
-    var phi_1208_: u32;
-    var phi_1209_: u32;
-    var phi_1210_: u32;
-    var phi_1211_: u32;
-    var phi_1212_: u32;
-    var phi_1213_: u32;
-    var phi_1221_: bool;
-    var phi_1229_: u32;
-    var phi_1234_: u32;
-    var phi_1238_: u32;
-    var phi_1239_: u32;
-    var phi_1243_: f32;
-    var phi_1245_: mask_Masked;
-    var phi_1295_: bool;
-    var phi_1296_: u32;
-    var phi_1307_: u32;
+    var phi_1202_: bool;
+    var phi_1206_: bool;
+    var phi_1207_: bool;
+    var phi_1208_: bool;
+    var phi_1212_: bool;
+    var phi_1213_: bool;
+    var phi_1217_: bool;
+    var phi_1218_: bool;
+    var phi_1236_: bool;
+    var phi_1237_: bool;
+    var phi_1238_: bool;
+    var phi_973_: u32;
+    var phi_976_: lt_mask_Neighbourhood;
+    var phi_1241_: lt_mask_Neighbourhood;
+    var phi_1242_: lt_mask_Neighbourhood;
+    var phi_1243_: lt_mask_Neighbourhood;
+    var phi_1275_: bool;
+    var phi_1276_: bool;
+    var phi_1298_: bool;
+    var phi_1299_: bool;
+    var phi_1300_: bool;
+    var phi_1304_: bool;
+    var phi_1326_: bool;
+    var phi_1327_: bool;
+    var phi_1340_: bool;
+    var phi_1341_: bool;
+    var phi_1342_: bool;
+    var phi_1349_: u32;
+    var phi_1350_: u32;
+    var phi_1351_: u32;
+    var phi_1352_: u32;
+    var phi_1353_: u32;
+    var phi_1354_: u32;
+    var phi_1355_: u32;
+    var phi_1367_: bool;
+    var phi_1368_: bool;
+    var phi_1369_: bool;
+    var phi_1370_: bool;
+    var phi_1374_: bool;
+    var phi_1380_: bool;
+    var phi_1388_: u32;
+    var phi_1393_: u32;
+    var phi_1402_: u32;
+    var phi_1407_: u32;
+    var phi_1411_: u32;
+    var phi_1412_: u32;
+    var phi_1413_: u32;
+    var phi_1417_: f32;
+    var phi_1419_: mask_Masked;
+    var phi_1469_: bool;
+    var phi_1470_: u32;
+    var phi_1481_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e55 = id_1;
@@ -407,6 +452,7 @@ fn function_() {
     if (bitcast<i32>(_e72.word) != 0i) {
         let _e79 = p.member.light.number;
         let _e80 = (_e79 * 3u);
+        let _e81 = (_e80 / 32u);
         let _e82 = (_e80 % 32u);
         let _e84 = p.member.light.mask_words;
         let _e88 = p.member.current.size[0u];
@@ -504,7 +550,7 @@ fn function_() {
         }
         let _e249 = phi_466_;
         if _e249.unnamed_1 {
-            phi_1245_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
+            phi_1419_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
         } else {
             let _e254 = (_e96 < 0.5f);
             if (_e96 > 0f) {
@@ -768,439 +814,680 @@ fn function_() {
             let _e658 = phi_859_;
             let _e662 = lt_mask_Reprojection(_e658.pixel, _e656, _e658.has_moved);
             let _e664 = p.member.flags;
-            if _e662.has_moved {
-                let _e669 = p.member.flags;
-                phi_873_ = ((_e669 & 4u) == 0u);
+            let _e666 = ((_e664 & 2u) != 0u);
+            let _e668 = p.member.flags;
+            if ((_e668 & 4u) == 0u) {
+                phi_933_ = u32();
+                phi_934_ = true;
+                phi_935_ = false;
             } else {
-                phi_873_ = false;
-            }
-            let _e673 = phi_873_;
-            if ((_e664 & 2u) != 0u) {
-                if false {
-                    phi_886_ = bool();
-                    phi_887_ = true;
-                } else {
-                    if true {
-                        phi_884_ = !(_e673);
-                        phi_885_ = false;
-                    } else {
-                        phi_884_ = bool();
-                        phi_885_ = true;
-                    }
-                    let _e676 = phi_884_;
-                    let _e678 = phi_885_;
-                    phi_886_ = _e676;
-                    phi_887_ = _e678;
-                }
-                let _e680 = phi_886_;
-                let _e682 = phi_887_;
-                phi_888_ = _e680;
-                phi_889_ = _e682;
-            } else {
-                phi_888_ = bool();
-                phi_889_ = true;
-            }
-            let _e684 = phi_888_;
-            let _e686 = phi_889_;
-            if _e686 {
-                phi_893_ = false;
-            } else {
-                phi_893_ = _e684;
-            }
-            let _e688 = phi_893_;
-            let _e689 = lt_mask_Neighbourhood(false, true);
-            if _e258 {
-                phi_898_ = _e688;
-            } else {
-                phi_898_ = false;
-            }
-            let _e691 = phi_898_;
-            if _e691 {
                 if _e656 {
-                    if _e662.has_moved {
-                        let _e694 = p.member.moving_pattern;
-                        phi_913_ = _e694;
-                    } else {
-                        let _e696 = p.member.still_pattern;
-                        phi_913_ = _e696;
-                    }
-                    let _e698 = phi_913_;
-                    phi_915_ = 0u;
-                    phi_918_ = _e689;
-                    loop {
-                        let _e700 = phi_915_;
-                        let _e702 = phi_918_;
-                        local_1 = _e702;
-                        if (1u <= _e698) {
-                            if (_e698 <= 4u) {
-                                phi_930_ = false;
-                            } else {
-                                phi_930_ = true;
-                            }
-                            let _e706 = phi_930_;
-                            phi_931_ = _e706;
-                        } else {
-                            phi_931_ = true;
-                        }
-                        let _e708 = phi_931_;
-                        if _e708 {
-                            switch bitcast<i32>(_e698) {
-                                case 5: {
-                                    phi_940_ = 4u;
-                                    break;
-                                }
-                                case 6: {
-                                    phi_940_ = 25u;
-                                    break;
-                                }
-                                case 7: {
-                                    phi_940_ = 13u;
-                                    break;
-                                }
-                                default: {
-                                    phi_940_ = 9u;
-                                    break;
-                                }
-                            }
-                            let _e711 = phi_940_;
-                            phi_941_ = _e711;
-                        } else {
-                            phi_941_ = 5u;
-                        }
-                        let _e713 = phi_941_;
-                        let _e714 = (_e700 < _e713);
-                        if _e714 {
-                            let _e720 = p.member.frame;
-                            let _e724 = p.member.current.size[0u];
-                            let _e726 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e698) {
-                                case 1: {
-                                    let _e736 = lt_mask_pattern_plus(_e700);
-                                    phi_1021_ = vec2<i32>(_e736.x, _e736.y);
-                                    break;
-                                }
-                                case 2: {
-                                    let _e740 = lt_mask_pattern_cross(_e700);
-                                    phi_1021_ = vec2<i32>(_e740.x, _e740.y);
-                                    break;
-                                }
-                                case 3: {
-                                    let _e746 = lt_mask_pattern_plus_or_cross(_e700, ((_e662.pixel.x + _e662.pixel.y) & 1u));
-                                    phi_1021_ = vec2<i32>(_e746.x, _e746.y);
-                                    break;
-                                }
-                                case 4: {
-                                    let _e751 = lt_mask_pattern_plus_or_cross(_e700, (_e720 & 1u));
-                                    phi_1021_ = vec2<i32>(_e751.x, _e751.y);
-                                    break;
-                                }
-                                case 5: {
-                                    switch bitcast<i32>((_e720 & 3u)) {
-                                        case 0: {
-                                            phi_1001_ = vec2(-1i);
-                                            break;
-                                        }
-                                        case 1: {
-                                            phi_1001_ = vec2(0i);
-                                            break;
-                                        }
-                                        case 2: {
-                                            phi_1001_ = vec2<i32>(0i, -1i);
-                                            break;
-                                        }
-                                        default: {
-                                            phi_1001_ = vec2<i32>(-1i, 0i);
-                                            break;
-                                        }
-                                    }
-                                    let _e762 = phi_1001_;
-                                    phi_1021_ = (_e762 + vec2<i32>(bitcast<i32>((_e700 & 1u)), bitcast<i32>(((_e700 >> bitcast<u32>(1i)) & 1u))));
-                                    break;
-                                }
-                                case 6: {
-                                    phi_1021_ = vec2<i32>((bitcast<i32>((_e700 % 5u)) - 2i), (bitcast<i32>(((_e700 / 5u) % 5u)) - 2i));
-                                    break;
-                                }
-                                case 7: {
-                                    let _e779 = lt_mask_pattern_diamond(_e700);
-                                    phi_1021_ = vec2<i32>(_e779.x, _e779.y);
-                                    break;
-                                }
-                                default: {
-                                    phi_1021_ = vec2<i32>((bitcast<i32>((_e700 % 3u)) - 1i), (bitcast<i32>(((_e700 / 3u) % 3u)) - 1i));
-                                    break;
-                                }
-                            }
-                            let _e784 = phi_1021_;
-                            let _e787 = lt_mask_pattern_step_clamped(_e662.pixel.x, _e784.x, _e724);
-                            let _e788 = lt_mask_pattern_step_clamped(_e662.pixel.y, _e784.y, _e726);
-                            let _e792 = ((((_e788 * _e88) + _e787) * _e84) + (_e80 / 32u));
-                            if (_e82 > 29u) {
-                                let _e794 = (_e792 + 1u);
-                                if (_e794 < _e61) {
-                                } else {
-                                    return;
-                                }
-                                let _e798 = last_bits.member[(0u + _e794)];
-                                phi_1046_ = _e798;
-                            } else {
-                                phi_1046_ = 0u;
-                            }
-                            let _e800 = phi_1046_;
-                            if (_e792 < _e61) {
+                    if !(_e662.has_moved) {
+                        let _e676 = ((((_e55.y * _e88) + _e55.x) * _e84) + _e81);
+                        if (_e82 > 29u) {
+                            let _e678 = (_e676 + 1u);
+                            if (_e678 < _e61) {
                             } else {
                                 return;
                             }
-                            let _e804 = last_bits.member[(0u + _e792)];
-                            let _e807 = (_e804 >> bitcast<u32>((_e82 & 31u)));
-                            if (_e82 > 29u) {
-                                phi_1065_ = (_e807 | (_e800 << bitcast<u32>(((32u - _e82) & 31u))));
-                            } else {
-                                phi_1065_ = _e807;
-                            }
-                            let _e815 = phi_1065_;
-                            if ((_e815 & 2u) == 0u) {
-                                phi_1073_ = (_e815 & 1u);
-                            } else {
-                                phi_1073_ = (_e815 & 7u);
-                            }
-                            let _e821 = phi_1073_;
-                            if _e702.any_expands {
-                                phi_1099_ = true;
-                            } else {
-                                if ((_e821 & 2u) != 0u) {
-                                    if (((_e821 & 4u) != 0u) != _e254) {
-                                        phi_1090_ = false;
-                                    } else {
-                                        phi_1090_ = true;
-                                    }
-                                    let _e830 = phi_1090_;
-                                    phi_1091_ = _e830;
-                                } else {
-                                    phi_1091_ = true;
-                                }
-                                let _e832 = phi_1091_;
-                                if _e832 {
-                                    phi_1098_ = (((_e821 & 1u) != 0u) != _e254);
-                                } else {
-                                    phi_1098_ = true;
-                                }
-                                let _e837 = phi_1098_;
-                                phi_1099_ = _e837;
-                            }
-                            let _e839 = phi_1099_;
-                            if _e702.all_remove {
-                                if (((_e821 & 1u) != 0u) == _e254) {
-                                    if ((_e821 & 2u) != 0u) {
-                                        phi_1117_ = (((_e821 & 4u) != 0u) == _e254);
-                                    } else {
-                                        phi_1117_ = true;
-                                    }
-                                    let _e849 = phi_1117_;
-                                    phi_1118_ = _e849;
-                                } else {
-                                    phi_1118_ = false;
-                                }
-                                let _e851 = phi_1118_;
-                                phi_1119_ = _e851;
-                            } else {
-                                phi_1119_ = false;
-                            }
-                            let _e853 = phi_1119_;
-                            phi_916_ = (_e700 + 1u);
-                            phi_919_ = lt_mask_Neighbourhood(_e839, _e853);
+                            let _e682 = last_bits.member[(0u + _e678)];
+                            phi_900_ = _e682;
                         } else {
-                            phi_916_ = u32();
-                            phi_919_ = lt_mask_Neighbourhood();
+                            phi_900_ = 0u;
                         }
-                        let _e857 = phi_916_;
-                        let _e859 = phi_919_;
-                        continue;
-                        continuing {
-                            phi_915_ = _e857;
-                            phi_918_ = _e859;
-                            break if !(_e714);
+                        let _e684 = phi_900_;
+                        if (_e676 < _e61) {
+                        } else {
+                            return;
                         }
+                        let _e688 = last_bits.member[(0u + _e676)];
+                        let _e691 = (_e688 >> bitcast<u32>((_e82 & 31u)));
+                        if (_e82 > 29u) {
+                            phi_919_ = (_e691 | (_e684 << bitcast<u32>(((32u - _e82) & 31u))));
+                        } else {
+                            phi_919_ = _e691;
+                        }
+                        let _e699 = phi_919_;
+                        if ((_e699 & 2u) == 0u) {
+                            phi_927_ = (_e699 & 1u);
+                        } else {
+                            phi_927_ = (_e699 & 7u);
+                        }
+                        let _e705 = phi_927_;
+                        phi_928_ = _e705;
+                        phi_929_ = false;
+                    } else {
+                        phi_928_ = u32();
+                        phi_929_ = true;
                     }
-                    let _e1094 = local_1;
-                    phi_1122_ = _e1094;
+                    let _e707 = phi_928_;
+                    let _e709 = phi_929_;
+                    phi_930_ = _e707;
+                    phi_931_ = false;
+                    phi_932_ = _e709;
                 } else {
-                    phi_1122_ = _e689;
+                    phi_930_ = u32();
+                    phi_931_ = true;
+                    phi_932_ = false;
                 }
-                let _e862 = phi_1122_;
-                phi_1123_ = _e862;
-            } else {
-                phi_1123_ = _e689;
+                let _e711 = phi_930_;
+                let _e713 = phi_931_;
+                let _e715 = phi_932_;
+                phi_933_ = _e711;
+                phi_934_ = _e713;
+                phi_935_ = _e715;
             }
-            let _e864 = phi_1123_;
-            let _e867 = p.member.frame;
-            let _e869 = p.member.refresh;
-            if (_e869 == 0u) {
-                phi_1156_ = false;
+            let _e717 = phi_933_;
+            let _e719 = phi_934_;
+            let _e721 = phi_935_;
+            if _e719 {
+                phi_939_ = true;
             } else {
-                if (_e869 == 0u) {
+                phi_939_ = _e721;
+            }
+            let _e723 = phi_939_;
+            if _e723 {
+                phi_943_ = 0u;
+            } else {
+                phi_943_ = _e717;
+            }
+            let _e725 = phi_943_;
+            let _e726 = lt_mask_Neighbourhood(false, true);
+            if _e258 {
+                phi_948_ = _e666;
+            } else {
+                phi_948_ = false;
+            }
+            let _e728 = phi_948_;
+            if _e728 {
+                if _e656 {
+                    if ((_e725 & 2u) != 0u) {
+                        phi_1241_ = _e726;
+                    } else {
+                        let _e732 = p.member.expansion;
+                        if _e662.has_moved {
+                            let _e735 = p.member.moving_pattern;
+                            phi_970_ = _e735;
+                        } else {
+                            let _e737 = p.member.still_pattern;
+                            phi_970_ = _e737;
+                        }
+                        let _e739 = phi_970_;
+                        phi_972_ = 0u;
+                        phi_975_ = _e726;
+                        loop {
+                            let _e741 = phi_972_;
+                            let _e743 = phi_975_;
+                            local_1 = _e743;
+                            if (1u <= _e739) {
+                                if (_e739 <= 4u) {
+                                    phi_987_ = false;
+                                } else {
+                                    phi_987_ = true;
+                                }
+                                let _e747 = phi_987_;
+                                phi_988_ = _e747;
+                            } else {
+                                phi_988_ = true;
+                            }
+                            let _e749 = phi_988_;
+                            if _e749 {
+                                switch bitcast<i32>(_e739) {
+                                    case 5: {
+                                        phi_997_ = 4u;
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_997_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_997_ = 13u;
+                                        break;
+                                    }
+                                    default: {
+                                        phi_997_ = 9u;
+                                        break;
+                                    }
+                                }
+                                let _e752 = phi_997_;
+                                phi_998_ = _e752;
+                            } else {
+                                phi_998_ = 5u;
+                            }
+                            let _e754 = phi_998_;
+                            let _e755 = (_e741 < _e754);
+                            if _e755 {
+                                let _e761 = p.member.frame;
+                                let _e765 = p.member.current.size[0u];
+                                let _e767 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e739) {
+                                    case 1: {
+                                        let _e777 = lt_mask_pattern_plus(_e741);
+                                        phi_1078_ = vec2<i32>(_e777.x, _e777.y);
+                                        break;
+                                    }
+                                    case 2: {
+                                        let _e781 = lt_mask_pattern_cross(_e741);
+                                        phi_1078_ = vec2<i32>(_e781.x, _e781.y);
+                                        break;
+                                    }
+                                    case 3: {
+                                        let _e787 = lt_mask_pattern_plus_or_cross(_e741, ((_e662.pixel.x + _e662.pixel.y) & 1u));
+                                        phi_1078_ = vec2<i32>(_e787.x, _e787.y);
+                                        break;
+                                    }
+                                    case 4: {
+                                        let _e792 = lt_mask_pattern_plus_or_cross(_e741, (_e761 & 1u));
+                                        phi_1078_ = vec2<i32>(_e792.x, _e792.y);
+                                        break;
+                                    }
+                                    case 5: {
+                                        switch bitcast<i32>((_e761 & 3u)) {
+                                            case 0: {
+                                                phi_1058_ = vec2(-1i);
+                                                break;
+                                            }
+                                            case 1: {
+                                                phi_1058_ = vec2(0i);
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1058_ = vec2<i32>(0i, -1i);
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1058_ = vec2<i32>(-1i, 0i);
+                                                break;
+                                            }
+                                        }
+                                        let _e803 = phi_1058_;
+                                        phi_1078_ = (_e803 + vec2<i32>(bitcast<i32>((_e741 & 1u)), bitcast<i32>(((_e741 >> bitcast<u32>(1i)) & 1u))));
+                                        break;
+                                    }
+                                    case 6: {
+                                        phi_1078_ = vec2<i32>((bitcast<i32>((_e741 % 5u)) - 2i), (bitcast<i32>(((_e741 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e820 = lt_mask_pattern_diamond(_e741);
+                                        phi_1078_ = vec2<i32>(_e820.x, _e820.y);
+                                        break;
+                                    }
+                                    default: {
+                                        phi_1078_ = vec2<i32>((bitcast<i32>((_e741 % 3u)) - 1i), (bitcast<i32>(((_e741 / 3u) % 3u)) - 1i));
+                                        break;
+                                    }
+                                }
+                                let _e825 = phi_1078_;
+                                let _e828 = lt_mask_pattern_step_clamped(_e662.pixel.x, _e825.x, _e765);
+                                let _e829 = lt_mask_pattern_step_clamped(_e662.pixel.y, _e825.y, _e767);
+                                let _e833 = ((((_e829 * _e88) + _e828) * _e84) + _e81);
+                                if (_e82 > 29u) {
+                                    let _e835 = (_e833 + 1u);
+                                    if (_e835 < _e61) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e839 = last_bits.member[(0u + _e835)];
+                                    phi_1103_ = _e839;
+                                } else {
+                                    phi_1103_ = 0u;
+                                }
+                                let _e841 = phi_1103_;
+                                if (_e833 < _e61) {
+                                } else {
+                                    return;
+                                }
+                                let _e845 = last_bits.member[(0u + _e833)];
+                                let _e848 = (_e845 >> bitcast<u32>((_e82 & 31u)));
+                                if (_e82 > 29u) {
+                                    phi_1122_ = (_e848 | (_e841 << bitcast<u32>(((32u - _e82) & 31u))));
+                                } else {
+                                    phi_1122_ = _e848;
+                                }
+                                let _e856 = phi_1122_;
+                                if ((_e856 & 2u) == 0u) {
+                                    phi_1130_ = (_e856 & 1u);
+                                } else {
+                                    phi_1130_ = (_e856 & 7u);
+                                }
+                                let _e862 = phi_1130_;
+                                if _e743.any_expands {
+                                    phi_1218_ = true;
+                                } else {
+                                    if ((_e862 & 2u) != 0u) {
+                                        let _e869 = (((_e862 & 4u) != 0u) != _e254);
+                                        switch bitcast<i32>(_e732) {
+                                            case 1: {
+                                                phi_1158_ = bool();
+                                                phi_1159_ = false;
+                                                phi_1160_ = true;
+                                                phi_1161_ = false;
+                                                phi_1162_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                if _e869 {
+                                                    phi_1156_ = (((_e862 & 4u) != 0u) != ((_e862 & 1u) != 0u));
+                                                    phi_1157_ = false;
+                                                } else {
+                                                    phi_1156_ = bool();
+                                                    phi_1157_ = true;
+                                                }
+                                                let _e877 = phi_1156_;
+                                                let _e879 = phi_1157_;
+                                                phi_1158_ = _e877;
+                                                phi_1159_ = false;
+                                                phi_1160_ = false;
+                                                phi_1161_ = _e879;
+                                                phi_1162_ = _e869;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1158_ = bool();
+                                                phi_1159_ = true;
+                                                phi_1160_ = false;
+                                                phi_1161_ = false;
+                                                phi_1162_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e881 = phi_1158_;
+                                        let _e883 = phi_1159_;
+                                        let _e885 = phi_1160_;
+                                        let _e887 = phi_1161_;
+                                        let _e889 = phi_1162_;
+                                        phi_1170_ = _e869;
+                                        phi_1171_ = _e881;
+                                        phi_1172_ = _e883;
+                                        phi_1173_ = _e885;
+                                        phi_1174_ = _e887;
+                                        phi_1175_ = _e889;
+                                    } else {
+                                        switch bitcast<i32>(_e732) {
+                                            case 1: {
+                                                phi_1167_ = false;
+                                                phi_1168_ = true;
+                                                phi_1169_ = false;
+                                                break;
+                                            }
+                                            case 2: {
+                                                phi_1167_ = false;
+                                                phi_1168_ = false;
+                                                phi_1169_ = true;
+                                                break;
+                                            }
+                                            default: {
+                                                phi_1167_ = true;
+                                                phi_1168_ = false;
+                                                phi_1169_ = false;
+                                                break;
+                                            }
+                                        }
+                                        let _e892 = phi_1167_;
+                                        let _e894 = phi_1168_;
+                                        let _e896 = phi_1169_;
+                                        phi_1170_ = false;
+                                        phi_1171_ = bool();
+                                        phi_1172_ = _e892;
+                                        phi_1173_ = _e894;
+                                        phi_1174_ = _e896;
+                                        phi_1175_ = false;
+                                    }
+                                    let _e898 = phi_1170_;
+                                    let _e900 = phi_1171_;
+                                    let _e902 = phi_1172_;
+                                    let _e904 = phi_1173_;
+                                    let _e906 = phi_1174_;
+                                    let _e908 = phi_1175_;
+                                    if _e902 {
+                                        if ((_e862 & 2u) != 0u) {
+                                            if (((_e862 & 4u) != 0u) != _e254) {
+                                                phi_1190_ = false;
+                                            } else {
+                                                phi_1190_ = true;
+                                            }
+                                            let _e915 = phi_1190_;
+                                            phi_1191_ = _e915;
+                                        } else {
+                                            phi_1191_ = true;
+                                        }
+                                        let _e917 = phi_1191_;
+                                        if _e917 {
+                                            phi_1198_ = (((_e862 & 1u) != 0u) != _e254);
+                                        } else {
+                                            phi_1198_ = true;
+                                        }
+                                        let _e922 = phi_1198_;
+                                        phi_1199_ = _e922;
+                                        phi_1200_ = false;
+                                        phi_1201_ = false;
+                                        phi_1202_ = false;
+                                    } else {
+                                        phi_1199_ = bool();
+                                        phi_1200_ = _e904;
+                                        phi_1201_ = _e906;
+                                        phi_1202_ = _e908;
+                                    }
+                                    let _e924 = phi_1199_;
+                                    let _e926 = phi_1200_;
+                                    let _e928 = phi_1201_;
+                                    let _e930 = phi_1202_;
+                                    if _e926 {
+                                        phi_1206_ = _e898;
+                                        phi_1207_ = false;
+                                        phi_1208_ = false;
+                                    } else {
+                                        phi_1206_ = _e924;
+                                        phi_1207_ = _e928;
+                                        phi_1208_ = _e930;
+                                    }
+                                    let _e932 = phi_1206_;
+                                    let _e934 = phi_1207_;
+                                    let _e936 = phi_1208_;
+                                    if _e934 {
+                                        phi_1212_ = false;
+                                        phi_1213_ = true;
+                                    } else {
+                                        phi_1212_ = _e900;
+                                        phi_1213_ = _e936;
+                                    }
+                                    let _e938 = phi_1212_;
+                                    let _e940 = phi_1213_;
+                                    if _e940 {
+                                        phi_1217_ = _e938;
+                                    } else {
+                                        phi_1217_ = _e932;
+                                    }
+                                    let _e942 = phi_1217_;
+                                    phi_1218_ = _e942;
+                                }
+                                let _e944 = phi_1218_;
+                                if _e743.all_remove {
+                                    if (((_e862 & 1u) != 0u) == _e254) {
+                                        if ((_e862 & 2u) != 0u) {
+                                            phi_1236_ = (((_e862 & 4u) != 0u) == _e254);
+                                        } else {
+                                            phi_1236_ = true;
+                                        }
+                                        let _e954 = phi_1236_;
+                                        phi_1237_ = _e954;
+                                    } else {
+                                        phi_1237_ = false;
+                                    }
+                                    let _e956 = phi_1237_;
+                                    phi_1238_ = _e956;
+                                } else {
+                                    phi_1238_ = false;
+                                }
+                                let _e958 = phi_1238_;
+                                phi_973_ = (_e741 + 1u);
+                                phi_976_ = lt_mask_Neighbourhood(_e944, _e958);
+                            } else {
+                                phi_973_ = u32();
+                                phi_976_ = lt_mask_Neighbourhood();
+                            }
+                            let _e962 = phi_973_;
+                            let _e964 = phi_976_;
+                            continue;
+                            continuing {
+                                phi_972_ = _e962;
+                                phi_975_ = _e964;
+                                break if !(_e755);
+                            }
+                        }
+                        let _e1266 = local_1;
+                        phi_1241_ = _e1266;
+                    }
+                    let _e967 = phi_1241_;
+                    phi_1242_ = _e967;
+                } else {
+                    phi_1242_ = _e726;
+                }
+                let _e969 = phi_1242_;
+                phi_1243_ = _e969;
+            } else {
+                phi_1243_ = _e726;
+            }
+            let _e971 = phi_1243_;
+            let _e974 = p.member.frame;
+            let _e976 = p.member.refresh;
+            if (_e976 == 0u) {
+                phi_1276_ = false;
+            } else {
+                if (_e976 == 0u) {
                     return;
                 }
-                let _e878 = ((_e55.x + (_e55.y * (((_e869 * 5u) / 8u) | 1u))) + (_e867 % _e869));
-                if (_e869 == 0u) {
-                    phi_1155_ = (_e878 == 0u);
+                let _e985 = ((_e55.x + (_e55.y * (((_e976 * 5u) / 8u) | 1u))) + (_e974 % _e976));
+                if (_e976 == 0u) {
+                    phi_1275_ = (_e985 == 0u);
                 } else {
-                    if (_e869 == 0u) {
+                    if (_e976 == 0u) {
                         return;
                     }
-                    phi_1155_ = ((_e878 % _e869) == 0u);
+                    phi_1275_ = ((_e985 % _e976) == 0u);
                 }
-                let _e885 = phi_1155_;
-                phi_1156_ = _e885;
+                let _e992 = phi_1275_;
+                phi_1276_ = _e992;
             }
-            let _e887 = phi_1156_;
-            if (_e96 != 0.5f) {
-                if _e656 {
-                    if _e887 {
-                        phi_1211_ = 6u;
-                    } else {
-                        if _e258 {
-                            phi_1186_ = true;
+            let _e994 = phi_1276_;
+            if _e656 {
+                if _e994 {
+                    phi_1298_ = bool();
+                } else {
+                    phi_1298_ = ((_e725 & 2u) != 0u);
+                }
+                let _e1000 = phi_1298_;
+                phi_1299_ = _e1000;
+                phi_1300_ = _e994;
+            } else {
+                phi_1299_ = bool();
+                phi_1300_ = true;
+            }
+            let _e1002 = phi_1299_;
+            let _e1004 = phi_1300_;
+            if _e1004 {
+                phi_1304_ = false;
+            } else {
+                phi_1304_ = _e1002;
+            }
+            let _e1006 = phi_1304_;
+            if _e1006 {
+                phi_1355_ = 7u;
+            } else {
+                if (_e96 != 0.5f) {
+                    if _e656 {
+                        if _e994 {
+                            phi_1352_ = 6u;
                         } else {
-                            if _e864.any_expands {
-                                phi_1185_ = false;
-                            } else {
-                                phi_1185_ = true;
-                            }
-                            let _e891 = phi_1185_;
-                            phi_1186_ = _e891;
-                        }
-                        let _e893 = phi_1186_;
-                        if _e893 {
                             if _e258 {
-                                if _e688 {
-                                    if _e864.all_remove {
-                                        phi_1199_ = false;
-                                    } else {
-                                        phi_1199_ = true;
-                                    }
-                                    let _e895 = phi_1199_;
-                                    phi_1200_ = _e895;
-                                } else {
-                                    phi_1200_ = true;
-                                }
-                                let _e897 = phi_1200_;
-                                phi_1201_ = _e897;
+                                phi_1327_ = true;
                             } else {
-                                phi_1201_ = true;
+                                if _e971.any_expands {
+                                    phi_1326_ = false;
+                                } else {
+                                    phi_1326_ = true;
+                                }
+                                let _e1008 = phi_1326_;
+                                phi_1327_ = _e1008;
                             }
-                            let _e899 = phi_1201_;
-                            if _e899 {
+                            let _e1010 = phi_1327_;
+                            if _e1010 {
                                 if _e258 {
-                                    phi_1208_ = 1u;
+                                    if _e666 {
+                                        if _e971.all_remove {
+                                            phi_1340_ = false;
+                                        } else {
+                                            phi_1340_ = true;
+                                        }
+                                        let _e1012 = phi_1340_;
+                                        phi_1341_ = _e1012;
+                                    } else {
+                                        phi_1341_ = true;
+                                    }
+                                    let _e1014 = phi_1341_;
+                                    phi_1342_ = _e1014;
                                 } else {
-                                    phi_1208_ = 0u;
+                                    phi_1342_ = true;
                                 }
-                                let _e901 = phi_1208_;
-                                phi_1209_ = _e901;
+                                let _e1016 = phi_1342_;
+                                if _e1016 {
+                                    if _e258 {
+                                        phi_1349_ = 1u;
+                                    } else {
+                                        phi_1349_ = 0u;
+                                    }
+                                    let _e1018 = phi_1349_;
+                                    phi_1350_ = _e1018;
+                                } else {
+                                    phi_1350_ = 5u;
+                                }
+                                let _e1020 = phi_1350_;
+                                phi_1351_ = _e1020;
                             } else {
-                                phi_1209_ = 5u;
+                                phi_1351_ = 4u;
                             }
-                            let _e903 = phi_1209_;
-                            phi_1210_ = _e903;
-                        } else {
-                            phi_1210_ = 4u;
+                            let _e1022 = phi_1351_;
+                            phi_1352_ = _e1022;
                         }
-                        let _e905 = phi_1210_;
-                        phi_1211_ = _e905;
+                        let _e1024 = phi_1352_;
+                        phi_1353_ = _e1024;
+                    } else {
+                        phi_1353_ = 3u;
                     }
-                    let _e907 = phi_1211_;
-                    phi_1212_ = _e907;
+                    let _e1026 = phi_1353_;
+                    phi_1354_ = _e1026;
                 } else {
-                    phi_1212_ = 3u;
+                    phi_1354_ = 2u;
                 }
-                let _e909 = phi_1212_;
-                phi_1213_ = _e909;
-            } else {
-                phi_1213_ = 2u;
+                let _e1028 = phi_1354_;
+                phi_1355_ = _e1028;
             }
-            let _e911 = phi_1213_;
-            if !((_e911 == 0u)) {
-                phi_1221_ = !((_e911 == 5u));
+            let _e1030 = phi_1355_;
+            if !((_e1030 == 0u)) {
+                if !((_e1030 == 5u)) {
+                    phi_1367_ = !(_e1006);
+                    phi_1368_ = false;
+                } else {
+                    phi_1367_ = bool();
+                    phi_1368_ = true;
+                }
+                let _e1037 = phi_1367_;
+                let _e1039 = phi_1368_;
+                phi_1369_ = _e1037;
+                phi_1370_ = _e1039;
             } else {
-                phi_1221_ = false;
+                phi_1369_ = bool();
+                phi_1370_ = true;
             }
-            let _e917 = phi_1221_;
-            if _e917 {
+            let _e1041 = phi_1369_;
+            let _e1043 = phi_1370_;
+            if _e1043 {
+                phi_1374_ = false;
+            } else {
+                phi_1374_ = _e1041;
+            }
+            let _e1045 = phi_1374_;
+            if _e1006 {
+                phi_1380_ = ((_e725 & 4u) != 0u);
+            } else {
+                phi_1380_ = _e254;
+            }
+            let _e1049 = phi_1380_;
+            if _e1045 {
                 if _e254 {
-                    phi_1229_ = (2u | 1u);
+                    phi_1388_ = (2u | 1u);
                 } else {
-                    phi_1229_ = 2u;
+                    phi_1388_ = 2u;
                 }
-                let _e920 = phi_1229_;
+                let _e1052 = phi_1388_;
                 if false {
-                    phi_1234_ = (_e920 | 4u);
+                    phi_1393_ = (_e1052 | 4u);
                 } else {
-                    phi_1234_ = _e920;
+                    phi_1393_ = _e1052;
                 }
-                let _e923 = phi_1234_;
-                phi_1239_ = _e923;
+                let _e1055 = phi_1393_;
+                phi_1413_ = _e1055;
             } else {
-                if _e254 {
-                    phi_1238_ = 1u;
+                if (_e1030 == 7u) {
+                    if _e254 {
+                        phi_1402_ = (2u | 1u);
+                    } else {
+                        phi_1402_ = 2u;
+                    }
+                    let _e1059 = phi_1402_;
+                    if _e1049 {
+                        phi_1407_ = (_e1059 | 4u);
+                    } else {
+                        phi_1407_ = _e1059;
+                    }
+                    let _e1062 = phi_1407_;
+                    phi_1412_ = _e1062;
                 } else {
-                    phi_1238_ = 0u;
+                    if _e254 {
+                        phi_1411_ = 1u;
+                    } else {
+                        phi_1411_ = 0u;
+                    }
+                    let _e1064 = phi_1411_;
+                    phi_1412_ = _e1064;
                 }
-                let _e925 = phi_1238_;
-                phi_1239_ = _e925;
+                let _e1066 = phi_1412_;
+                phi_1413_ = _e1066;
             }
-            let _e927 = phi_1239_;
-            if _e254 {
-                phi_1243_ = 0f;
+            let _e1068 = phi_1413_;
+            if _e1049 {
+                phi_1417_ = 0f;
             } else {
-                phi_1243_ = 1f;
+                phi_1417_ = 1f;
             }
-            let _e929 = phi_1243_;
-            phi_1245_ = mask_Masked(_e929, _e927, _e917);
+            let _e1070 = phi_1417_;
+            phi_1419_ = mask_Masked(_e1070, _e1068, _e1045);
         }
-        let _e932 = phi_1245_;
-        visibility.member[_e72.shift] = _e932.visibility;
-        let _e937 = p.member.light.number;
-        let _e938 = (_e937 * 3u);
-        let _e940 = (_e938 % 32u);
-        let _e942 = p.member.light.mask_words;
-        let _e944 = ((_e72.shift * _e942) + (_e938 / 32u));
-        let _e946 = bits.member[_e944];
-        bits.member[_e944] = ((_e946 & ~((7u << bitcast<u32>((_e940 & 31u))))) | (_e932.bits << bitcast<u32>((_e940 & 31u))));
-        if (_e940 > 29u) {
-            let _e961 = bits.member[(_e944 + 1u)];
-            let _e963 = (32u - _e940);
-            bits.member[(_e944 + 1u)] = ((_e961 & ~((7u >> bitcast<u32>((_e963 & 31u))))) | (_e932.bits >> bitcast<u32>((_e963 & 31u))));
+        let _e1073 = phi_1419_;
+        visibility.member[_e72.shift] = _e1073.visibility;
+        let _e1078 = p.member.light.number;
+        let _e1079 = (_e1078 * 3u);
+        let _e1081 = (_e1079 % 32u);
+        let _e1083 = p.member.light.mask_words;
+        let _e1085 = ((_e72.shift * _e1083) + (_e1079 / 32u));
+        let _e1087 = bits.member[_e1085];
+        bits.member[_e1085] = ((_e1087 & ~((7u << bitcast<u32>((_e1081 & 31u))))) | (_e1073.bits << bitcast<u32>((_e1081 & 31u))));
+        if (_e1081 > 29u) {
+            let _e1102 = bits.member[(_e1085 + 1u)];
+            let _e1104 = (32u - _e1081);
+            bits.member[(_e1085 + 1u)] = ((_e1102 & ~((7u >> bitcast<u32>((_e1104 & 31u))))) | (_e1073.bits >> bitcast<u32>((_e1104 & 31u))));
         }
-        phi_1295_ = _e932.needs_ray;
-        phi_1296_ = _e72.shift;
+        phi_1469_ = _e1073.needs_ray;
+        phi_1470_ = _e72.shift;
     } else {
-        phi_1295_ = false;
-        phi_1296_ = 0u;
+        phi_1469_ = false;
+        phi_1470_ = 0u;
     }
-    let _e977 = phi_1295_;
-    let _e979 = phi_1296_;
+    let _e1118 = phi_1469_;
+    let _e1120 = phi_1470_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e977 {
-        let _e983 = atomicAdd((&shared_[0u]), 1u);
-        phi_1307_ = _e983;
+    if _e1118 {
+        let _e1124 = atomicAdd((&shared_[0u]), 1u);
+        phi_1481_ = _e1124;
     } else {
-        phi_1307_ = 0u;
+        phi_1481_ = 0u;
     }
-    let _e985 = phi_1307_;
+    let _e1126 = phi_1481_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e989 = atomicLoad((&shared_[0u]));
-        let _e990 = atomicAdd((&list.member[3u]), _e989);
-        atomicStore((&shared_[1u]), _e990);
+        let _e1130 = atomicLoad((&shared_[0u]));
+        let _e1131 = atomicAdd((&list.member[3u]), _e1130);
+        atomicStore((&shared_[1u]), _e1131);
     }
     workgroupBarrier();
-    if _e977 {
-        let _e993 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e993) + _e985)]), _e979);
+    if _e1118 {
+        let _e1134 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1134) + _e1126)]), _e1120);
     }
     return;
 }

@@ -35,6 +35,51 @@ pub fn removes_ray(neighbour: MaskBits, is_test_shadowed: bool) -> bool {
         && (!neighbour.is_traced() || neighbour.is_ray_hit() == is_test_shadowed)
 }
 
+/// Which neighbours make a trusted pixel trace.
+///
+/// A `u32` in a coat, so that it may cross to the GPU as a parameter. Unknown numbers act as [`Expansion::PUBLISHED`]. The narrower rules
+/// spend their rays where the map is known to be wrong, and are worth a wider [`crate::Pattern`]; what they leave out are edges that
+/// shadow tests agree about, which the published rule traces on both sides in every frame.
+#[repr(transparent)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Expansion(u32);
+
+impl Expansion {
+    /// ER as published (eq. 6): [`expands_ray`]. The one that heals a map that was drawn anew, whose shadow tests differ from
+    /// the last frame's.
+    pub const PUBLISHED: Self = Self(0);
+    /// The first half of eq. 6, M_LTT ∧ (M_RS ⊕ ST): its ray disagreed with this pixel's shadow test.
+    pub const RAYS: Self = Self(1);
+    /// M_LTT ∧ (M_RS ⊕ M_ST) ∧ (M_RS ⊕ ST): its ray found its map wrong, and would find this pixel's wrong as well.
+    pub const LEAKS: Self = Self(2);
+
+    /// Every rule, the widest first.
+    pub const ALL: [Self; 3] = [Self::PUBLISHED, Self::RAYS, Self::LEAKS];
+
+    /// The rule with this number, as [`Expansion::to_index`] gave it.
+    #[inline]
+    pub fn from_index(index: u32) -> Self {
+        Self(index)
+    }
+
+    /// The rule's number.
+    #[inline]
+    pub fn to_index(self) -> u32 {
+        self.0
+    }
+
+    /// ER of one neighbour by this rule.
+    #[inline]
+    pub fn asks(self, neighbour: MaskBits, is_test_shadowed: bool) -> bool {
+        let ray_disagrees = neighbour.is_traced() && neighbour.is_ray_hit() != is_test_shadowed;
+        match self.0 {
+            1 => ray_disagrees,
+            2 => ray_disagrees && neighbour.is_ray_hit() != neighbour.is_test_shadowed(),
+            _ => expands_ray(neighbour, is_test_shadowed),
+        }
+    }
+}
+
 /// Whether two depths of one surface in successive frames agree within `tolerance`, relative to the larger; NaN does not.
 #[inline]
 pub fn is_depth_consistent(depth: f32, previous_depth: f32, tolerance: f32) -> bool {
@@ -56,11 +101,11 @@ impl Neighbourhood {
     /// No neighbour yet.
     pub const EMPTY: Self = Self { any_expands: false, all_remove: true };
 
-    /// Also hears `neighbour`, against this pixel's shadow test.
+    /// Also hears `neighbour`, against this pixel's shadow test; ER by `expansion`, RR by eq. 8.
     #[inline]
-    pub fn with(self, neighbour: MaskBits, is_test_shadowed: bool) -> Self {
+    pub fn with(self, neighbour: MaskBits, is_test_shadowed: bool, expansion: Expansion) -> Self {
         Self {
-            any_expands: self.any_expands || expands_ray(neighbour, is_test_shadowed),
+            any_expands: self.any_expands || expansion.asks(neighbour, is_test_shadowed),
             all_remove: self.all_remove && removes_ray(neighbour, is_test_shadowed),
         }
     }
@@ -77,23 +122,13 @@ pub struct Evidence {
     pub is_due: bool,
     /// What the last frame says; [`Neighbourhood::EMPTY`] with `allows_removal` false switches the history off.
     pub neighbourhood: Neighbourhood,
-    /// RR is switched on and no guard forbids it here: see [`allows_removal`].
+    /// RR (eq. 8) is switched on and no guard forbids it here: no depth of the footprint came from a dynamic map (paper §3.4), and the
+    /// temporal depth test passed where there is one (§3.1.2). The paper has no guard against motion, and wherever pixels
+    /// move RR adds wrong ones; `known` needs no such guess.
     pub allows_removal: bool,
-}
-
-/// Whether rays may be removed at a pixel: RR is on, no depth of the footprint came from the dynamic map (paper §3.4),
-/// the temporal depth test passed (§3.1.2; needed for ESM and MSM, true where it is off), and the pixel stands still.
-///
-/// The paper has no guard against motion; a simulation showed RR to add wrong pixels wherever pixels move. Pass false
-/// for `has_moved` to do as the paper does.
-#[inline]
-pub fn allows_removal(
-    is_removal_on: bool,
-    has_dynamic_depth: bool,
-    is_depth_consistent: bool,
-    has_moved: bool,
-) -> bool {
-    is_removal_on && !has_dynamic_depth && is_depth_consistent && !has_moved
+    /// What this very pixel learnt in the last frame, where camera, surface, light and casters have stood exactly still since; else
+    /// [`MaskBits::BLACK`]. If a ray was traced, its answer is this frame's too, and none is traced again.
+    pub known: MaskBits,
 }
 
 /// Which rule decided, for statistics and debug views.
@@ -116,8 +151,10 @@ impl Reason {
     pub const REMOVED: Self = Self(5);
     /// Seen before, and its turn in the rolling refresh: ray.
     pub const REFRESHED: Self = Self(6);
+    /// The last frame's ray answers, since nothing has moved: no ray.
+    pub const KNOWN: Self = Self(7);
 
-    /// A dense number 0…6, e.g. for counters.
+    /// A dense number 0…7, e.g. for counters.
     #[inline]
     pub fn to_index(self) -> u32 {
         self.0
@@ -131,23 +168,29 @@ pub struct Decision {
     pub needs_ray: bool,
     /// ST of this frame.
     pub is_test_shadowed: bool,
+    /// The answer where no ray is traced: the last frame's ray's where that is known, else ST.
+    pub is_shadowed: bool,
     /// The rule that decided.
     pub reason: Reason,
 }
 
 impl Decision {
-    /// Visibility where no ray is traced: the estimate snapped to 0 or 1 by ST.
+    /// Visibility where no ray is traced: 0 or 1.
     ///
     /// The paper snaps removed rays only; confident estimates differ from 0 or 1 by at most ε, so we snap them too.
     #[inline]
     pub fn snapped_visibility(self) -> f32 {
-        if self.is_test_shadowed { 0.0 } else { 1.0 }
+        if self.is_shadowed { 0.0 } else { 1.0 }
     }
 
     /// The history to store where no ray was traced.
     #[inline]
     pub fn mask_without_ray(self) -> MaskBits {
-        MaskBits::untraced(self.is_test_shadowed)
+        if self.reason == Reason::KNOWN {
+            MaskBits::traced(self.is_test_shadowed, self.is_shadowed)
+        } else {
+            MaskBits::untraced(self.is_test_shadowed)
+        }
     }
 
     /// The history to store after tracing a ray.
@@ -158,7 +201,7 @@ impl Decision {
 }
 
 /// Decides a pixel that faces the light, in the paper's order: LTT, failed reprojection (or its turn in the rolling refresh, which
-/// is not the paper's) forces a ray, ER if LTT was false, RR if LTT was true.
+/// is not the paper's) forces a ray, ER if LTT was false, RR if LTT was true. What is known goes before all but those two.
 ///
 /// A receiver outside the map and a NaN estimate always get a ray: RR cannot remove what no shadow test has judged.
 /// For surfaces facing away store [`MaskBits::FACING_AWAY`] instead.
@@ -173,7 +216,10 @@ pub fn decide(visibility: f32, epsilon: f32, evidence: Evidence) -> Decision {
 #[inline]
 pub fn decide_doubt(is_test_shadowed: bool, is_doubted: bool, evidence: Evidence) -> Decision {
     let history = evidence.neighbourhood;
-    let reason = if !evidence.is_on_map {
+    let is_kept = evidence.is_reprojected && !evidence.is_due && evidence.known.is_traced();
+    let reason = if is_kept {
+        Reason::KNOWN
+    } else if !evidence.is_on_map {
         Reason::UNKNOWN
     } else if !evidence.is_reprojected {
         Reason::UNSEEN
@@ -188,14 +234,16 @@ pub fn decide_doubt(is_test_shadowed: bool, is_doubted: bool, evidence: Evidence
     } else {
         Reason::CONFIDENT
     };
-    let needs_ray = reason != Reason::CONFIDENT && reason != Reason::REMOVED;
-    Decision { needs_ray, is_test_shadowed, reason }
+    let needs_ray = reason != Reason::CONFIDENT && reason != Reason::REMOVED && !is_kept;
+    let is_shadowed = if is_kept { evidence.known.is_ray_hit() } else { is_test_shadowed };
+    Decision { needs_ray, is_test_shadowed, is_shadowed, reason }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use lt_math::LTT_EPSILON;
+    use std::vec::Vec;
 
     const STATES: [MaskBits; 6] = [
         MaskBits::BLACK,
@@ -222,6 +270,23 @@ mod tests {
         }
     }
 
+    /// By rule and ST, the states that make a pixel trace.
+    #[test]
+    fn narrower_rules_ask_less() {
+        let asking = |rule: Expansion, st: bool| -> Vec<MaskBits> {
+            STATES.into_iter().filter(|state| rule.asks(*state, st)).collect()
+        };
+        for st in BOTH {
+            let published = STATES.into_iter().filter(|state| expands_ray(*state, st)).collect::<Vec<_>>();
+            assert_eq!(asking(Expansion::PUBLISHED, st), published);
+            assert_eq!(asking(Expansion::from_index(9), st), published);
+        }
+        assert_eq!(asking(Expansion::RAYS, false), [MaskBits::WHITE, MaskBits::PURPLE]);
+        assert_eq!(asking(Expansion::RAYS, true), [MaskBits::RED, MaskBits::YELLOW]);
+        assert_eq!(asking(Expansion::LEAKS, false), [MaskBits::PURPLE]);
+        assert_eq!(asking(Expansion::LEAKS, true), [MaskBits::YELLOW]);
+    }
+
     #[test]
     fn rr_truth_table() {
         for (i, state) in STATES.into_iter().enumerate() {
@@ -245,9 +310,11 @@ mod tests {
         for a in STATES {
             for b in STATES {
                 for st in BOTH {
-                    let n = Neighbourhood::EMPTY.with(a, st).with(b, st);
-                    assert_eq!(n.any_expands, expands_ray(a, st) || expands_ray(b, st));
-                    assert_eq!(n.all_remove, removes_ray(a, st) && removes_ray(b, st));
+                    for rule in Expansion::ALL {
+                        let n = Neighbourhood::EMPTY.with(a, st, rule).with(b, st, rule);
+                        assert_eq!(n.any_expands, rule.asks(a, st) || rule.asks(b, st));
+                        assert_eq!(n.all_remove, removes_ray(a, st) && removes_ray(b, st));
+                    }
                 }
             }
         }
@@ -258,7 +325,7 @@ mod tests {
     fn the_whole_decision_follows_the_steps_of_the_paper() {
         let mut cases = 0;
         for visibility in [0.0, 0.005, 0.01, 0.02, 0.49, 0.5, 0.75, 0.98, 0.99, 0.995, 1.0, f32::NAN] {
-            for bits in 0..64 {
+            for bits in 0..128 {
                 let flag = |i: u32| bits >> i & 1 == 1;
                 let evidence = Evidence {
                     is_on_map: flag(0),
@@ -266,6 +333,7 @@ mod tests {
                     neighbourhood: Neighbourhood { any_expands: flag(2), all_remove: flag(3) },
                     allows_removal: flag(4),
                     is_due: flag(5),
+                    known: if flag(6) { MaskBits::PURPLE } else { MaskBits::GREEN },
                 };
                 let original_ltt = visibility.is_nan() || (visibility > 0.01 && visibility < 0.99);
                 let mut ltt = original_ltt;
@@ -282,18 +350,31 @@ mod tests {
                 if !evidence.is_on_map || visibility.is_nan() {
                     ltt = true;
                 }
+                // Not the paper's: a ray of this very pixel that still holds.
+                let is_known = flag(6) && evidence.is_reprojected && !evidence.is_due;
+                ltt &= !is_known;
                 let decision = decide(visibility, LTT_EPSILON, evidence);
                 assert_eq!(decision.needs_ray, ltt, "{visibility} {evidence:?}");
                 assert_eq!(decision.is_test_shadowed, visibility < 0.5);
-                assert_eq!(decision.snapped_visibility(), if visibility < 0.5 { 0.0 } else { 1.0 });
+                let is_lit = visibility.is_nan() || visibility >= 0.5;
+                let expected = if is_lit && !is_known { 1.0 } else { 0.0 };
+                assert_eq!(decision.snapped_visibility(), expected);
+                assert_eq!(decision.mask_without_ray().is_traced(), is_known);
                 cases += 1;
             }
         }
-        assert_eq!(cases, 12 * 64);
+        assert_eq!(cases, 12 * 128);
     }
 
     fn seen(neighbourhood: Neighbourhood, allows_removal: bool) -> Evidence {
-        Evidence { is_on_map: true, is_reprojected: true, is_due: false, neighbourhood, allows_removal }
+        Evidence {
+            is_on_map: true,
+            is_reprojected: true,
+            is_due: false,
+            neighbourhood,
+            allows_removal,
+            known: MaskBits::BLACK,
+        }
     }
 
     #[test]
@@ -314,11 +395,16 @@ mod tests {
     }
 
     #[test]
-    fn each_guard_alone_forbids_removal() {
-        for bits in 0..16 {
-            let flag = |i: u32| bits >> i & 1 == 1;
-            let expected = flag(0) && !flag(1) && flag(2) && !flag(3);
-            assert_eq!(allows_removal(flag(0), flag(1), flag(2), flag(3)), expected);
+    fn a_known_answer_is_kept_whatever_the_map_says() {
+        for st in [0.0, 0.4, 1.0] {
+            for hit in BOTH {
+                let contradicting = Neighbourhood { any_expands: true, all_remove: false };
+                let known = MaskBits::traced(!hit, hit);
+                let decision = decide(st, LTT_EPSILON, Evidence { known, ..seen(contradicting, true) });
+                assert_eq!((decision.needs_ray, decision.reason), (false, Reason::KNOWN));
+                assert_eq!(decision.snapped_visibility(), if hit { 0.0 } else { 1.0 });
+                assert_eq!(decision.mask_without_ray(), MaskBits::traced(st < 0.5, hit));
+            }
         }
     }
 

@@ -12,6 +12,10 @@
 //!   too. Correct edges grow along the geometry until they close, within a few frames.
 //! - **RR, remove rays:** if all neighbours' histories confirm the shadow test, believe it without a ray.
 //!
+//! Both rules guess where things move, and both have better relatives here. [`Expansion`] narrows ER to neighbours whose rays
+//! contradict, or found their own map wrong: fewer rays for the same errors. And where nothing moved at all, a ray's answer is
+//! no guess: [`Evidence::known`] keeps it.
+//!
 //! What no neighbour knows of stays missed; a rolling refresh ([`is_due`]), which is not the paper's, traces every pixel once in a
 //! while and so bounds how long.
 //!
@@ -30,7 +34,7 @@
 //! # Example
 //!
 //! ```
-//! use lt_mask::{Evidence, MaskBits, Neighbourhood, Pattern, allows_removal, decide, is_test_shadowed, reproject};
+//! use lt_mask::{Evidence, Expansion, MaskBits, Neighbourhood, Pattern, decide, is_test_shadowed, reproject};
 //! use lt_math::glam::{UVec2, Vec2};
 //!
 //! let size = UVec2::new(4, 4);
@@ -44,14 +48,16 @@
 //! let mut neighbourhood = Neighbourhood::EMPTY;
 //! for i in 0..Pattern::FULL_3X3.neighbour_count() {
 //!     let n = Pattern::FULL_3X3.neighbour(i, place.pixel, frame, size);
-//!     neighbourhood = neighbourhood.with(history[(n.y * 4 + n.x) as usize], is_test_shadowed(visibility));
+//!     let bits = history[(n.y * 4 + n.x) as usize];
+//!     neighbourhood = neighbourhood.with(bits, is_test_shadowed(visibility), Expansion::LEAKS);
 //! }
 //! let evidence = Evidence {
 //!     is_on_map: true,
 //!     is_reprojected: place.is_valid,
 //!     is_due: false,
 //!     neighbourhood,
-//!     allows_removal: allows_removal(true, false, true, place.has_moved),
+//!     allows_removal: false,
+//!     known: MaskBits::BLACK,
 //! };
 //! let decision = decide(visibility, lt_math::LTT_EPSILON, evidence);
 //! assert!(decision.needs_ray, "the wire's edge grows to this pixel");
@@ -70,8 +76,8 @@ mod reproject;
 
 pub use bits::MaskBits;
 pub use decide::{
-    DEPTH_CONSISTENCY_TOLERANCE, Decision, Evidence, Neighbourhood, Reason, SHADOW_TEST_THRESHOLD,
-    allows_removal, decide, decide_doubt, expands_ray, is_depth_consistent, is_test_shadowed, removes_ray,
+    DEPTH_CONSISTENCY_TOLERANCE, Decision, Evidence, Expansion, Neighbourhood, Reason, SHADOW_TEST_THRESHOLD,
+    decide, decide_doubt, expands_ray, is_depth_consistent, is_test_shadowed, removes_ray,
 };
 pub use pack::{LightPlace, MAX_LIGHTS, PackedMask, words_for_lights};
 pub use pattern::{Pattern, gather_corner};

@@ -275,10 +275,10 @@ impl EffectPlan {
             match technique.mask.map(|m| m.removal) {
                 None => no_mask(),
                 Some(Removal::Never) => "the technique removes no rays".to_owned(),
-                Some(Removal::Still) => "where pixel, map and casters stand still".to_owned(),
+                Some(Removal::Known) => "where camera, pixel, light and casters stand still".to_owned(),
                 Some(Removal::Published) => "everywhere, as published".to_owned(),
             },
-            "reads the neighbours of doubted pixels".to_owned(),
+            "reads a pixel's own history, or as published its neighbours'".to_owned(),
         );
         list(
             "rolling refresh",

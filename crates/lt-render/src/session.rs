@@ -498,26 +498,25 @@ impl Session {
         let has_light_moved = change.is_some_and(|c| c.has_moved);
         // Only the first frame after `play`: a view that was missed is another matter.
         let is_cold = self.sequence.starts_cold && slot.frame == 0;
-        // Where light, map or a caster changed, what a ray found in the last frame says nothing certain about this one.
-        let is_still = !has_light_moved
-            && last.is_some_and(|l| (&l.levels.0[..], l.levels.1) == map && l.pose == self.pose);
-        let mut flags = 0;
-        if last.is_some() || is_cold {
-            flags |= MaskParams::HAS_HISTORY;
-        }
-        if is_cold {
-            flags |= MaskParams::CLEARED;
-        }
-        if mask.removal == Removal::Published || (mask.removal == Removal::Still && is_still) {
-            flags |= MaskParams::MAY_REMOVE;
-        }
-        if mask.removal == Removal::Published {
-            flags |= MaskParams::MAY_REMOVE_MOVING;
-        }
-        let moving_pattern = mask.moving_pattern_for(self.scene.stats.masked_triangles > 0);
-        // Under a light that moves, shadows move over pixels that do not.
+        let casters_rest = !has_light_moved && last.is_some_and(|l| l.pose == self.pose);
+        let bytes = bytemuck::bytes_of::<CameraParams>;
+        let all_rests = casters_rest && last.is_some_and(|l| bytes(&l.camera) == bytes(&self.camera));
         let is_published = mask.removal == Removal::Published;
-        let still_pattern = if has_light_moved && !is_published { moving_pattern } else { mask.pattern };
+        let mut flags = 0;
+        for (flag, is_set) in [
+            (MaskParams::HAS_HISTORY, last.is_some() || is_cold),
+            (MaskParams::CLEARED, is_cold),
+            (MaskParams::REMOVES_AS_PUBLISHED, is_published),
+            (MaskParams::KEEPS_ANSWERS, mask.removal == Removal::Known && all_rests),
+        ] {
+            flags |= if is_set { flag } else { 0 };
+        }
+        let same_map = |l: &LastFrame| (&l.levels.0[..], l.levels.1) == map;
+        let drawn_anew = has_light_moved || !last.is_some_and(same_map);
+        let has_holes = self.scene.stats.masked_triangles > 0;
+        let (expansion, moving_pattern) = mask.rules_for(has_holes, drawn_anew);
+        // Under a light or casters that move, shadows move over pixels that do not.
+        let still_pattern = if casters_rest || is_published { mask.pattern } else { moving_pattern };
         MaskParams {
             current: self.camera,
             previous: last.map_or(self.camera, |l| l.camera),
@@ -529,8 +528,8 @@ impl Session {
             // A cleared history saw no depths: any agrees.
             depth_tolerance: if is_cold { 3.0e38 } else { DEPTH_CONSISTENCY_TOLERANCE },
             refresh: mask.refresh,
+            expansion: expansion.to_index(),
             pad0: 0,
-            pad1: 0,
         }
     }
 }
@@ -613,15 +612,19 @@ mod tests {
             let mut session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
             session.play(Sequence { is_played: true, ..Sequence::default() });
             let truth = session.render(&Technique::RAY).expect("frame");
-            let technique: Technique = "lt-evsm".parse().expect("an id");
-            for i in 0..10usize {
-                let frame = match i % 3 {
-                    2 => render_shifted(&mut session, &technique, i / 3),
-                    _ => session.render(&technique).expect("frame"),
-                };
-                let wrong = truth.visibility.iter().zip(&frame.visibility).filter(|(t, v)| t != v).count();
-                assert_eq!(wrong, 0, "{place} frame {i}");
-                assert_eq!(frame.map_draws, [3, 0, 1, 0, 0, 1, 0, 0, 1, 0][i], "{place} frame {i}");
+            // With what rays found kept, and without: then expanded rays alone must do.
+            for id in ["lt-evsm", "lt-evsm:no-rr"] {
+                let technique: Technique = id.parse().expect("an id");
+                for i in 0..10usize {
+                    let frame = match i % 3 {
+                        2 => render_shifted(&mut session, &technique, i / 3),
+                        _ => session.render(&technique).expect("frame"),
+                    };
+                    let pixels = truth.visibility.iter().zip(&frame.visibility);
+                    assert_eq!(pixels.filter(|(t, v)| t != v).count(), 0, "{place} {id} frame {i}");
+                    let drawn = [3, 0, 1, 0, 0, 1, 0, 0, 1, 0][i];
+                    assert_eq!(frame.map_draws, drawn, "{place} {id} frame {i}");
+                }
             }
         }
     }
@@ -639,7 +642,9 @@ mod tests {
         map.draws = vec![level as u32];
         shift(&mut slot.last.as_mut().expect("a last frame").levels.0[level].projection);
         // As for any level that is drawn anew.
-        job.mask.as_mut().expect("a mask").flags &= !MaskParams::MAY_REMOVE;
+        let (mask, of) = (job.mask.as_mut().expect("a mask"), technique.mask.expect("a mask"));
+        let has_holes = session.scene.stats.masked_triangles > 0;
+        mask.expansion = of.rules_for(has_holes, true).0.to_index();
         session.backend.begin(&job).expect("frame");
         for kind in job.passes() {
             session.backend.pass(kind, &job).expect("pass");

@@ -2,7 +2,7 @@
 
 use std::{fmt, str::FromStr};
 
-use lt_mask::{MAX_REFRESH, Pattern};
+use lt_mask::{Expansion, MAX_REFRESH, Pattern};
 use lt_math::LTT_EPSILON;
 
 use crate::{Cascades, FarLevel};
@@ -123,14 +123,14 @@ impl Resolve {
     }
 }
 
-/// Where the temporal mask may remove rays (RR).
+/// Where the temporal mask saves rays that the doubt asks for (RR).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Removal {
     /// Nowhere.
     Never,
-    /// Where pixel, map and casters stand still: there a removed ray's answer is known from the frame that traced it.
-    Still,
-    /// Everywhere, as published: where pixels move this adds wrong ones.
+    /// Where camera, pixel, light and casters stand exactly still: there the last frame's ray answers (`lt_mask::Evidence::known`).
+    Known,
+    /// Wherever all neighbours agree, as published (eq. 8): where pixels move this adds wrong ones.
     Published,
 }
 
@@ -139,11 +139,13 @@ pub enum Removal {
 pub struct TemporalMask {
     /// ER: trace where a neighbour's history contradicts the estimate.
     pub expands: bool,
-    /// RR: where doubted pixels whose neighbours' histories agree are trusted.
+    /// Whose histories contradict; `None` leaves it to the scene ([`TemporalMask::rules_for`]).
+    pub expansion: Option<Expansion>,
+    /// RR: where doubted pixels get no ray.
     pub removal: Removal,
     /// Neighbours asked where pixels stand still.
     pub pattern: Pattern,
-    /// Neighbours asked where pixels move; `None` leaves it to the scene ([`TemporalMask::moving_pattern_for`]).
+    /// Neighbours asked where pixels move; `None` leaves it to the scene ([`TemporalMask::rules_for`]).
     pub moving_pattern: Option<Pattern>,
     /// Frames in which every pixel is traced once, on a rolling pattern (`lt_mask::is_due`); 0 for no such refresh.
     pub refresh: u32,
@@ -158,7 +160,8 @@ impl TemporalMask {
     pub const fn recommended(test: MapTest) -> Self {
         Self {
             expands: true,
-            removal: Removal::Still,
+            expansion: None,
+            removal: Removal::Known,
             pattern: Pattern::GATHER_2X2,
             moving_pattern: None,
             refresh: 0,
@@ -166,10 +169,29 @@ impl TemporalMask {
         }
     }
 
-    /// Neighbours asked where pixels move: leaves have edges everywhere, and a wider look pays for its rays there.
-    pub fn moving_pattern_for(&self, has_holes: bool) -> Pattern {
-        let by_scene = if has_holes { Pattern::DIAMOND } else { Pattern::FULL_3X3 };
-        self.moving_pattern.unwrap_or(by_scene)
+    /// The paper's rules as published: eqs. 6 and 8 wherever pixels are, by one pattern.
+    fn published(self) -> Self {
+        Self {
+            removal: Removal::Published,
+            expansion: Some(Expansion::PUBLISHED),
+            moving_pattern: Some(self.pattern),
+            ..self
+        }
+    }
+
+    /// Who is heard where pixels move, and which neighbours are asked.
+    ///
+    /// A map that is `drawn_anew`, or a light that moves, changes shadow tests everywhere, which only the published rule hears. Else rays are
+    /// spent where they were needed: around pixels whose map was wrong, or, where casters have holes and edges are everywhere,
+    /// around every ray that contradicts. Measured in docs/results/leak-tracing.md.
+    pub fn rules_for(&self, has_holes: bool, drawn_anew: bool) -> (Expansion, Pattern) {
+        let (expansion, pattern) = match (drawn_anew, has_holes) {
+            (true, false) => (Expansion::PUBLISHED, Pattern::FULL_3X3),
+            (true, true) => (Expansion::PUBLISHED, Pattern::DIAMOND),
+            (false, false) => (self.expansion.unwrap_or(Expansion::LEAKS), Pattern::FULL_5X5),
+            (false, true) => (self.expansion.unwrap_or(Expansion::RAYS), Pattern::FULL_5X5),
+        };
+        (expansion, self.moving_pattern.unwrap_or(pattern))
     }
 }
 
@@ -282,7 +304,7 @@ impl Technique {
     }
 
     /// The modifiers an id may carry, with a line each.
-    pub fn modifiers() -> [(&'static str, &'static str); 19] {
+    pub fn modifiers() -> [(&'static str, &'static str); 20] {
         [
             ("prefiltered", "blur a map of depth vectors instead of gathering plain depths"),
             ("eps=X", "LTT's ε, 0 < X < 0.5 (default 0.01)"),
@@ -308,22 +330,25 @@ impl Technique {
                 "what answers in the last level: a map, or rays for all of it (default: ltt- and lt- ray)",
             ),
             ("no-reuse", "over several frames: draw the map every frame instead of keeping it while it fits"),
-            ("no-rr", "lt-: remove no rays"),
+            ("no-rr", "lt-: keep no answers where nothing moves"),
             ("no-er", "lt-: expand no rays"),
             (
+                "expand=R",
+                "lt-: whose neighbours trace: published (eq. 6), rays (those whose ray contradicts), leaks (whose \
+                 ray found the map wrong); default leaks, rays where casters have holes; published in frames \
+                 that draw a map anew",
+            ),
+            (
                 "published",
-                "lt-: the paper's rules as published: rays removed where pixels move, one pattern for all",
+                "lt-: the paper's rules as published: eq. 6, rays removed by eq. 8 where pixels move too, one \
+                 pattern for all",
             ),
             (
                 "pattern=P",
                 "lt-: neighbours asked where pixels stand still: 3x3, plus, cross, checkerboard, alternating, \
                  gather (default: a 2×2 jittered over 4 frames), 5x5, diamond (13 within two steps)",
             ),
-            (
-                "moving=P",
-                "lt-: neighbours asked where pixels move: the same names (default 3x3; diamond where casters have \
-                 holes)",
-            ),
+            ("moving=P", "lt-: neighbours asked where pixels or casters move: the same names (default 5x5)"),
             (
                 "refresh=N",
                 "lt-: trace every pixel once in N frames, 2 to 256, on a rolling pattern (default: never)",
@@ -395,13 +420,16 @@ fn write_mask(f: &mut fmt::Formatter<'_>, mask: &TemporalMask, default: &Tempora
     let mut base = *default;
     if mask.removal == Removal::Published {
         write!(f, ":published")?;
-        base = TemporalMask { removal: Removal::Published, moving_pattern: Some(mask.pattern), ..base };
+        base = TemporalMask { moving_pattern: Some(mask.pattern), ..base.published() };
     }
     if mask.removal == Removal::Never {
         write!(f, ":no-rr")?;
     }
     if !mask.expands {
         write!(f, ":no-er")?;
+    }
+    if let Some(rule) = mask.expansion.filter(|_| mask.expansion != base.expansion) {
+        write!(f, ":expand={}", expansion_name(rule))?;
     }
     if mask.pattern != base.pattern {
         write!(f, ":pattern={}", pattern_name(mask.pattern))?;
@@ -444,6 +472,14 @@ fn parse_pattern(key: &str, name: &str) -> Result<Pattern, String> {
         .ok_or_else(|| format!("`{key}={name}`: no such pattern; known: {}", known.join(", ")))
 }
 
+/// Rules of expansion by the names that ids use.
+const EXPANSIONS: [(&str, Expansion); 3] =
+    [("published", Expansion::PUBLISHED), ("rays", Expansion::RAYS), ("leaks", Expansion::LEAKS)];
+
+fn expansion_name(rule: Expansion) -> &'static str {
+    EXPANSIONS.iter().find(|e| e.1 == rule).map_or("published", |e| e.0)
+}
+
 impl FromStr for Technique {
     type Err = TechniqueError;
 
@@ -460,6 +496,10 @@ impl FromStr for Technique {
         }
         if technique.mask.is_some_and(|m| !m.expands && m.removal == Removal::Never) {
             return Err(fail("`no-er` and `no-rr` together leave no mask: use the ltt- technique".into()));
+        }
+        let is_published = |m: TemporalMask| m.removal == Removal::Published;
+        if technique.mask.is_some_and(|m| is_published(m) && m.expansion != Some(Expansion::PUBLISHED)) {
+            return Err(fail("`published` has its own rule: leave `expand` out".into()));
         }
         let cascades = &technique.cascades;
         if cascades.far == FarLevel::Rays && (cascades.count < 2 || technique.doubt == Doubt::Never) {
@@ -521,7 +561,7 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
         }
         "no-reuse" if technique.estimate != Estimate::None => technique.reuse = false,
         "no-reuse" => return Err("`no-reuse` needs a technique that draws a map".into()),
-        "no-rr" | "no-er" | "published" | "pattern" | "moving" | "refresh" | "depth-test"
+        "no-rr" | "no-er" | "expand" | "published" | "pattern" | "moving" | "refresh" | "depth-test"
         | "no-depth-test" => {
             let Some(mask) = &mut technique.mask else {
                 return Err(format!("`{key}` needs a technique with a temporal mask, such as lt-evsm"));
@@ -529,12 +569,12 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
             match key {
                 "no-rr" => mask.removal = Removal::Never,
                 "no-er" => mask.expands = false,
-                "published" => {
-                    *mask = TemporalMask {
-                        removal: Removal::Published,
-                        moving_pattern: Some(mask.pattern),
-                        ..*mask
-                    };
+                "published" => *mask = mask.published(),
+                "expand" => {
+                    let rule = EXPANSIONS.iter().find(|e| e.0 == value);
+                    let known = EXPANSIONS.map(|e| e.0).join(", ");
+                    let refusal = || format!("`expand={value}`: no such rule; known: {known}");
+                    mask.expansion = Some(rule.ok_or_else(refusal)?.1);
                 }
                 "pattern" => {
                     mask.pattern = parse_pattern(key, value)?;
@@ -601,6 +641,7 @@ mod tests {
             "ltt-vsm:alias-free",
             "lt-evsm:no-reuse:light:eps=0.02",
             "lt-esm:published:pattern=alternating:moving=cross",
+            "lt-evsm:expand=rays:moving=3x3",
         ] {
             assert_eq!(id.parse::<Technique>().unwrap().to_string(), id);
         }
@@ -620,6 +661,9 @@ mod tests {
             "ltt-evsm:no-rr",
             "lt-evsm:pattern=2x2",
             "lt-evsm:refresh=1",
+            "lt-evsm:expand=all",
+            "lt-evsm:published:expand=leaks",
+            "ltt-evsm:expand=rays",
             "lt-evsm:refresh=257",
             "ltt-evsm:refresh=16",
             "lt-evsm:no-er:no-rr",

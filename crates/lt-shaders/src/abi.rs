@@ -254,19 +254,19 @@ pub struct MaskParams {
     pub depth_tolerance: f32,
     /// Period of the rolling refresh, frames (`lt_mask::is_due`); 0 for none.
     pub refresh: u32,
-    /// Explicit padding: scalars, because uniform arrays would need a stride of 16.
-    pub pad0: u32,
+    /// Number of the rule by which neighbours expand rays (`lt_mask::Expansion`).
+    pub expansion: u32,
     /// Explicit padding.
-    pub pad1: u32,
+    pub pad0: u32,
 }
 
 impl MaskParams {
     /// Flag: there is a last frame to learn from; without it every pixel is one that was not found.
     pub const HAS_HISTORY: u32 = 1;
-    /// Flag: rays may be removed in this frame, where no guard of the pixel's own forbids it.
-    pub const MAY_REMOVE: u32 = 2;
-    /// Flag: rays may be removed where pixels move too, as published.
-    pub const MAY_REMOVE_MOVING: u32 = 4;
+    /// Flag: rays are removed as published (eq. 8), where pixels move too.
+    pub const REMOVES_AS_PUBLISHED: u32 = 2;
+    /// Flag: camera, light and casters are those of the last frame, so that its rays' answers hold for all that has not moved.
+    pub const KEEPS_ANSWERS: u32 = 4;
     /// Flag: the history is a cleared one, for the host to clear: nothing was traced, everything lit.
     pub const CLEARED: u32 = 8;
 }

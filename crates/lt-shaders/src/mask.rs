@@ -2,10 +2,10 @@
 //!
 //! It comes after any estimate with any doubt and reads of them one number per pixel, [`Verdict::visibility`]. Four
 //! effects are chosen when a variant is made: `MOTION` (the camera or something seen moves), `DEPTH` (the temporal depth
-//! test), `EXPANDS` (ER) and `REMOVES` (RR). One that is off costs neither a branch nor a read.
+//! test), `EXPANDS` (ER) and `REMOVES` (RR, as published or by known answers). One that is off costs neither a branch nor a read.
 
 use lt_mask::{
-    Evidence, LightPlace, MaskBits, Neighbourhood, Pattern, Reprojection, allows_removal, decide_doubt,
+    Evidence, Expansion, LightPlace, MaskBits, Neighbourhood, Pattern, Reprojection, decide_doubt,
     is_depth_consistent, is_due, is_test_shadowed, reproject,
 };
 use lt_math::glam::{UVec2, Vec2, Vec3};
@@ -218,18 +218,19 @@ pub fn mask<
     let st = is_test_shadowed(estimate);
     let is_doubted = estimate > 0.0 && estimate < 1.0;
     let place = find::<H, MOTION, DEPTH>(px, sample, previous_position, p, history);
-    let may_remove = p.flags & MaskParams::MAY_REMOVE != 0;
-    let guarded_motion = place.has_moved && p.flags & MaskParams::MAY_REMOVE_MOVING == 0;
-    let removal = REMOVES && allows_removal(may_remove, false, true, guarded_motion);
+    let removal = REMOVES && p.flags & MaskParams::REMOVES_AS_PUBLISHED != 0;
+    let keeps = REMOVES && p.flags & MaskParams::KEEPS_ANSWERS != 0 && place.is_valid && !place.has_moved;
+    let known = if keeps { history.bits(px) } else { MaskBits::BLACK };
     let mut neighbourhood = Neighbourhood::EMPTY;
     // Only what may change the decision is read: neighbours of a trusted pixel for ER, of a doubted one for RR.
     let asks = if is_doubted { removal } else { EXPANDS };
-    if asks && place.is_valid {
+    if asks && place.is_valid && !known.is_traced() {
+        let expansion = Expansion::from_index(p.expansion);
         let pattern = Pattern::from_index(if place.has_moved { p.moving_pattern } else { p.still_pattern });
         let mut i = 0;
         while i < pattern.neighbour_count() {
             let at = pattern.neighbour(i, place.pixel, p.frame, p.current.size);
-            neighbourhood = neighbourhood.with(history.bits(at), st);
+            neighbourhood = neighbourhood.with(history.bits(at), st, expansion);
             i += 1;
         }
     }
@@ -242,6 +243,7 @@ pub fn mask<
             is_due: is_due(px, p.frame, p.refresh),
             neighbourhood,
             allows_removal: removal,
+            known,
         },
     );
     let bits = if decision.needs_ray { decision.mask_with_ray(false) } else { decision.mask_without_ray() };
@@ -278,11 +280,11 @@ mod tests {
             frame: 0,
             still_pattern: Pattern::FULL_3X3.to_index(),
             moving_pattern: Pattern::FULL_3X3.to_index(),
-            flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE,
+            flags: MaskParams::HAS_HISTORY | MaskParams::KEEPS_ANSWERS,
             depth_tolerance: 0.1,
             refresh: 0,
+            expansion: Expansion::PUBLISHED.to_index(),
             pad0: 0,
-            pad1: 0,
         }
     }
 
@@ -333,21 +335,46 @@ mod tests {
     }
 
     #[test]
-    fn rays_are_removed_only_where_nothing_moved() {
+    fn answers_are_kept_where_nothing_moved_and_rays_removed_elsewhere_only_as_published() {
         let still = params(Vec3::ZERO);
         let bits = [MaskBits::RED.to_bits(); 12];
-        let removed = decide::<true, false>(AT, 0.7, &still, &bits, &[]);
-        assert_eq!((removed.needs_ray, removed.visibility, removed.bits), (false, 1.0, MaskBits::BLACK));
+        for estimate in [0.0, 0.7, Verdict::UNJUDGED] {
+            let kept = decide::<true, false>(AT, estimate, &still, &bits, &[]);
+            assert_eq!((kept.needs_ray, kept.visibility), (false, 1.0));
+            assert_eq!(kept.bits, if estimate < 0.5 { MaskBits::YELLOW } else { MaskBits::RED });
+        }
+        let untraced = [MaskBits::BLACK.to_bits(); 12];
+        assert!(decide::<true, false>(AT, 0.7, &still, &untraced, &[]).needs_ray, "nothing is known");
         let moving = params(Vec3::new(1e-4, 0.0, 0.0));
         assert!(decide::<true, false>(AT, 0.7, &moving, &bits, &[]).needs_ray);
-        let published = MaskParams { flags: moving.flags | MaskParams::MAY_REMOVE_MOVING, ..moving };
-        assert!(!decide::<true, false>(AT, 0.7, &published, &bits, &[]).needs_ray);
+        let published =
+            MaskParams { flags: MaskParams::HAS_HISTORY | MaskParams::REMOVES_AS_PUBLISHED, ..moving };
+        let removed = decide::<true, false>(AT, 0.7, &published, &bits, &[]);
+        assert_eq!((removed.needs_ray, removed.visibility, removed.bits), (false, 1.0, MaskBits::BLACK));
+    }
+
+    #[test]
+    fn a_narrower_rule_hears_fewer_neighbours() {
+        for (rule, state, asks) in [
+            (Expansion::PUBLISHED, MaskBits::GREEN, true),
+            (Expansion::RAYS, MaskBits::GREEN, false),
+            (Expansion::RAYS, MaskBits::WHITE, true),
+            (Expansion::LEAKS, MaskBits::WHITE, false),
+            (Expansion::LEAKS, MaskBits::PURPLE, true),
+        ] {
+            let p = MaskParams { expansion: rule.to_index(), ..params(Vec3::ZERO) };
+            let mut bits = [0; 12];
+            bits[0] = state.to_bits();
+            assert_eq!(decide::<false, false>(AT, 1.0, &p, &bits, &[]).needs_ray, asks, "{rule:?} {state:?}");
+        }
     }
 
     #[test]
     fn what_no_map_judged_is_traced_whatever_the_history() {
         let bits = [MaskBits::RED.to_bits(); 12];
-        assert!(decide::<false, false>(AT, Verdict::UNJUDGED, &params(Vec3::ZERO), &bits, &[]).needs_ray);
+        let published = MaskParams::HAS_HISTORY | MaskParams::REMOVES_AS_PUBLISHED;
+        let p = MaskParams { flags: published, ..params(Vec3::ZERO) };
+        assert!(decide::<false, false>(AT, Verdict::UNJUDGED, &p, &bits, &[]).needs_ray);
     }
 
     #[test]

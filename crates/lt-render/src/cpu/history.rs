@@ -1,12 +1,12 @@
 //! The temporal mask on the CPU: histories in blocks, two that take turns.
 
-use lt_mask::{MaskBits, Pattern};
+use lt_mask::{Expansion, MaskBits, Pattern};
 use lt_shaders::abi::MaskParams;
 use rayon::prelude::*;
 
 use super::asks::Asks;
 use super::mask_batch::Frames;
-use super::planes::{BlockBits, PIECE, pack, store_piece};
+use super::planes::{BlockBits, PIECE, load_piece, pack, store_piece};
 use super::tiles::{BLOCK, Tiles};
 use crate::MaskEffects;
 
@@ -45,14 +45,12 @@ impl Memory<'_> {
         Memory { bits: self.bits, depths: self.depths }
     }
 
-    /// After the block's rays: remembers what they found.
-    pub fn learn(&mut self, visibility: &[f32], is_doubted: &[bool]) {
-        let pieces = visibility.as_chunks::<PIECE>().0.iter().zip(is_doubted.as_chunks::<PIECE>().0);
-        for (piece, (visibility, is_traced)) in pieces.enumerate() {
-            let is_hit = std::array::from_fn(|i| {
-                u8::from(is_traced[i]) & u8::from(lt_mask::is_test_shadowed(visibility[i]))
-            });
-            store_piece(&mut self.bits.hit, piece, pack(&is_hit));
+    /// After the block's rays: remembers what they found, and what was known without them.
+    pub fn learn(&mut self, visibility: &[f32]) {
+        for (piece, visibility) in visibility.as_chunks::<PIECE>().0.iter().enumerate() {
+            let is_shadowed = std::array::from_fn(|i| u8::from(lt_mask::is_test_shadowed(visibility[i])));
+            let traced = load_piece(&self.bits.traced, piece);
+            store_piece(&mut self.bits.hit, piece, traced & pack(&is_shadowed));
         }
     }
 }
@@ -83,8 +81,9 @@ impl History {
         let [first, second] = &mut self.depths;
         let (last_depths, depths) = if self.current == 1 { (first, second) } else { (second, first) };
         let patterns = [params.still_pattern, params.moving_pattern].map(Pattern::from_index);
-        self.asks.hear(tiles, last, patterns, params.frame);
-        let frames = Frames { tiles, params, effects, asks: &self.asks, last_depths };
+        let expansion = Expansion::from_index(params.expansion);
+        self.asks.hear(tiles, last, expansion, patterns, params.frame);
+        let frames = Frames { tiles, params, effects, asks: &self.asks, last, last_depths };
         let mut depths = depths.chunks_mut(BLOCK);
         let blocks = bits.iter_mut().map(|bits| Memory { bits, depths: depths.next().unwrap_or(&mut []) });
         Open { frames, blocks: blocks.collect() }

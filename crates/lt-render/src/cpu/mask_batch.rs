@@ -11,7 +11,7 @@ use lt_shaders::sampling::sample_place;
 
 use super::asks::Asks;
 use super::batch::{BATCH, LIT, Lanes, MAPPED, Rows};
-use super::planes::{BlockBits, PIECE, pack, place_in_block, store_piece};
+use super::planes::{BlockBits, PIECE, load_piece, pack, place_in_block, store_piece};
 use super::tiles::{SIDE, Tiles};
 use crate::MaskEffects;
 
@@ -28,6 +28,8 @@ pub struct Frames<'a> {
     pub effects: MaskEffects,
     /// The last frame's neighbourhoods.
     pub asks: &'a Asks,
+    /// The last frame's bits, a block each.
+    pub last: &'a [BlockBits],
     /// The last frame's depths in tile order; empty without the temporal depth test.
     pub last_depths: &'a [f32],
 }
@@ -147,11 +149,16 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
             places.compare_depths(frames, &depth_along(before, &p.previous));
         }
         let has_history = u32::from(p.flags & MaskParams::HAS_HISTORY != 0);
-        let may_remove = u32::from(effects.removes && p.flags & MaskParams::MAY_REMOVE != 0);
-        let guards_motion = u32::from(p.flags & MaskParams::MAY_REMOVE_MOVING == 0);
+        let has_flag = |flag| p.flags & flag != 0;
+        let may_remove = u32::from(effects.removes && has_flag(MaskParams::REMOVES_AS_PUBLISHED));
+        let (mut known_rays, mut known_hits) = (0, 0);
+        if effects.removes && has_flag(MaskParams::KEEPS_ANSWERS) {
+            let last = &frames.last[block];
+            (known_rays, known_hits) = (load_piece(&last.traced, piece), load_piece(&last.hit, piece));
+        }
         let expands = u32::from(effects.expands);
         let asked = ask(frames, &places, estimates);
-        let (mut shadowed, mut traced) = ([0u8; BATCH], [0u8; BATCH]);
+        let (mut shadowed, mut traced, mut kept) = ([0u8; BATCH], [0u8; BATCH], [0u8; BATCH]);
         for i in 0..BATCH {
             let v = estimates[i];
             let st = u32::from(v < lt_mask::SHADOW_TEST_THRESHOLD);
@@ -159,12 +166,15 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
             let is_unjudged = u32::from(v == Verdict::UNJUDGED);
             let is_open = u32::from(states[i] == MAPPED);
             let is_unseen = 1 ^ (places.is_valid[i] & has_history);
-            let removes = may_remove & (1 ^ (places.has_moved[i] & guards_motion)) & (1 ^ asked[i]);
+            let removes = may_remove & (1 ^ asked[i]);
+            let known = (known_rays >> i) as u32 & (1 ^ (is_unseen | places.has_moved[i] | is_due[i])) & 1;
+            let is_hit = (known_hits >> i) as u32 & 1;
             let by_rule = (is_between & (1 ^ removes)) | ((1 ^ is_between) & expands & asked[i]);
-            let needs_ray = is_open & (is_unjudged | is_unseen | is_due[i] | by_rule);
+            let needs_ray = is_open & (1 ^ known) & (is_unjudged | is_unseen | is_due[i] | by_rule);
             shadowed[i] = (is_open & st) as u8;
             traced[i] = needs_ray as u8;
-            let snapped = if st != 0 { 0.0 } else { 1.0 };
+            kept[i] = (is_open & known) as u8;
+            let snapped = if (known & is_hit) | (1 ^ known) & st != 0 { 0.0 } else { 1.0 };
             let settled = if states[i] == LIT { 1.0 } else { 0.0 };
             estimates[i] = if is_open != 0 { snapped } else { settled };
         }
@@ -172,8 +182,9 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
             is_doubted[i] = traced[i] != 0;
         }
         store_piece(&mut bits.shadowed, piece, pack(&shadowed));
-        store_piece(&mut bits.traced, piece, pack(&traced));
-        store_piece(&mut bits.hit, piece, 0);
+        let kept = pack(&kept);
+        store_piece(&mut bits.traced, piece, pack(&traced) | kept);
+        store_piece(&mut bits.hit, piece, kept & known_hits);
     }
 }
 
@@ -333,7 +344,7 @@ mod tests {
     use super::super::history::History;
     use super::super::tiles::BLOCK;
     use super::*;
-    use lt_mask::{MaskBits, Pattern};
+    use lt_mask::{Expansion, MaskBits, Pattern};
     use lt_shaders::abi::LightParams;
     use lt_shaders::mask::{BitsPlace, DepthHistory, bits_after_ray, mask, seen_depth};
 
@@ -459,7 +470,7 @@ mod tests {
                     depths: memory.depths,
                 };
                 mask_block(open.frames, block, pixels);
-                memory.learn(&seen_rays[range.clone()], &doubted[range]);
+                memory.learn(&seen_rays[range]);
             }
             let (lit, doubted) = (tiles.to_rows(&lit), tiles.to_rows(&doubted));
             let learnt = history.rows(tiles);
@@ -489,14 +500,17 @@ mod tests {
                         expands: flag(2),
                         removes: flag(3) || !flag(2),
                     };
-                    let published = if flag(3) { MaskParams::MAY_REMOVE_MOVING } else { 0 };
+                    // Rays are removed as published, answers kept, neither, or (no technique does) both.
+                    let removal = [MaskParams::REMOVES_AS_PUBLISHED, MaskParams::KEEPS_ANSWERS, 0, 6];
+                    let expansion = if removal[bits as usize % 4] & 2 != 0 { 0 } else { bits % 3 };
                     let p = MaskParams {
                         current: camera(size, Vec3::ZERO),
                         previous: camera(size, if flag(4) { Vec3::ZERO } else { Vec3::new(0.1, 0.05, 0.3) }),
                         light: LightParams::directional(Vec3::new(0.1, 0.2, 1.0)),
                         still_pattern: pattern.to_index(),
                         moving_pattern: Pattern::ALL[(bits % 8) as usize].to_index(),
-                        flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE | published,
+                        flags: MaskParams::HAS_HISTORY | removal[bits as usize % 4],
+                        expansion,
                         depth_tolerance: 0.3,
                         refresh: if pattern == Pattern::PLUS { bits % 7 } else { 0 },
                         ..bytemuck::Zeroable::zeroed()
@@ -527,15 +541,16 @@ mod tests {
             current: camera(size, Vec3::ZERO),
             previous: camera(size, Vec3::new(0.1, 0.05, 0.3)),
             light: LightParams::directional(Vec3::new(0.1, 0.2, 1.0)),
-            flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE | MaskParams::MAY_REMOVE_MOVING,
+            flags: MaskParams::HAS_HISTORY | MaskParams::REMOVES_AS_PUBLISHED | MaskParams::KEEPS_ANSWERS,
             depth_tolerance: 0.3,
             ..bytemuck::Zeroable::zeroed()
         };
         let mut asks = Asks::default();
-        asks.hear(tiles, &last, [Pattern::GATHER_2X2, Pattern::FULL_3X3], 1);
+        asks.hear(tiles, &last, Expansion::PUBLISHED, [Pattern::GATHER_2X2, Pattern::FULL_3X3], 1);
         let last_depths: Vec<f32> = (0..tiles.len()).map(|i| 2.0 + (i % 5) as f32 * 0.7).collect();
         let effects = MaskEffects { motion: true, depth_test: true, expands: true, removes: true };
-        let frames = Frames { tiles, params: &p, effects, asks: &asks, last_depths: &last_depths };
+        let frames =
+            Frames { tiles, params: &p, effects, asks: &asks, last: &last, last_depths: &last_depths };
         let by = |run: &dyn Fn(usize, BlockPixels<'_>)| {
             let mut all = Vec::new();
             for block in 0..tiles.len() / BLOCK {

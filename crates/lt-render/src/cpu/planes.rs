@@ -55,6 +55,17 @@ pub fn store_piece(rows: &mut [u32; SIDE as usize], piece: usize, bits: u64) {
     }
 }
 
+/// The inverse of [`store_piece`].
+#[inline(always)]
+pub fn load_piece(rows: &[u32; SIDE as usize], piece: usize) -> u64 {
+    let (x, y) = place_in_block((piece * PIECE) as u32);
+    let mut bytes = [0; 8];
+    for (byte, row) in bytes.iter_mut().zip(&rows[y as usize..][..8]) {
+        *byte = (row >> x) as u8;
+    }
+    morton_of_rows(u64::from_le_bytes(bytes))
+}
+
 /// 64 zeros and ones as bits.
 #[inline(always)]
 pub fn pack(ones: &[u8; PIECE]) -> u64 {
@@ -72,6 +83,12 @@ pub fn pack(ones: &[u8; PIECE]) -> u64 {
 fn rows_of_morton(bits: u64) -> u64 {
     // x₀y₀x₁y₁x₂y₂ → x₀x₁y₀y₁x₂y₂ → x₀x₁x₂y₁y₀y₂ → x₀x₁x₂y₀y₁y₂, lowest first.
     swap_index_bits::<3, 4>(swap_index_bits::<2, 4>(swap_index_bits::<1, 2>(bits)))
+}
+
+/// The inverse of [`rows_of_morton`].
+#[inline(always)]
+fn morton_of_rows(bits: u64) -> u64 {
+    swap_index_bits::<1, 2>(swap_index_bits::<2, 4>(swap_index_bits::<3, 4>(bits)))
 }
 
 /// Moves every bit to the index with bits `A` < `B` of its index exchanged.
@@ -110,6 +127,7 @@ mod tests {
                 let mut expected = [0; SIDE as usize];
                 expected[y as usize] = 1 << x;
                 assert_eq!(rows, expected, "piece {piece} pixel {i}");
+                assert_eq!(load_piece(&rows, piece), 1 << i, "piece {piece} pixel {i}");
                 store_piece(&mut rows, piece, 0);
                 assert_eq!(rows, [0; SIDE as usize], "a store replaces");
             }

@@ -151,10 +151,9 @@ impl Later<'_> {
         for (&pixel, &is_blocked) in pixels.iter().zip(&is_blocked) {
             visibility[pixel] = if is_blocked { 0.0 } else { 1.0 };
         }
-        let blocks = visibility.par_chunks(BLOCK).zip(is_doubted.par_chunks(BLOCK)).zip(memories);
-        blocks.for_each(|((visibility, is_doubted), memory)| {
+        visibility.par_chunks(BLOCK).zip(memories).for_each(|(visibility, memory)| {
             if let Some(memory) = memory {
-                memory.learn(visibility, is_doubted);
+                memory.learn(visibility);
             }
         });
         pixels.len() as u64
@@ -253,7 +252,7 @@ impl Passes<'_> {
         let is_resolved = rays.resolve(&self.resolver, any_hit, visibility);
         totals.rays = rays.rays.len() as u64;
         if let (true, Some(memory)) = (is_resolved, &mut memory) {
-            memory.learn(visibility, is_doubted);
+            memory.learn(visibility);
         }
         let resolved = Instant::now();
         totals.seconds =
