@@ -1,6 +1,7 @@
-//! Memory for trees: large pages where the system grants them on request.
+//! Memory that is read here and there: large pages where the system grants them on request, and cache lines fetched before they
+//! are needed.
 //!
-//! A ray through a million triangles touches a page per node. Larger pages are found sooner: a few per cent of its time.
+//! A ray through a million triangles touches a page per node, and a pixel's texels lie a page apart. Larger pages are found sooner.
 
 use bytemuck::Zeroable;
 use std::vec::Vec;
@@ -10,8 +11,8 @@ use std::vec::Vec;
 const LARGE: usize = 4 << 20;
 
 /// So many zeros, in large pages if they are many and the system has them. Untouched until written, so that threads that
-/// write pieces of it share the cost of paging it in. It must not be grown.
-pub(crate) fn zeroed<T: Zeroable>(len: usize) -> Vec<T> {
+/// write pieces of it share the cost of paging it in. Growing it moves it to ordinary memory.
+pub fn zeroed<T: Zeroable>(len: usize) -> Vec<T> {
     let buffer = bytemuck::zeroed_vec(len);
     #[cfg(target_os = "linux")]
     if size_of::<T>() * len >= LARGE {
@@ -22,7 +23,7 @@ pub(crate) fn zeroed<T: Zeroable>(len: usize) -> Vec<T> {
 
 /// Starts to fetch the cache line at `at`, where the processor can.
 #[inline(always)]
-pub(crate) fn prefetch<T>(at: &T) {
+pub fn prefetch<T>(at: &T) {
     #[cfg(target_arch = "x86_64")]
     // SAFETY: every x86-64 processor has the instruction, and it changes nothing but the cache.
     unsafe {

@@ -2,7 +2,7 @@
 
 mod lanes;
 mod layout;
-pub(crate) mod memory;
+pub mod memory;
 mod packet;
 mod packet_walk;
 mod prepared;

@@ -1,7 +1,8 @@
 //! Map evaluation in batches: VSM and EVSM from gathered depths, many pixels at a time, below the shared function.
 //!
 //! [`lt_shaders::evaluate::evaluate`] answers one pixel; this file answers the same for 64 at once, in stages that each
-//! run over arrays: settle and project, footprint, gather, bound. Stages are plain loops without branches over numbers,
+//! run over arrays: settle and project, footprint, gather, bound. A batch's texels and the samples after it are fetched while the
+//! batch before is worked on: half of an evaluation was waiting for them. Stages are plain loops without branches over numbers,
 //! which the compiler turns into SIMD; [`evaluate_batch`] holds them compiled for several instruction sets and takes the
 //! best that the processor has. No instruction set contracts a product and a sum, so that every one gives the bits of
 //! the shared function. Tests hold that on every built-in scene.
@@ -9,6 +10,7 @@
 //! An exponential costs as much as the rest of a pixel, and most pixels can do without. [`Evsm`] asks [`Shortcut`]
 //! first, which knows three kinds of footprint whose answer is certain.
 
+use lt_bvh::memory::prefetch;
 use lt_math::glam::{Mat4, Vec4};
 use lt_math::{Evsm, Levels, LightProjection, Vsm, chebyshev, float, level_margin_uv};
 use lt_shaders::abi::{LightParams, Sample, ShadowParams};
@@ -138,18 +140,29 @@ fn evaluate_all<T: BatchTest, const LTT: bool>(
     is_doubted: &mut [bool],
 ) {
     let test = T::from_params(p.test);
-    let mut footprints = Footprints::new();
     let (batches, rest) = samples.as_chunks::<BATCH>();
     let (lit, lit_rest) = visibility.as_chunks_mut::<BATCH>();
     let (doubted, doubted_rest) = is_doubted.as_chunks_mut::<BATCH>();
-    for ((samples, visibility), is_doubted) in batches.iter().zip(lit).zip(doubted) {
-        let rows = Rows::of(samples);
-        let mut states = rows.settle(&p.light);
+    let mut places = [Places::new(), Places::new()];
+    let mut footprints = Footprints::new();
+    if let Some(first) = batches.first() {
+        places[0].find(first, p, maps);
+    }
+    for (at, (visibility, is_doubted)) in lit.iter_mut().zip(doubted).enumerate() {
+        if let Some(after) = batches.get(at + 2) {
+            for sample in after {
+                prefetch(sample);
+            }
+        }
+        if let Some(next) = batches.get(at + 1) {
+            places[(at + 1) & 1].find(next, p, maps);
+        }
+        let place = &places[at & 1];
+        let states = &place.states;
         // Whole batches of sky, or of what faces away, need no map.
-        let is_any_open = states.iter().fold(false, |any, &s| any | (s == MAPPED));
-        let answers = if is_any_open {
-            footprints.fill(&rows, p, maps, &mut states);
-            test.visibility_of_footprints::<LTT>(&footprints, &states, p.epsilon)
+        let answers = if place.is_any_open {
+            footprints.gather(place, maps.depths);
+            test.visibility_of_footprints::<LTT>(&footprints, states, p.epsilon)
         } else {
             [0.0; BATCH]
         };
@@ -263,29 +276,96 @@ fn transposed(v: [Vec4; 4]) -> [[f32; 4]; 4] {
 
 /// Where a batch's pixels lie on the levels that answer for them; the middle of nowhere for those on none.
 struct Places {
+    states: [u32; BATCH],
+    /// Whether any is for the map to say.
+    is_any_open: bool,
     u: Lanes,
     v: Lanes,
     receivers: Lanes,
-    /// Number of the first texel of the level.
-    first_texels: [u32; BATCH],
-    is_inside: [bool; BATCH],
+    weights: [Lanes; 4],
+    /// Numbers of the four texels.
+    texels: [[u32; BATCH]; 4],
 }
 
 impl Places {
-    #[inline(always)]
     fn new() -> Self {
         Self {
+            states: [BLOCKED; BATCH],
+            is_any_open: false,
             u: [0.0; BATCH],
             v: [0.0; BATCH],
             receivers: [0.0; BATCH],
-            first_texels: [0; BATCH],
-            is_inside: [false; BATCH],
+            weights: [[0.0; BATCH]; 4],
+            texels: [[0; BATCH]; 4],
         }
     }
 
-    /// Moves pixels that a level holds onto it.
+    /// Settles and projects, finds who is `OUTSIDE`, and has the texels fetched.
     #[inline(always)]
-    fn find(&mut self, rows: &Rows, projection: &LightProjection, first_texel: u32, margin_uv: Option<f32>) {
+    fn find(&mut self, samples: &[Sample; BATCH], p: &ShadowParams, maps: Maps<'_>) {
+        let rows = Rows::of(samples);
+        self.states = rows.settle(&p.light);
+        self.is_any_open = self.states.iter().fold(false, |any, &s| any | (s == MAPPED));
+        if !self.is_any_open {
+            return;
+        }
+        (self.u, self.v, self.receivers) = ([0.0; BATCH], [0.0; BATCH], [0.0; BATCH]);
+        let mut first_texels = [0; BATCH];
+        let mut is_sought = [false; BATCH];
+        for i in 0..BATCH {
+            is_sought[i] = self.states[i] == MAPPED;
+        }
+        for (level, projection) in maps.projections.iter().enumerate() {
+            let first_texel = level as u32 * p.map_size * p.map_size;
+            if projection.row_w == Vec4::W {
+                self.try_level::<true>(
+                    &rows,
+                    projection,
+                    maps.margin_uv,
+                    first_texel,
+                    &mut first_texels,
+                    &mut is_sought,
+                );
+            } else {
+                self.try_level::<false>(
+                    &rows,
+                    projection,
+                    maps.margin_uv,
+                    first_texel,
+                    &mut first_texels,
+                    &mut is_sought,
+                );
+            }
+            if !is_sought.iter().fold(false, |any, &sought| any | sought) {
+                break;
+            }
+        }
+        for i in 0..BATCH {
+            self.states[i] = if is_sought[i] { OUTSIDE } else { self.states[i] };
+        }
+        self.find_texels(p.map_size, &first_texels);
+        // Pixels of even number begin pairs side by side, whose texels share lines.
+        for i in (0..BATCH).step_by(2) {
+            for row in [0, 2] {
+                if let Some(depth) = maps.depths.get(self.texels[row][i] as usize) {
+                    prefetch(depth);
+                }
+            }
+        }
+    }
+
+    /// Moves pixels that are still sought, and that a level holds, onto it. A directional light's last row is (0, 0, 0, 1), which divides
+    /// by 1: `PARALLEL` leaves that out.
+    #[inline(always)]
+    fn try_level<const PARALLEL: bool>(
+        &mut self,
+        rows: &Rows,
+        projection: &LightProjection,
+        margin_uv: Option<f32>,
+        first_texel: u32,
+        first_texels: &mut [u32; BATCH],
+        is_sought: &mut [bool; BATCH],
+    ) {
         let [x, y, z] = &rows.position;
         let [row_x, row_y, row_z, row_w] =
             [projection.row_x, projection.row_y, projection.row_z, projection.row_w].map(|r| r.to_array());
@@ -294,41 +374,25 @@ impl Places {
         let (low, high) = (margin, 1.0 - margin);
         for i in 0..BATCH {
             let along = |r: [f32; 4]| r[0] * x[i] + r[1] * y[i] + r[2] * z[i] + r[3] * 1.0;
-            let (w, depth) = (along(row_w), along(row_z));
-            let (at_u, at_v) = (along(row_x) / w, along(row_y) / w);
+            let w = if PARALLEL { 1.0 } else { along(row_w) };
+            let (at_u, at_v, depth) = (along(row_x) / w, along(row_y) / w, along(row_z));
             let is_between = |x: f32| (x >= low) & (x <= high);
             let is_unit = |x: f32| (0.0..=1.0).contains(&x);
-            let is_inside = (w > 0.0) & is_between(at_u) & is_between(at_v) & is_unit(depth);
+            let is_inside = is_sought[i] & (w > 0.0) & is_between(at_u) & is_between(at_v) & is_unit(depth);
             self.u[i] = if is_inside { at_u } else { self.u[i] };
             self.v[i] = if is_inside { at_v } else { self.v[i] };
             self.receivers[i] = if is_inside { depth } else { self.receivers[i] };
-            self.first_texels[i] = if is_inside { first_texel } else { self.first_texels[i] };
-            self.is_inside[i] |= is_inside;
+            first_texels[i] = if is_inside { first_texel } else { first_texels[i] };
+            is_sought[i] &= !is_inside;
         }
     }
-}
 
-impl Footprints {
-    fn new() -> Self {
-        Self { offsets: [[0.0; BATCH]; 4], weights: [[0.0; BATCH]; 4] }
-    }
-
-    /// Projects and gathers, and finds who is `OUTSIDE`.
+    /// The four texels around each place, and their weights.
     #[inline(always)]
-    fn fill(&mut self, rows: &Rows, p: &ShadowParams, maps: Maps<'_>, states: &mut [u32; BATCH]) {
-        let mut places = Places::new();
-        // The finest level comes last and wins.
-        for (level, projection) in maps.projections.iter().enumerate().rev() {
-            places.find(rows, projection, level as u32 * p.map_size * p.map_size, maps.margin_uv);
-        }
-        let Places { u, v, receivers, first_texels, is_inside } = places;
+    fn find_texels(&mut self, map_size: u32, first_texels: &[u32; BATCH]) {
+        let (size, last) = (map_size as f32, map_size as i32 - 1);
         for i in 0..BATCH {
-            states[i] = if (states[i] == MAPPED) & !is_inside[i] { OUTSIDE } else { states[i] };
-        }
-        let mut quads = [[0u32; BATCH]; 4];
-        let (size, last) = (p.map_size as f32, p.map_size as i32 - 1);
-        for i in 0..BATCH {
-            let (x, y) = (u[i] * size - 0.5, v[i] * size - 0.5);
+            let (x, y) = (self.u[i] * size - 0.5, self.v[i] * size - 0.5);
             let (x0, y0) = (float::floor_lane(x), float::floor_lane(y));
             let (fx, fy) = (x - x0, y - y0);
             self.weights[0][i] = (1.0 - fx) * (1.0 - fy);
@@ -338,24 +402,34 @@ impl Footprints {
             let (x0, y0) = (float::whole_lane(x0), float::whole_lane(y0));
             let on_map = |t: i32| t.max(0).min(last) as u32;
             let (left, right) = (on_map(x0), on_map(x0 + 1));
-            let (upper, lower) =
-                (on_map(y0).wrapping_mul(p.map_size), on_map(y0 + 1).wrapping_mul(p.map_size));
+            let (upper, lower) = (on_map(y0).wrapping_mul(map_size), on_map(y0 + 1).wrapping_mul(map_size));
             let (upper, lower) = (upper + first_texels[i], lower + first_texels[i]);
-            quads[0][i] = upper + left;
-            quads[1][i] = upper + right;
-            quads[2][i] = lower + left;
-            quads[3][i] = lower + right;
+            self.texels[0][i] = upper + left;
+            self.texels[1][i] = upper + right;
+            self.texels[2][i] = lower + left;
+            self.texels[3][i] = lower + right;
         }
+    }
+}
+
+impl Footprints {
+    fn new() -> Self {
+        Self { offsets: [[0.0; BATCH]; 4], weights: [[0.0; BATCH]; 4] }
+    }
+
+    #[inline(always)]
+    fn gather(&mut self, places: &Places, depths: &[f32]) {
         for i in 0..BATCH {
-            for (offsets, texels) in self.offsets.iter_mut().zip(&quads) {
-                offsets[i] = maps.depths[texels[i] as usize];
+            for (offsets, texels) in self.offsets.iter_mut().zip(&places.texels) {
+                offsets[i] = depths[texels[i] as usize];
             }
         }
         for row in &mut self.offsets {
-            for (offset, receiver) in row.iter_mut().zip(&receivers) {
+            for (offset, receiver) in row.iter_mut().zip(&places.receivers) {
                 *offset = float::saturate(*offset) - receiver;
             }
         }
+        self.weights = places.weights;
     }
 
     #[inline(always)]

@@ -10,7 +10,7 @@ use lt_shaders::shade::{LinearSource, color, layer_color, light_on};
 use rayon::prelude::*;
 
 use super::tiles::{BLOCK, Tiles};
-use super::{View, tracer};
+use super::{View, resize, tracer};
 use crate::ShadedLight;
 
 /// One layer of what the camera sees, in tile order.
@@ -19,17 +19,16 @@ pub struct Seen {
     pub samples: Vec<Sample>,
     /// Where each sample was in the last frame; empty while nothing in the scene moves.
     pub previous: Vec<Vec3>,
-    /// What lies before each sample; empty where there is one layer alone.
+    /// What lies before each sample, nothing in the first layer; empty where that is the only one.
     pub sights: Vec<Sight>,
 }
 
 impl Seen {
     /// Makes room for so many samples, and drops what is not needed.
     pub fn resize(&mut self, len: usize, object_motion: bool, has_layers: bool) {
-        self.samples.resize(len, Sample::default());
-        self.previous.resize(if object_motion { len } else { 0 }, Vec3::ZERO);
-        self.sights.clear();
-        self.sights.resize(if has_layers { len } else { 0 }, Sight::default());
+        resize(&mut self.samples, len);
+        resize(&mut self.previous, if object_motion { len } else { 0 });
+        resize(&mut self.sights, if has_layers { len } else { 0 });
     }
 }
 

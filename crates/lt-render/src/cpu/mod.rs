@@ -20,10 +20,11 @@ mod tint;
 
 use std::time::Instant;
 
+use bytemuck::Zeroable;
 use history::History;
 use kept_map::{Draw, StillMap};
 use layers::{LitTiles, Seen};
-use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
+use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer, memory};
 use lt_irregular::LightBvh;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Vsm};
@@ -117,6 +118,13 @@ fn prepare(scene: &PackedScene) {
     }
 }
 
+/// Makes a buffer one of zeros where it has another length: what a picture or a map holds is not another's.
+fn resize<T: Zeroable>(buffer: &mut Vec<T>, len: usize) {
+    if buffer.len() != len {
+        *buffer = memory::zeroed(len);
+    }
+}
+
 fn tracer(scene: &PackedScene) -> Simd<'_> {
     match scene.trees() {
         Trees::Flat(bvh) => Simd::new(bvh),
@@ -146,7 +154,7 @@ impl Backend for CpuBackend {
         let layers = plan.layers as usize;
         self.seen.resize_with(layers, Seen::default);
         self.seen.iter_mut().for_each(|seen| seen.resize(len, plan.object_motion, layers > 1));
-        self.visibility.resize(len, 0.0);
+        resize(&mut self.visibility, len);
         self.is_doubted.resize(len, false);
         let start = Instant::now();
         let covers = self.scene.coverage(0);
@@ -174,9 +182,9 @@ impl Backend for CpuBackend {
             self.slots.resize_with(job.slot + 1, Slot::default);
         }
         let slot = &mut self.slots[job.slot];
-        slot.depths.resize(map_texels, 1.0);
-        slot.rows.resize(vector_texels, Vec4::ZERO);
-        slot.vectors.resize(vector_texels, Vec4::ZERO);
+        resize(&mut slot.depths, map_texels);
+        resize(&mut slot.rows, vector_texels);
+        resize(&mut slot.vectors, vector_texels);
         slot.history.begin(self.tiles, job.plan.mask);
         if job.clears_history() {
             slot.history.clear();
