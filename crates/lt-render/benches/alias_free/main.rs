@@ -10,6 +10,7 @@ mod rays;
 #[path = "../rays/today.rs"]
 mod today;
 
+mod figures;
 mod hair;
 mod options;
 mod plot;
@@ -17,10 +18,12 @@ mod random;
 mod samples;
 mod table;
 
+use std::io::Cursor;
 use std::path::Path;
 use std::time::Instant;
 
 use clap::Parser;
+use image::{ImageFormat, RgbImage};
 use options::Options;
 
 /// Whatever may go wrong ends the run with its message.
@@ -52,17 +55,25 @@ fn main() -> Outcome<()> {
     println!("{text}");
     if let Some(folder) = &options.out {
         std::fs::create_dir_all(folder)?;
-        write(&folder.join("alias-free.md"), &text)?;
-        write(&folder.join("alias-free.svg"), &plot::svg(&rows)?)?;
+        write(&folder.join("alias-free.md"), text.as_bytes())?;
+        write(&folder.join("alias-free.svg"), plot::svg(&rows)?.as_bytes())?;
+        write(&folder.join("alias-free-zoom.png"), &png(&figures::zoom()?)?)?;
+        write(&folder.join("alias-free-tree.png"), &png(&figures::tree()?)?)?;
     }
     Ok(())
 }
 
 /// Written beside its place and renamed, so that no half of it is ever seen.
-fn write(path: &Path, text: &str) -> Outcome<()> {
+fn write(path: &Path, content: &[u8]) -> Outcome<()> {
     let draft = path.with_extension("part");
-    std::fs::write(&draft, text)?;
+    std::fs::write(&draft, content)?;
     Ok(std::fs::rename(draft, path)?)
+}
+
+fn png(picture: &RgbImage) -> Outcome<Vec<u8>> {
+    let mut bytes = Cursor::new(Vec::new());
+    picture.write_to(&mut bytes, ImageFormat::Png)?;
+    Ok(bytes.into_inner())
 }
 
 /// What a call returns and the milliseconds it took.

@@ -21,7 +21,7 @@ pub struct Options {
     /// Timed repeats
     #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=99))]
     pub repeats: u32,
-    /// Folder for alias-free.md and alias-free.svg
+    /// Folder for alias-free.md, alias-free.svg, and the figures alias-free-zoom.png and alias-free-tree.png
     #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
     /// What `cargo bench` passes to every bench
