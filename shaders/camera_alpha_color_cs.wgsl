@@ -2,13 +2,13 @@ struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
     right: vec3<f32>,
-    pad0_: u32,
+    layers_behind: u32,
     up: vec3<f32>,
     pad1_: u32,
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -161,430 +161,430 @@ var<storage> alpha_texels: type_13;
 var<storage> color_texels: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_214_: lt_mask_LightPlace;
-    var phi_215_: bool;
     var phi_216_: lt_mask_LightPlace;
     var phi_217_: bool;
-    var phi_222_: lt_mask_LightPlace;
+    var phi_218_: lt_mask_LightPlace;
+    var phi_219_: bool;
+    var phi_224_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_214_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_215_ = false;
+            phi_216_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_217_ = false;
         } else {
-            phi_214_ = lt_mask_LightPlace();
-            phi_215_ = true;
+            phi_216_ = lt_mask_LightPlace();
+            phi_217_ = true;
         }
-        let _e83 = phi_214_;
-        let _e85 = phi_215_;
-        phi_216_ = _e83;
-        phi_217_ = _e85;
+        let _e84 = phi_216_;
+        let _e86 = phi_217_;
+        phi_218_ = _e84;
+        phi_219_ = _e86;
     } else {
-        phi_216_ = lt_mask_LightPlace();
-        phi_217_ = true;
+        phi_218_ = lt_mask_LightPlace();
+        phi_219_ = true;
     }
-    let _e87 = phi_216_;
-    let _e89 = phi_217_;
-    if _e89 {
-        phi_222_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e88 = phi_218_;
+    let _e90 = phi_219_;
+    if _e90 {
+        phi_224_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_222_ = _e87;
+        phi_224_ = _e88;
     }
-    let _e94 = phi_222_;
-    return lt_mask_LightPlace(_e94.word, _e94.shift);
+    let _e95 = phi_224_;
+    return lt_mask_LightPlace(_e95.word, _e95.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_237_: bool;
-    var phi_241_: f32;
+    var phi_239_: bool;
+    var phi_243_: f32;
 
     if (param_3 != param_3) {
-        phi_237_ = true;
+        phi_239_ = true;
     } else {
-        let _e73 = (param_4 >= param_3);
-        if _e73 {
+        let _e74 = (param_4 >= param_3);
+        if _e74 {
         }
-        phi_237_ = _e73;
+        phi_239_ = _e74;
     }
-    let _e75 = phi_237_;
-    if _e75 {
-        phi_241_ = param_4;
+    let _e76 = phi_239_;
+    if _e76 {
+        phi_243_ = param_4;
     } else {
-        phi_241_ = param_3;
+        phi_243_ = param_3;
     }
-    let _e77 = phi_241_;
-    return _e77;
+    let _e78 = phi_243_;
+    return _e78;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_253_: bool;
-    var phi_257_: f32;
+    var phi_255_: bool;
+    var phi_259_: f32;
 
     if (param_5 != param_5) {
-        phi_253_ = true;
+        phi_255_ = true;
     } else {
-        let _e73 = (param_6 <= param_5);
-        if _e73 {
+        let _e74 = (param_6 <= param_5);
+        if _e74 {
         }
-        phi_253_ = _e73;
+        phi_255_ = _e74;
     }
-    let _e75 = phi_253_;
-    if _e75 {
-        phi_257_ = param_6;
+    let _e76 = phi_255_;
+    if _e76 {
+        phi_259_ = param_6;
     } else {
-        phi_257_ = param_5;
+        phi_259_ = param_5;
     }
-    let _e77 = phi_257_;
-    return _e77;
+    let _e78 = phi_259_;
+    return _e78;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_299_: f32;
-    var phi_304_: f32;
-    var phi_305_: bool;
+    var phi_301_: f32;
     var phi_306_: f32;
     var phi_307_: bool;
-    var phi_311_: f32;
-    var phi_337_: f32;
-    var phi_342_: f32;
-    var phi_343_: bool;
+    var phi_308_: f32;
+    var phi_309_: bool;
+    var phi_313_: f32;
+    var phi_339_: f32;
     var phi_344_: f32;
     var phi_345_: bool;
-    var phi_349_: f32;
-    var phi_357_: f32;
-    var phi_358_: f32;
+    var phi_346_: f32;
+    var phi_347_: bool;
+    var phi_351_: f32;
     var phi_359_: f32;
-    var phi_368_: f32;
-    var phi_369_: f32;
-    var phi_387_: u32;
-    var phi_401_: u32;
-    var phi_408_: u32;
-    var phi_413_: u32;
-    var phi_419_: u32;
-    var phi_424_: u32;
-    var phi_426_: texture_Axis;
-    var phi_454_: f32;
-    var phi_459_: f32;
-    var phi_460_: bool;
+    var phi_360_: f32;
+    var phi_361_: f32;
+    var phi_370_: f32;
+    var phi_371_: f32;
+    var phi_389_: u32;
+    var phi_403_: u32;
+    var phi_410_: u32;
+    var phi_415_: u32;
+    var phi_421_: u32;
+    var phi_426_: u32;
+    var phi_428_: texture_Axis;
+    var phi_456_: f32;
     var phi_461_: f32;
     var phi_462_: bool;
-    var phi_466_: f32;
-    var phi_492_: f32;
-    var phi_497_: f32;
-    var phi_498_: bool;
+    var phi_463_: f32;
+    var phi_464_: bool;
+    var phi_468_: f32;
+    var phi_494_: f32;
     var phi_499_: f32;
     var phi_500_: bool;
-    var phi_504_: f32;
-    var phi_512_: f32;
-    var phi_513_: f32;
+    var phi_501_: f32;
+    var phi_502_: bool;
+    var phi_506_: f32;
     var phi_514_: f32;
-    var phi_523_: f32;
-    var phi_524_: f32;
-    var phi_542_: u32;
-    var phi_556_: u32;
-    var phi_563_: u32;
-    var phi_568_: u32;
-    var phi_574_: u32;
-    var phi_579_: u32;
-    var phi_581_: texture_Axis;
+    var phi_515_: f32;
+    var phi_516_: f32;
+    var phi_525_: f32;
+    var phi_526_: f32;
+    var phi_544_: u32;
+    var phi_558_: u32;
+    var phi_565_: u32;
+    var phi_570_: u32;
+    var phi_576_: u32;
+    var phi_581_: u32;
+    var phi_583_: texture_Axis;
 
-    let _e74 = (*param_7).size;
-    let _e75 = (_e74 & 65535u);
-    let _e77 = (*param_7).size;
-    let _e79 = (_e77 >> bitcast<u32>(16i));
-    let _e81 = (*param_7).flags;
-    let _e83 = ((_e81 & 4u) != 0u);
-    let _e85 = (*param_7).flags;
-    let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
-    if (_e88 == 0u) {
+    let _e75 = (*param_7).size;
+    let _e76 = (_e75 & 65535u);
+    let _e78 = (*param_7).size;
+    let _e80 = (_e78 >> bitcast<u32>(16i));
+    let _e82 = (*param_7).flags;
+    let _e84 = ((_e82 & 4u) != 0u);
+    let _e86 = (*param_7).flags;
+    let _e89 = ((_e86 >> bitcast<u32>(4u)) & 3u);
+    if (_e89 == 0u) {
         if (param_8 > -8388608f) {
-            let _e101 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
-            if (_e101 > param_8) {
-                phi_299_ = 1f;
+            let _e102 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e102 > param_8) {
+                phi_301_ = 1f;
             } else {
-                phi_299_ = 0f;
+                phi_301_ = 0f;
             }
-            let _e104 = phi_299_;
+            let _e105 = phi_301_;
             if (param_8 < 8388608f) {
-                phi_304_ = (_e101 - _e104);
-                phi_305_ = false;
+                phi_306_ = (_e102 - _e105);
+                phi_307_ = false;
             } else {
-                phi_304_ = f32();
-                phi_305_ = true;
+                phi_306_ = f32();
+                phi_307_ = true;
             }
-            let _e107 = phi_304_;
-            let _e109 = phi_305_;
-            phi_306_ = _e107;
-            phi_307_ = _e109;
+            let _e108 = phi_306_;
+            let _e110 = phi_307_;
+            phi_308_ = _e108;
+            phi_309_ = _e110;
         } else {
-            phi_306_ = f32();
-            phi_307_ = true;
+            phi_308_ = f32();
+            phi_309_ = true;
         }
-        let _e111 = phi_306_;
-        let _e113 = phi_307_;
-        if _e113 {
-            phi_311_ = param_8;
+        let _e112 = phi_308_;
+        let _e114 = phi_309_;
+        if _e114 {
+            phi_313_ = param_8;
         } else {
-            phi_311_ = _e111;
+            phi_313_ = _e112;
         }
-        let _e115 = phi_311_;
-        phi_359_ = (param_8 - _e115);
+        let _e116 = phi_313_;
+        phi_361_ = (param_8 - _e116);
     } else {
-        if (_e88 == 1u) {
-            let _e118 = (param_8 * 0.5f);
-            if (_e118 > -8388608f) {
-                let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
-                if (_e130 > _e118) {
-                    phi_337_ = 1f;
+        if (_e89 == 1u) {
+            let _e119 = (param_8 * 0.5f);
+            if (_e119 > -8388608f) {
+                let _e131 = f32(select(0i, select(select(i32(_e119), i32(-2147483648), (_e119 < bitcast<f32>(3472883712u))), 2147483647i, (_e119 > bitcast<f32>(1325400063u))), (_e119 == _e119)));
+                if (_e131 > _e119) {
+                    phi_339_ = 1f;
                 } else {
-                    phi_337_ = 0f;
+                    phi_339_ = 0f;
                 }
-                let _e133 = phi_337_;
-                if (_e118 < 8388608f) {
-                    phi_342_ = (_e130 - _e133);
-                    phi_343_ = false;
+                let _e134 = phi_339_;
+                if (_e119 < 8388608f) {
+                    phi_344_ = (_e131 - _e134);
+                    phi_345_ = false;
                 } else {
-                    phi_342_ = f32();
-                    phi_343_ = true;
+                    phi_344_ = f32();
+                    phi_345_ = true;
                 }
-                let _e136 = phi_342_;
-                let _e138 = phi_343_;
-                phi_344_ = _e136;
-                phi_345_ = _e138;
+                let _e137 = phi_344_;
+                let _e139 = phi_345_;
+                phi_346_ = _e137;
+                phi_347_ = _e139;
             } else {
-                phi_344_ = f32();
-                phi_345_ = true;
+                phi_346_ = f32();
+                phi_347_ = true;
             }
-            let _e140 = phi_344_;
-            let _e142 = phi_345_;
-            if _e142 {
-                phi_349_ = _e118;
+            let _e141 = phi_346_;
+            let _e143 = phi_347_;
+            if _e143 {
+                phi_351_ = _e119;
             } else {
-                phi_349_ = _e140;
+                phi_351_ = _e141;
             }
-            let _e144 = phi_349_;
-            let _e146 = (param_8 - (2f * _e144));
-            if (_e146 > 1f) {
-                phi_357_ = (2f - _e146);
+            let _e145 = phi_351_;
+            let _e147 = (param_8 - (2f * _e145));
+            if (_e147 > 1f) {
+                phi_359_ = (2f - _e147);
             } else {
-                phi_357_ = _e146;
+                phi_359_ = _e147;
             }
-            let _e150 = phi_357_;
-            phi_358_ = _e150;
+            let _e151 = phi_359_;
+            phi_360_ = _e151;
         } else {
-            phi_358_ = param_8;
+            phi_360_ = param_8;
         }
-        let _e152 = phi_358_;
-        phi_359_ = _e152;
+        let _e153 = phi_360_;
+        phi_361_ = _e153;
     }
-    let _e154 = phi_359_;
-    if (_e154 > 0f) {
-        if (_e154 < 1f) {
-            phi_368_ = _e154;
+    let _e155 = phi_361_;
+    if (_e155 > 0f) {
+        if (_e155 < 1f) {
+            phi_370_ = _e155;
         } else {
-            phi_368_ = 1f;
+            phi_370_ = 1f;
         }
-        let _e158 = phi_368_;
-        phi_369_ = _e158;
+        let _e159 = phi_370_;
+        phi_371_ = _e159;
     } else {
-        phi_369_ = 0f;
+        phi_371_ = 0f;
     }
-    let _e160 = phi_369_;
-    let _e161 = (_e75 - 1u);
-    let _e163 = (_e160 * f32(_e75));
-    if _e83 {
-        let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
-        if (_e161 < _e170) {
-            phi_387_ = _e161;
+    let _e161 = phi_371_;
+    let _e162 = (_e76 - 1u);
+    let _e164 = (_e161 * f32(_e76));
+    if _e84 {
+        let _e171 = select(select(u32(_e164), 0u, (_e164 < bitcast<f32>(0u))), 4294967295u, (_e164 > bitcast<f32>(1333788671u)));
+        if (_e162 < _e171) {
+            phi_389_ = _e162;
         } else {
-            phi_387_ = _e170;
+            phi_389_ = _e171;
         }
-        let _e173 = phi_387_;
-        phi_426_ = texture_Axis(_e173, _e173, 0f);
+        let _e174 = phi_389_;
+        phi_428_ = texture_Axis(_e174, _e174, 0f);
     } else {
-        let _e175 = (_e163 + 0.5f);
-        let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
-        if (_e75 < _e182) {
-            phi_401_ = _e75;
+        let _e176 = (_e164 + 0.5f);
+        let _e183 = select(select(u32(_e176), 0u, (_e176 < bitcast<f32>(0u))), 4294967295u, (_e176 > bitcast<f32>(1333788671u)));
+        if (_e76 < _e183) {
+            phi_403_ = _e76;
         } else {
-            phi_401_ = _e182;
+            phi_403_ = _e183;
         }
-        let _e185 = phi_401_;
-        if (_e88 == 0u) {
-            phi_408_ = _e161;
+        let _e186 = phi_403_;
+        if (_e89 == 0u) {
+            phi_410_ = _e162;
         } else {
-            phi_408_ = 0u;
+            phi_410_ = 0u;
         }
-        let _e190 = phi_408_;
-        if (_e88 == 0u) {
-            phi_413_ = 0u;
+        let _e191 = phi_410_;
+        if (_e89 == 0u) {
+            phi_415_ = 0u;
         } else {
-            phi_413_ = _e161;
+            phi_415_ = _e162;
         }
-        let _e193 = phi_413_;
-        if (_e185 == 0u) {
-            phi_419_ = _e190;
+        let _e194 = phi_415_;
+        if (_e186 == 0u) {
+            phi_421_ = _e191;
         } else {
-            phi_419_ = (_e185 - 1u);
+            phi_421_ = (_e186 - 1u);
         }
-        let _e197 = phi_419_;
-        if (_e185 > _e161) {
-            phi_424_ = _e193;
+        let _e198 = phi_421_;
+        if (_e186 > _e162) {
+            phi_426_ = _e194;
         } else {
-            phi_424_ = _e185;
+            phi_426_ = _e186;
         }
-        let _e200 = phi_424_;
-        phi_426_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
+        let _e201 = phi_426_;
+        phi_428_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
     }
-    let _e203 = phi_426_;
-    let _e205 = (*param_7).flags;
-    let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
-    if (_e208 == 0u) {
+    let _e204 = phi_428_;
+    let _e206 = (*param_7).flags;
+    let _e209 = ((_e206 >> bitcast<u32>(6u)) & 3u);
+    if (_e209 == 0u) {
         if (param_9 > -8388608f) {
-            let _e221 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
-            if (_e221 > param_9) {
-                phi_454_ = 1f;
+            let _e222 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e222 > param_9) {
+                phi_456_ = 1f;
             } else {
-                phi_454_ = 0f;
+                phi_456_ = 0f;
             }
-            let _e224 = phi_454_;
+            let _e225 = phi_456_;
             if (param_9 < 8388608f) {
-                phi_459_ = (_e221 - _e224);
-                phi_460_ = false;
+                phi_461_ = (_e222 - _e225);
+                phi_462_ = false;
             } else {
-                phi_459_ = f32();
-                phi_460_ = true;
+                phi_461_ = f32();
+                phi_462_ = true;
             }
-            let _e227 = phi_459_;
-            let _e229 = phi_460_;
-            phi_461_ = _e227;
-            phi_462_ = _e229;
+            let _e228 = phi_461_;
+            let _e230 = phi_462_;
+            phi_463_ = _e228;
+            phi_464_ = _e230;
         } else {
-            phi_461_ = f32();
-            phi_462_ = true;
+            phi_463_ = f32();
+            phi_464_ = true;
         }
-        let _e231 = phi_461_;
-        let _e233 = phi_462_;
-        if _e233 {
-            phi_466_ = param_9;
+        let _e232 = phi_463_;
+        let _e234 = phi_464_;
+        if _e234 {
+            phi_468_ = param_9;
         } else {
-            phi_466_ = _e231;
+            phi_468_ = _e232;
         }
-        let _e235 = phi_466_;
-        phi_514_ = (param_9 - _e235);
+        let _e236 = phi_468_;
+        phi_516_ = (param_9 - _e236);
     } else {
-        if (_e208 == 1u) {
-            let _e238 = (param_9 * 0.5f);
-            if (_e238 > -8388608f) {
-                let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
-                if (_e250 > _e238) {
-                    phi_492_ = 1f;
+        if (_e209 == 1u) {
+            let _e239 = (param_9 * 0.5f);
+            if (_e239 > -8388608f) {
+                let _e251 = f32(select(0i, select(select(i32(_e239), i32(-2147483648), (_e239 < bitcast<f32>(3472883712u))), 2147483647i, (_e239 > bitcast<f32>(1325400063u))), (_e239 == _e239)));
+                if (_e251 > _e239) {
+                    phi_494_ = 1f;
                 } else {
-                    phi_492_ = 0f;
+                    phi_494_ = 0f;
                 }
-                let _e253 = phi_492_;
-                if (_e238 < 8388608f) {
-                    phi_497_ = (_e250 - _e253);
-                    phi_498_ = false;
+                let _e254 = phi_494_;
+                if (_e239 < 8388608f) {
+                    phi_499_ = (_e251 - _e254);
+                    phi_500_ = false;
                 } else {
-                    phi_497_ = f32();
-                    phi_498_ = true;
+                    phi_499_ = f32();
+                    phi_500_ = true;
                 }
-                let _e256 = phi_497_;
-                let _e258 = phi_498_;
-                phi_499_ = _e256;
-                phi_500_ = _e258;
+                let _e257 = phi_499_;
+                let _e259 = phi_500_;
+                phi_501_ = _e257;
+                phi_502_ = _e259;
             } else {
-                phi_499_ = f32();
-                phi_500_ = true;
+                phi_501_ = f32();
+                phi_502_ = true;
             }
-            let _e260 = phi_499_;
-            let _e262 = phi_500_;
-            if _e262 {
-                phi_504_ = _e238;
+            let _e261 = phi_501_;
+            let _e263 = phi_502_;
+            if _e263 {
+                phi_506_ = _e239;
             } else {
-                phi_504_ = _e260;
+                phi_506_ = _e261;
             }
-            let _e264 = phi_504_;
-            let _e266 = (param_9 - (2f * _e264));
-            if (_e266 > 1f) {
-                phi_512_ = (2f - _e266);
+            let _e265 = phi_506_;
+            let _e267 = (param_9 - (2f * _e265));
+            if (_e267 > 1f) {
+                phi_514_ = (2f - _e267);
             } else {
-                phi_512_ = _e266;
+                phi_514_ = _e267;
             }
-            let _e270 = phi_512_;
-            phi_513_ = _e270;
+            let _e271 = phi_514_;
+            phi_515_ = _e271;
         } else {
-            phi_513_ = param_9;
+            phi_515_ = param_9;
         }
-        let _e272 = phi_513_;
-        phi_514_ = _e272;
+        let _e273 = phi_515_;
+        phi_516_ = _e273;
     }
-    let _e274 = phi_514_;
-    if (_e274 > 0f) {
-        if (_e274 < 1f) {
-            phi_523_ = _e274;
+    let _e275 = phi_516_;
+    if (_e275 > 0f) {
+        if (_e275 < 1f) {
+            phi_525_ = _e275;
         } else {
-            phi_523_ = 1f;
+            phi_525_ = 1f;
         }
-        let _e278 = phi_523_;
-        phi_524_ = _e278;
+        let _e279 = phi_525_;
+        phi_526_ = _e279;
     } else {
-        phi_524_ = 0f;
+        phi_526_ = 0f;
     }
-    let _e280 = phi_524_;
-    let _e281 = (_e79 - 1u);
-    let _e283 = (_e280 * f32(_e79));
-    if _e83 {
-        let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
-        if (_e281 < _e290) {
-            phi_542_ = _e281;
+    let _e281 = phi_526_;
+    let _e282 = (_e80 - 1u);
+    let _e284 = (_e281 * f32(_e80));
+    if _e84 {
+        let _e291 = select(select(u32(_e284), 0u, (_e284 < bitcast<f32>(0u))), 4294967295u, (_e284 > bitcast<f32>(1333788671u)));
+        if (_e282 < _e291) {
+            phi_544_ = _e282;
         } else {
-            phi_542_ = _e290;
+            phi_544_ = _e291;
         }
-        let _e293 = phi_542_;
-        phi_581_ = texture_Axis(_e293, _e293, 0f);
+        let _e294 = phi_544_;
+        phi_583_ = texture_Axis(_e294, _e294, 0f);
     } else {
-        let _e295 = (_e283 + 0.5f);
-        let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
-        if (_e79 < _e302) {
-            phi_556_ = _e79;
+        let _e296 = (_e284 + 0.5f);
+        let _e303 = select(select(u32(_e296), 0u, (_e296 < bitcast<f32>(0u))), 4294967295u, (_e296 > bitcast<f32>(1333788671u)));
+        if (_e80 < _e303) {
+            phi_558_ = _e80;
         } else {
-            phi_556_ = _e302;
+            phi_558_ = _e303;
         }
-        let _e305 = phi_556_;
-        if (_e208 == 0u) {
-            phi_563_ = _e281;
+        let _e306 = phi_558_;
+        if (_e209 == 0u) {
+            phi_565_ = _e282;
         } else {
-            phi_563_ = 0u;
+            phi_565_ = 0u;
         }
-        let _e310 = phi_563_;
-        if (_e208 == 0u) {
-            phi_568_ = 0u;
+        let _e311 = phi_565_;
+        if (_e209 == 0u) {
+            phi_570_ = 0u;
         } else {
-            phi_568_ = _e281;
+            phi_570_ = _e282;
         }
-        let _e313 = phi_568_;
-        if (_e305 == 0u) {
-            phi_574_ = _e310;
+        let _e314 = phi_570_;
+        if (_e306 == 0u) {
+            phi_576_ = _e311;
         } else {
-            phi_574_ = (_e305 - 1u);
+            phi_576_ = (_e306 - 1u);
         }
-        let _e317 = phi_574_;
-        if (_e305 > _e281) {
-            phi_579_ = _e313;
+        let _e318 = phi_576_;
+        if (_e306 > _e282) {
+            phi_581_ = _e314;
         } else {
-            phi_579_ = _e305;
+            phi_581_ = _e306;
         }
-        let _e320 = phi_579_;
-        phi_581_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
+        let _e321 = phi_581_;
+        phi_583_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
     }
-    let _e323 = phi_581_;
-    let _e327 = (*param_7).offset;
-    let _e334 = (*param_7).offset;
-    let _e341 = (*param_7).offset;
-    let _e348 = (*param_7).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
+    let _e324 = phi_583_;
+    let _e328 = (*param_7).offset;
+    let _e335 = (*param_7).offset;
+    let _e342 = (*param_7).offset;
+    let _e349 = (*param_7).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e328 + (_e324.low * _e76)) + _e204.low), ((_e335 + (_e324.low * _e76)) + _e204.high), ((_e342 + (_e324.high * _e76)) + _e204.low), ((_e349 + (_e324.high * _e76)) + _e204.high)), vec4<f32>(((1f - _e204.fraction) * (1f - _e324.fraction)), (_e204.fraction * (1f - _e324.fraction)), ((1f - _e204.fraction) * _e324.fraction), (_e204.fraction * _e324.fraction)));
 }
 
 fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
@@ -592,15 +592,15 @@ fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
-    var phi_640_: f32;
+    var phi_642_: f32;
 
     if (param_12 > param_13) {
-        phi_640_ = param_12;
+        phi_642_ = param_12;
     } else {
-        phi_640_ = param_13;
+        phi_642_ = param_13;
     }
-    let _e74 = phi_640_;
-    return _e74;
+    let _e75 = phi_642_;
+    return _e75;
 }
 
 fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_14: vec3<f32>) -> vec3<f32> {
@@ -611,1770 +611,1772 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: texture_TextureView;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_776_: bool;
+    var phi_788_: bool;
     var phi_789_: bool;
     var phi_790_: bool;
     var phi_791_: bool;
-    var phi_792_: bool;
-    var phi_796_: bool;
+    var phi_795_: bool;
+    var phi_808_: bool;
     var phi_809_: bool;
     var phi_810_: bool;
     var phi_811_: bool;
     var phi_815_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_823_: bool;
-    var phi_899_: f32;
-    var phi_906_: f32;
-    var phi_914_: f32;
-    var phi_921_: f32;
-    var phi_929_: f32;
-    var phi_936_: f32;
-    var phi_959_: f32;
-    var phi_964_: f32;
-    var phi_969_: f32;
-    var phi_974_: f32;
-    var phi_979_: f32;
-    var phi_1010_: bool;
-    var phi_1011_: bool;
-    var phi_1019_: u32;
-    var phi_1020_: u32;
-    var phi_1037_: vec3<f32>;
-    var phi_1038_: vec3<f32>;
-    var phi_1051_: u32;
-    var phi_1056_: u32;
-    var phi_1061_: u32;
-    var phi_1175_: bool;
-    var phi_1176_: bool;
-    var phi_1207_: u32;
-    var phi_1209_: lt_bvh_Hit;
-    var phi_1212_: u32;
-    var phi_1297_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1324_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1351_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1357_: u32;
-    var phi_1360_: u32;
-    var phi_1374_: u32;
-    var phi_1384_: u32;
-    var phi_1394_: u32;
-    var phi_1412_: u32;
-    var phi_1422_: u32;
-    var phi_1432_: u32;
-    var phi_1468_: u32;
-    var phi_1481_: u32;
-    var phi_1486_: u32;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_834_: bool;
+    var phi_835_: bool;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_842_: bool;
+    var phi_918_: f32;
+    var phi_925_: f32;
+    var phi_933_: f32;
+    var phi_940_: f32;
+    var phi_948_: f32;
+    var phi_955_: f32;
+    var phi_978_: f32;
+    var phi_983_: f32;
+    var phi_988_: f32;
+    var phi_993_: f32;
+    var phi_998_: f32;
+    var phi_1029_: bool;
+    var phi_1030_: bool;
+    var phi_1038_: u32;
+    var phi_1039_: u32;
+    var phi_1056_: vec3<f32>;
+    var phi_1057_: vec3<f32>;
+    var phi_1070_: u32;
+    var phi_1075_: u32;
+    var phi_1080_: u32;
+    var phi_1194_: bool;
+    var phi_1195_: bool;
+    var phi_1226_: u32;
+    var phi_1228_: lt_bvh_Hit;
+    var phi_1231_: u32;
+    var phi_1316_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1343_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1370_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1376_: u32;
+    var phi_1379_: u32;
+    var phi_1393_: u32;
+    var phi_1403_: u32;
+    var phi_1413_: u32;
+    var phi_1431_: u32;
+    var phi_1441_: u32;
+    var phi_1451_: u32;
     var phi_1487_: u32;
-    var phi_1488_: u32;
-    var phi_1358_: u32;
-    var phi_1361_: u32;
+    var phi_1500_: u32;
+    var phi_1505_: u32;
+    var phi_1506_: u32;
+    var phi_1507_: u32;
+    var phi_1377_: u32;
+    var phi_1380_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1546_: lt_bvh_Hit;
-    var phi_1549_: u32;
-    var phi_1595_: vec3<f32>;
-    var phi_1596_: vec3<f32>;
-    var phi_1627_: vec3<f32>;
-    var phi_1628_: vec3<f32>;
-    var phi_1659_: vec3<f32>;
-    var phi_1660_: vec3<f32>;
-    var phi_1678_: bool;
-    var phi_1679_: bool;
-    var phi_1683_: f32;
-    var phi_1684_: f32;
-    var phi_1685_: f32;
-    var phi_1686_: f32;
-    var phi_1694_: f32;
-    var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1709_: f32;
-    var phi_1710_: f32;
-    var phi_1711_: f32;
-    var phi_1712_: f32;
-    var phi_1720_: f32;
-    var phi_1730_: bool;
-    var phi_1731_: bool;
-    var phi_1735_: f32;
-    var phi_1736_: f32;
-    var phi_1737_: f32;
-    var phi_1738_: f32;
-    var phi_1746_: f32;
-    var phi_1761_: f32;
-    var phi_1762_: bool;
-    var phi_1763_: f32;
-    var phi_1764_: bool;
+    var phi_1565_: lt_bvh_Hit;
+    var phi_1568_: u32;
+    var phi_1614_: vec3<f32>;
+    var phi_1615_: vec3<f32>;
+    var phi_1646_: vec3<f32>;
+    var phi_1647_: vec3<f32>;
+    var phi_1678_: vec3<f32>;
+    var phi_1679_: vec3<f32>;
+    var phi_1697_: bool;
+    var phi_1698_: bool;
+    var phi_1702_: f32;
+    var phi_1703_: f32;
+    var phi_1704_: f32;
+    var phi_1705_: f32;
+    var phi_1713_: f32;
+    var phi_1723_: bool;
+    var phi_1724_: bool;
+    var phi_1728_: f32;
+    var phi_1729_: f32;
+    var phi_1730_: f32;
+    var phi_1731_: f32;
+    var phi_1739_: f32;
+    var phi_1749_: bool;
+    var phi_1750_: bool;
+    var phi_1754_: f32;
+    var phi_1755_: f32;
+    var phi_1756_: f32;
+    var phi_1757_: f32;
     var phi_1765_: f32;
-    var phi_1766_: bool;
+    var phi_1780_: f32;
+    var phi_1781_: bool;
+    var phi_1782_: f32;
+    var phi_1783_: bool;
     var phi_1784_: f32;
     var phi_1785_: bool;
-    var phi_1786_: bool;
-    var phi_1787_: f32;
-    var phi_1788_: bool;
-    var phi_1789_: bool;
-    var phi_1793_: bool;
-    var phi_1794_: f32;
-    var phi_1795_: bool;
-    var phi_1825_: vec3<f32>;
-    var phi_1826_: vec3<f32>;
-    var phi_1851_: vec3<f32>;
-    var phi_1852_: vec3<f32>;
-    var phi_1877_: vec3<f32>;
-    var phi_1878_: vec3<f32>;
-    var phi_1936_: f32;
-    var phi_1945_: f32;
-    var phi_1954_: f32;
-    var phi_1963_: f32;
-    var phi_1970_: f32;
-    var phi_1977_: f32;
-    var phi_1990_: f32;
-    var phi_1999_: f32;
-    var phi_2008_: f32;
-    var phi_2017_: f32;
-    var phi_2024_: f32;
-    var phi_2031_: f32;
-    var phi_2054_: f32;
-    var phi_2059_: f32;
-    var phi_2064_: f32;
-    var phi_2072_: f32;
-    var phi_2077_: f32;
-    var phi_2082_: f32;
-    var phi_2094_: f32;
-    var phi_2099_: f32;
-    var phi_2104_: f32;
-    var phi_2109_: f32;
-    var phi_2114_: lt_bvh_triangle_Intersection;
-    var phi_2115_: bool;
-    var phi_2116_: lt_bvh_triangle_Intersection;
-    var phi_2117_: bool;
-    var phi_2121_: lt_bvh_triangle_Intersection;
-    var phi_2122_: bool;
-    var phi_2123_: lt_bvh_triangle_Intersection;
-    var phi_2124_: bool;
-    var phi_2125_: bool;
-    var phi_2129_: bool;
+    var phi_1803_: f32;
+    var phi_1804_: bool;
+    var phi_1805_: bool;
+    var phi_1806_: f32;
+    var phi_1807_: bool;
+    var phi_1808_: bool;
+    var phi_1812_: bool;
+    var phi_1813_: f32;
+    var phi_1814_: bool;
+    var phi_1844_: vec3<f32>;
+    var phi_1845_: vec3<f32>;
+    var phi_1870_: vec3<f32>;
+    var phi_1871_: vec3<f32>;
+    var phi_1896_: vec3<f32>;
+    var phi_1897_: vec3<f32>;
+    var phi_1955_: f32;
+    var phi_1964_: f32;
+    var phi_1973_: f32;
+    var phi_1982_: f32;
+    var phi_1989_: f32;
+    var phi_1996_: f32;
+    var phi_2009_: f32;
+    var phi_2018_: f32;
+    var phi_2027_: f32;
+    var phi_2036_: f32;
+    var phi_2043_: f32;
+    var phi_2050_: f32;
+    var phi_2073_: f32;
+    var phi_2078_: f32;
+    var phi_2083_: f32;
+    var phi_2091_: f32;
+    var phi_2096_: f32;
+    var phi_2101_: f32;
+    var phi_2113_: f32;
+    var phi_2118_: f32;
+    var phi_2123_: f32;
+    var phi_2128_: f32;
     var phi_2133_: lt_bvh_triangle_Intersection;
-    var phi_2172_: bool;
-    var phi_2173_: bool;
-    var phi_2174_: bool;
-    var phi_2175_: bool;
-    var phi_2176_: bool;
-    var phi_2177_: bool;
-    var phi_2181_: bool;
-    var phi_2182_: bool;
-    var phi_2385_: f32;
-    var phi_2388_: bool;
-    var phi_2389_: bool;
-    var phi_2393_: bool;
-    var phi_2401_: lt_bvh_Hit;
-    var phi_2402_: lt_bvh_Hit;
-    var phi_2403_: lt_bvh_Hit;
-    var phi_2404_: lt_bvh_Hit;
-    var phi_1547_: lt_bvh_Hit;
-    var phi_1550_: u32;
-    var phi_2405_: bool;
-    var phi_2444_: bool;
-    var phi_2445_: bool;
-    var phi_2476_: u32;
-    var phi_1210_: lt_bvh_Hit;
-    var phi_1213_: u32;
-    var phi_2477_: lt_bvh_Hit;
-    var phi_2478_: lt_bvh_Hit;
-    var phi_2479_: bool;
-    var phi_2483_: lt_bvh_Hit;
-    var phi_2547_: f32;
-    var phi_2552_: f32;
-    var phi_2557_: f32;
-    var phi_2568_: f32;
-    var phi_2573_: f32;
-    var phi_2578_: f32;
-    var phi_2654_: vec3<f32>;
-    var phi_2897_: vec3<f32>;
-    var phi_2912_: u32;
-    var phi_2939_: f32;
-    var phi_2946_: f32;
-    var phi_2953_: f32;
-    var phi_2988_: f32;
-    var phi_2995_: f32;
-    var phi_3002_: f32;
-    var phi_3040_: f32;
-    var phi_3047_: f32;
-    var phi_3054_: f32;
-    var phi_3113_: vec3<f32>;
-    var phi_3114_: vec3<f32>;
-    var phi_3115_: vec3<f32>;
-    var phi_3124_: f32;
-    var phi_3125_: f32;
-    var phi_3135_: f32;
-    var phi_3136_: f32;
-    var phi_3146_: f32;
-    var phi_3147_: f32;
-    var phi_3182_: abi_Sample;
+    var phi_2134_: bool;
+    var phi_2135_: lt_bvh_triangle_Intersection;
+    var phi_2136_: bool;
+    var phi_2140_: lt_bvh_triangle_Intersection;
+    var phi_2141_: bool;
+    var phi_2142_: lt_bvh_triangle_Intersection;
+    var phi_2143_: bool;
+    var phi_2144_: bool;
+    var phi_2148_: bool;
+    var phi_2152_: lt_bvh_triangle_Intersection;
+    var phi_2191_: bool;
+    var phi_2192_: bool;
+    var phi_2193_: bool;
+    var phi_2194_: bool;
+    var phi_2195_: bool;
+    var phi_2196_: bool;
+    var phi_2200_: bool;
+    var phi_2201_: bool;
+    var phi_2404_: f32;
+    var phi_2407_: bool;
+    var phi_2408_: bool;
+    var phi_2412_: bool;
+    var phi_2420_: lt_bvh_Hit;
+    var phi_2421_: lt_bvh_Hit;
+    var phi_2422_: lt_bvh_Hit;
+    var phi_2423_: lt_bvh_Hit;
+    var phi_1566_: lt_bvh_Hit;
+    var phi_1569_: u32;
+    var phi_2424_: bool;
+    var phi_2463_: bool;
+    var phi_2464_: bool;
+    var phi_2495_: u32;
+    var phi_1229_: lt_bvh_Hit;
+    var phi_1232_: u32;
+    var phi_2496_: lt_bvh_Hit;
+    var phi_2497_: lt_bvh_Hit;
+    var phi_2498_: bool;
+    var phi_2502_: lt_bvh_Hit;
+    var phi_2566_: f32;
+    var phi_2571_: f32;
+    var phi_2576_: f32;
+    var phi_2587_: f32;
+    var phi_2592_: f32;
+    var phi_2597_: f32;
+    var phi_2673_: vec3<f32>;
+    var phi_2916_: vec3<f32>;
+    var phi_2931_: u32;
+    var phi_2958_: f32;
+    var phi_2965_: f32;
+    var phi_2972_: f32;
+    var phi_3007_: f32;
+    var phi_3014_: f32;
+    var phi_3021_: f32;
+    var phi_3059_: f32;
+    var phi_3066_: f32;
+    var phi_3073_: f32;
+    var phi_3132_: vec3<f32>;
+    var phi_3133_: vec3<f32>;
+    var phi_3134_: vec3<f32>;
+    var phi_3143_: f32;
+    var phi_3144_: f32;
+    var phi_3154_: f32;
+    var phi_3155_: f32;
+    var phi_3165_: f32;
+    var phi_3166_: f32;
+    var phi_3201_: abi_Sample;
     var local_6: lt_bvh_Hit;
     var local_7: lt_bvh_Hit;
 
-    let _e73 = id_1;
-    let _e77 = arrayLength((&nodes.member));
-    let _e80 = arrayLength((&triangles.member));
-    let _e83 = arrayLength((&vertices.member));
-    let _e86 = arrayLength((&materials.member));
-    let _e92 = arrayLength((&alpha_texels.member));
-    let _e95 = arrayLength((&color_texels.member));
-    let _e98 = p.member.size[0u];
-    let _e100 = p.member.size[1u];
-    let _e101 = lt_shaders_entry_pixel_index(_e73, _e98, _e100);
-    if (bitcast<i32>(_e101.word) != 0i) {
-        let _e109 = p.member.eye;
-        let _e114 = p.member.size[0u];
-        let _e118 = ((((f32(_e73.x) + 0.5f) / f32(_e114)) * 2f) - 1f);
-        let _e123 = p.member.size[1u];
-        let _e127 = (1f - (((f32(_e73.y) + 0.5f) / f32(_e123)) * 2f));
-        let _e129 = p.member.forward;
-        let _e131 = p.member.right;
-        let _e145 = p.member.up;
-        let _e156 = _lt_bvh_ray_Ray_new(_e109, vec3<f32>(((_e129.x + (_e131.x * _e118)) + (_e145.x * _e127)), ((_e129.y + (_e131.y * _e118)) + (_e145.y * _e127)), ((_e129.z + (_e131.z * _e118)) + (_e145.z * _e127))));
-        let _e158 = lt_bvh_Hit(_e156.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e161 = abs(_e156.direction.x);
-        let _e163 = abs(_e156.direction.y);
-        let _e165 = abs(_e156.direction.z);
-        if (abs(_e156.origin.x) < 1000000000000000f) {
-            if (abs(_e156.origin.y) < 1000000000000000f) {
-                phi_769_ = (abs(_e156.origin.z) < 1000000000000000f);
-                phi_770_ = false;
+    let _e74 = id_1;
+    let _e78 = arrayLength((&nodes.member));
+    let _e81 = arrayLength((&triangles.member));
+    let _e84 = arrayLength((&vertices.member));
+    let _e87 = arrayLength((&materials.member));
+    let _e93 = arrayLength((&alpha_texels.member));
+    let _e96 = arrayLength((&color_texels.member));
+    let _e99 = p.member.size[0u];
+    let _e101 = p.member.size[1u];
+    let _e102 = lt_shaders_entry_pixel_index(_e74, _e99, _e101);
+    if (bitcast<i32>(_e102.word) != 0i) {
+        let _e110 = p.member.eye;
+        let _e113 = p.member.grid[0u];
+        let _e115 = p.member.grid[1u];
+        let _e134 = p.member.size[0u];
+        let _e138 = ((((f32(_e74.x) + ((f32((_e74.y & (_e115 - 1u))) + 0.5f) / f32(_e115))) / f32(_e134)) * 2f) - 1f);
+        let _e141 = p.member.size[1u];
+        let _e145 = (1f - (((f32(_e74.y) + ((f32((_e74.x & (_e113 - 1u))) + 0.5f) / f32(_e113))) / f32(_e141)) * 2f));
+        let _e147 = p.member.forward;
+        let _e149 = p.member.right;
+        let _e163 = p.member.up;
+        let _e174 = _lt_bvh_ray_Ray_new(_e110, vec3<f32>(((_e147.x + (_e149.x * _e138)) + (_e163.x * _e145)), ((_e147.y + (_e149.y * _e138)) + (_e163.y * _e145)), ((_e147.z + (_e149.z * _e138)) + (_e163.z * _e145))));
+        let _e176 = lt_bvh_Hit(_e174.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e179 = abs(_e174.direction.x);
+        let _e181 = abs(_e174.direction.y);
+        let _e183 = abs(_e174.direction.z);
+        if (abs(_e174.origin.x) < 1000000000000000f) {
+            if (abs(_e174.origin.y) < 1000000000000000f) {
+                phi_788_ = (abs(_e174.origin.z) < 1000000000000000f);
+                phi_789_ = false;
             } else {
-                phi_769_ = bool();
-                phi_770_ = true;
+                phi_788_ = bool();
+                phi_789_ = true;
             }
-            let _e177 = phi_769_;
-            let _e179 = phi_770_;
-            phi_771_ = _e177;
-            phi_772_ = _e179;
+            let _e195 = phi_788_;
+            let _e197 = phi_789_;
+            phi_790_ = _e195;
+            phi_791_ = _e197;
         } else {
-            phi_771_ = bool();
-            phi_772_ = true;
+            phi_790_ = bool();
+            phi_791_ = true;
         }
-        let _e181 = phi_771_;
-        let _e183 = phi_772_;
-        if _e183 {
-            phi_776_ = false;
+        let _e199 = phi_790_;
+        let _e201 = phi_791_;
+        if _e201 {
+            phi_795_ = false;
         } else {
-            phi_776_ = _e181;
+            phi_795_ = _e199;
         }
-        let _e185 = phi_776_;
-        if _e185 {
-            if (_e161 < 1000000000000000f) {
-                if (_e163 < 1000000000000000f) {
-                    phi_789_ = (_e165 < 1000000000000000f);
-                    phi_790_ = false;
+        let _e203 = phi_795_;
+        if _e203 {
+            if (_e179 < 1000000000000000f) {
+                if (_e181 < 1000000000000000f) {
+                    phi_808_ = (_e183 < 1000000000000000f);
+                    phi_809_ = false;
                 } else {
-                    phi_789_ = bool();
-                    phi_790_ = true;
+                    phi_808_ = bool();
+                    phi_809_ = true;
                 }
-                let _e190 = phi_789_;
-                let _e192 = phi_790_;
-                phi_791_ = _e190;
-                phi_792_ = _e192;
+                let _e208 = phi_808_;
+                let _e210 = phi_809_;
+                phi_810_ = _e208;
+                phi_811_ = _e210;
             } else {
-                phi_791_ = bool();
-                phi_792_ = true;
+                phi_810_ = bool();
+                phi_811_ = true;
             }
-            let _e194 = phi_791_;
-            let _e196 = phi_792_;
-            if _e196 {
-                phi_796_ = false;
+            let _e212 = phi_810_;
+            let _e214 = phi_811_;
+            if _e214 {
+                phi_815_ = false;
             } else {
-                phi_796_ = _e194;
+                phi_815_ = _e212;
             }
-            let _e198 = phi_796_;
-            if _e198 {
-                if (_e161 > 0f) {
-                    phi_810_ = bool();
-                    phi_811_ = true;
+            let _e216 = phi_815_;
+            if _e216 {
+                if (_e179 > 0f) {
+                    phi_829_ = bool();
+                    phi_830_ = true;
                 } else {
-                    let _e200 = (_e163 > 0f);
-                    if _e200 {
-                        phi_809_ = bool();
+                    let _e218 = (_e181 > 0f);
+                    if _e218 {
+                        phi_828_ = bool();
                     } else {
-                        phi_809_ = (_e165 > 0f);
+                        phi_828_ = (_e183 > 0f);
                     }
-                    let _e203 = phi_809_;
-                    phi_810_ = _e203;
-                    phi_811_ = _e200;
+                    let _e221 = phi_828_;
+                    phi_829_ = _e221;
+                    phi_830_ = _e218;
                 }
-                let _e205 = phi_810_;
-                let _e207 = phi_811_;
-                if _e207 {
-                    phi_815_ = true;
+                let _e223 = phi_829_;
+                let _e225 = phi_830_;
+                if _e225 {
+                    phi_834_ = true;
                 } else {
-                    phi_815_ = _e205;
+                    phi_834_ = _e223;
                 }
-                let _e209 = phi_815_;
-                phi_816_ = _e209;
-                phi_817_ = false;
+                let _e227 = phi_834_;
+                phi_835_ = _e227;
+                phi_836_ = false;
             } else {
-                phi_816_ = bool();
-                phi_817_ = true;
+                phi_835_ = bool();
+                phi_836_ = true;
             }
-            let _e211 = phi_816_;
-            let _e213 = phi_817_;
-            phi_818_ = _e211;
-            phi_819_ = _e213;
+            let _e229 = phi_835_;
+            let _e231 = phi_836_;
+            phi_837_ = _e229;
+            phi_838_ = _e231;
         } else {
-            phi_818_ = bool();
-            phi_819_ = true;
+            phi_837_ = bool();
+            phi_838_ = true;
         }
-        let _e215 = phi_818_;
-        let _e217 = phi_819_;
-        if _e217 {
-            phi_823_ = false;
+        let _e233 = phi_837_;
+        let _e235 = phi_838_;
+        if _e235 {
+            phi_842_ = false;
         } else {
-            phi_823_ = _e215;
+            phi_842_ = _e233;
         }
-        let _e219 = phi_823_;
-        if _e219 {
-            let _e220 = (0u >= _e77);
-            if _e220 {
-                phi_2477_ = lt_bvh_Hit();
+        let _e237 = phi_842_;
+        if _e237 {
+            let _e238 = (0u >= _e78);
+            if _e238 {
+                phi_2496_ = lt_bvh_Hit();
             } else {
-                if (0u < _e77) {
+                if (0u < _e78) {
                 } else {
                     return;
                 }
-                let _e226 = nodes.member[(0u + 0u)].frame[0u];
-                let _e230 = nodes.member[(0u + 0u)].frame[1u];
-                let _e234 = nodes.member[(0u + 0u)].frame[2u];
-                let _e238 = nodes.member[(0u + 0u)].frame[0u];
-                let _e242 = nodes.member[(0u + 0u)].frame[1u];
-                let _e246 = nodes.member[(0u + 0u)].frame[2u];
-                let _e250 = nodes.member[(0u + 0u)].frame[3u];
-                let _e289 = core_intrinsics_maximum_number_nsz_f32_(abs(_e156.direction.x), abs(_e156.direction.y));
-                let _e290 = core_intrinsics_maximum_number_nsz_f32_(_e289, abs(_e156.direction.z));
-                let _e291 = (_e290 * 0.0000000000009094947f);
-                if (abs(_e156.direction.x) < _e291) {
-                    phi_899_ = _e291;
+                let _e244 = nodes.member[(0u + 0u)].frame[0u];
+                let _e248 = nodes.member[(0u + 0u)].frame[1u];
+                let _e252 = nodes.member[(0u + 0u)].frame[2u];
+                let _e256 = nodes.member[(0u + 0u)].frame[0u];
+                let _e260 = nodes.member[(0u + 0u)].frame[1u];
+                let _e264 = nodes.member[(0u + 0u)].frame[2u];
+                let _e268 = nodes.member[(0u + 0u)].frame[3u];
+                let _e307 = core_intrinsics_maximum_number_nsz_f32_(abs(_e174.direction.x), abs(_e174.direction.y));
+                let _e308 = core_intrinsics_maximum_number_nsz_f32_(_e307, abs(_e174.direction.z));
+                let _e309 = (_e308 * 0.0000000000009094947f);
+                if (abs(_e174.direction.x) < _e309) {
+                    phi_918_ = _e309;
                 } else {
-                    phi_899_ = abs(_e156.direction.x);
+                    phi_918_ = abs(_e174.direction.x);
                 }
-                let _e297 = phi_899_;
-                if (_e156.direction.x < 0f) {
-                    phi_906_ = (-1f / _e297);
+                let _e315 = phi_918_;
+                if (_e174.direction.x < 0f) {
+                    phi_925_ = (-1f / _e315);
                 } else {
-                    phi_906_ = (1f / _e297);
+                    phi_925_ = (1f / _e315);
                 }
-                let _e302 = phi_906_;
-                if (abs(_e156.direction.y) < _e291) {
-                    phi_914_ = _e291;
+                let _e320 = phi_925_;
+                if (abs(_e174.direction.y) < _e309) {
+                    phi_933_ = _e309;
                 } else {
-                    phi_914_ = abs(_e156.direction.y);
+                    phi_933_ = abs(_e174.direction.y);
                 }
-                let _e308 = phi_914_;
-                if (_e156.direction.y < 0f) {
-                    phi_921_ = (-1f / _e308);
+                let _e326 = phi_933_;
+                if (_e174.direction.y < 0f) {
+                    phi_940_ = (-1f / _e326);
                 } else {
-                    phi_921_ = (1f / _e308);
+                    phi_940_ = (1f / _e326);
                 }
-                let _e313 = phi_921_;
-                if (abs(_e156.direction.z) < _e291) {
-                    phi_929_ = _e291;
+                let _e331 = phi_940_;
+                if (abs(_e174.direction.z) < _e309) {
+                    phi_948_ = _e309;
                 } else {
-                    phi_929_ = abs(_e156.direction.z);
+                    phi_948_ = abs(_e174.direction.z);
                 }
-                let _e319 = phi_929_;
-                if (_e156.direction.z < 0f) {
-                    phi_936_ = (-1f / _e319);
+                let _e337 = phi_948_;
+                if (_e174.direction.z < 0f) {
+                    phi_955_ = (-1f / _e337);
                 } else {
-                    phi_936_ = (1f / _e319);
+                    phi_955_ = (1f / _e337);
                 }
-                let _e324 = phi_936_;
-                let _e331 = abs((bitcast<f32>(_e226) - _e156.origin.x));
-                let _e332 = abs((bitcast<f32>(_e230) - _e156.origin.y));
-                let _e333 = abs((bitcast<f32>(_e234) - _e156.origin.z));
-                let _e340 = abs(((bitcast<f32>(_e238) + (bitcast<f32>((((_e250 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.x));
-                let _e341 = abs(((bitcast<f32>(_e242) + (bitcast<f32>((((_e250 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.y));
-                let _e342 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e250 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.z));
-                if (_e331 > _e340) {
-                    phi_959_ = _e331;
+                let _e342 = phi_955_;
+                let _e349 = abs((bitcast<f32>(_e244) - _e174.origin.x));
+                let _e350 = abs((bitcast<f32>(_e248) - _e174.origin.y));
+                let _e351 = abs((bitcast<f32>(_e252) - _e174.origin.z));
+                let _e358 = abs(((bitcast<f32>(_e256) + (bitcast<f32>((((_e268 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e174.origin.x));
+                let _e359 = abs(((bitcast<f32>(_e260) + (bitcast<f32>((((_e268 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e174.origin.y));
+                let _e360 = abs(((bitcast<f32>(_e264) + (bitcast<f32>((((_e268 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e174.origin.z));
+                if (_e349 > _e358) {
+                    phi_978_ = _e349;
                 } else {
-                    phi_959_ = _e340;
+                    phi_978_ = _e358;
                 }
-                let _e345 = phi_959_;
-                if (_e332 > _e341) {
-                    phi_964_ = _e332;
+                let _e363 = phi_978_;
+                if (_e350 > _e359) {
+                    phi_983_ = _e350;
                 } else {
-                    phi_964_ = _e341;
+                    phi_983_ = _e359;
                 }
-                let _e348 = phi_964_;
-                if (_e333 > _e342) {
-                    phi_969_ = _e333;
+                let _e366 = phi_983_;
+                if (_e351 > _e360) {
+                    phi_988_ = _e351;
                 } else {
-                    phi_969_ = _e342;
+                    phi_988_ = _e360;
                 }
-                let _e351 = phi_969_;
-                if (_e345 > _e348) {
-                    phi_974_ = _e345;
+                let _e369 = phi_988_;
+                if (_e363 > _e366) {
+                    phi_993_ = _e363;
                 } else {
-                    phi_974_ = _e348;
+                    phi_993_ = _e366;
                 }
-                let _e354 = phi_974_;
-                if (_e354 > _e351) {
-                    phi_979_ = _e354;
+                let _e372 = phi_993_;
+                if (_e372 > _e369) {
+                    phi_998_ = _e372;
                 } else {
-                    phi_979_ = _e351;
+                    phi_998_ = _e369;
                 }
-                let _e357 = phi_979_;
-                let _e361 = (_e357 * 0.0000019073486f);
-                let _e362 = (abs(_e302) * _e361);
-                let _e363 = (abs(_e313) * _e361);
-                let _e364 = (abs(_e324) * _e361);
-                let _e368 = (_e357 * 0.0000009536743f);
-                let _e369 = (abs(_e302) * _e368);
-                let _e370 = (abs(_e313) * _e368);
-                let _e371 = (abs(_e324) * _e368);
-                let _e375 = abs(_e156.direction.x);
-                let _e377 = abs(_e156.direction.y);
-                let _e379 = abs(_e156.direction.z);
-                if (_e375 >= _e377) {
-                    if (_e375 >= _e379) {
-                        phi_1010_ = false;
+                let _e375 = phi_998_;
+                let _e379 = (_e375 * 0.0000019073486f);
+                let _e380 = (abs(_e320) * _e379);
+                let _e381 = (abs(_e331) * _e379);
+                let _e382 = (abs(_e342) * _e379);
+                let _e386 = (_e375 * 0.0000009536743f);
+                let _e387 = (abs(_e320) * _e386);
+                let _e388 = (abs(_e331) * _e386);
+                let _e389 = (abs(_e342) * _e386);
+                let _e393 = abs(_e174.direction.x);
+                let _e395 = abs(_e174.direction.y);
+                let _e397 = abs(_e174.direction.z);
+                if (_e393 >= _e395) {
+                    if (_e393 >= _e397) {
+                        phi_1029_ = false;
                     } else {
-                        phi_1010_ = true;
+                        phi_1029_ = true;
                     }
-                    let _e383 = phi_1010_;
-                    phi_1011_ = _e383;
+                    let _e401 = phi_1029_;
+                    phi_1030_ = _e401;
                 } else {
-                    phi_1011_ = true;
+                    phi_1030_ = true;
                 }
-                let _e385 = phi_1011_;
-                if _e385 {
-                    if (_e377 >= _e379) {
-                        phi_1019_ = 1u;
+                let _e403 = phi_1030_;
+                if _e403 {
+                    if (_e395 >= _e397) {
+                        phi_1038_ = 1u;
                     } else {
-                        phi_1019_ = 2u;
+                        phi_1038_ = 2u;
                     }
-                    let _e388 = phi_1019_;
-                    phi_1020_ = _e388;
+                    let _e406 = phi_1038_;
+                    phi_1039_ = _e406;
                 } else {
-                    phi_1020_ = 0u;
+                    phi_1039_ = 0u;
                 }
-                let _e390 = phi_1020_;
-                if (_e390 == 0u) {
-                    phi_1038_ = vec3<f32>(_e156.direction.y, _e156.direction.z, _e156.direction.x);
+                let _e408 = phi_1039_;
+                if (_e408 == 0u) {
+                    phi_1057_ = vec3<f32>(_e174.direction.y, _e174.direction.z, _e174.direction.x);
                 } else {
-                    if (_e390 == 1u) {
-                        phi_1037_ = vec3<f32>(_e156.direction.z, _e156.direction.x, _e156.direction.y);
+                    if (_e408 == 1u) {
+                        phi_1056_ = vec3<f32>(_e174.direction.z, _e174.direction.x, _e174.direction.y);
                     } else {
-                        phi_1037_ = _e156.direction;
+                        phi_1056_ = _e174.direction;
                     }
-                    let _e402 = phi_1037_;
-                    phi_1038_ = _e402;
+                    let _e420 = phi_1056_;
+                    phi_1057_ = _e420;
                 }
-                let _e404 = phi_1038_;
-                let _e407 = (_e404.x / _e404.z);
-                let _e410 = (_e404.y / _e404.z);
-                if (_e302 < 0f) {
-                    phi_1051_ = 0u;
+                let _e422 = phi_1057_;
+                let _e425 = (_e422.x / _e422.z);
+                let _e428 = (_e422.y / _e422.z);
+                if (_e320 < 0f) {
+                    phi_1070_ = 0u;
                 } else {
-                    phi_1051_ = 1u;
+                    phi_1070_ = 1u;
                 }
-                let _e415 = phi_1051_;
-                if (_e313 < 0f) {
-                    phi_1056_ = 0u;
+                let _e433 = phi_1070_;
+                if (_e331 < 0f) {
+                    phi_1075_ = 0u;
                 } else {
-                    phi_1056_ = 2u;
+                    phi_1075_ = 2u;
                 }
-                let _e418 = phi_1056_;
-                if (_e324 < 0f) {
-                    phi_1061_ = 0u;
+                let _e436 = phi_1075_;
+                if (_e342 < 0f) {
+                    phi_1080_ = 0u;
                 } else {
-                    phi_1061_ = 4u;
+                    phi_1080_ = 4u;
                 }
-                let _e421 = phi_1061_;
-                let _e423 = ((_e415 | _e418) | _e421);
-                let _e424 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e424.first[0], _e424.first[1], _e424.first[2], _e424.first[3], _e424.first[4], _e424.first[5], _e424.first[6], _e424.first[7], _e424.first[8], _e424.first[9], _e424.first[10], _e424.first[11], _e424.first[12], _e424.first[13], _e424.first[14], _e424.first[15], _e424.first[16], _e424.first[17], _e424.first[18], _e424.first[19], _e424.first[20], _e424.first[21], _e424.first[22], _e424.first[23], _e424.first[24], _e424.first[25], _e424.first[26], _e424.first[27], _e424.first[28], _e424.first[29], _e424.first[30], _e424.first[31]), array<u32, 32>(_e424.mask[0], _e424.mask[1], _e424.mask[2], _e424.mask[3], _e424.mask[4], _e424.mask[5], _e424.mask[6], _e424.mask[7], _e424.mask[8], _e424.mask[9], _e424.mask[10], _e424.mask[11], _e424.mask[12], _e424.mask[13], _e424.mask[14], _e424.mask[15], _e424.mask[16], _e424.mask[17], _e424.mask[18], _e424.mask[19], _e424.mask[20], _e424.mask[21], _e424.mask[22], _e424.mask[23], _e424.mask[24], _e424.mask[25], _e424.mask[26], _e424.mask[27], _e424.mask[28], _e424.mask[29], _e424.mask[30], _e424.mask[31]), _e424.len, _e424.group, _e424.group_mask);
-                let _e498 = local_2.group_mask;
-                if ((_e498 & 4278190080u) == 0u) {
-                    let _e502 = local_2.len;
-                    if (_e502 == 0u) {
-                        phi_1175_ = false;
+                let _e439 = phi_1080_;
+                let _e441 = ((_e433 | _e436) | _e439);
+                let _e442 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e442.first[0], _e442.first[1], _e442.first[2], _e442.first[3], _e442.first[4], _e442.first[5], _e442.first[6], _e442.first[7], _e442.first[8], _e442.first[9], _e442.first[10], _e442.first[11], _e442.first[12], _e442.first[13], _e442.first[14], _e442.first[15], _e442.first[16], _e442.first[17], _e442.first[18], _e442.first[19], _e442.first[20], _e442.first[21], _e442.first[22], _e442.first[23], _e442.first[24], _e442.first[25], _e442.first[26], _e442.first[27], _e442.first[28], _e442.first[29], _e442.first[30], _e442.first[31]), array<u32, 32>(_e442.mask[0], _e442.mask[1], _e442.mask[2], _e442.mask[3], _e442.mask[4], _e442.mask[5], _e442.mask[6], _e442.mask[7], _e442.mask[8], _e442.mask[9], _e442.mask[10], _e442.mask[11], _e442.mask[12], _e442.mask[13], _e442.mask[14], _e442.mask[15], _e442.mask[16], _e442.mask[17], _e442.mask[18], _e442.mask[19], _e442.mask[20], _e442.mask[21], _e442.mask[22], _e442.mask[23], _e442.mask[24], _e442.mask[25], _e442.mask[26], _e442.mask[27], _e442.mask[28], _e442.mask[29], _e442.mask[30], _e442.mask[31]), _e442.len, _e442.group, _e442.group_mask);
+                let _e516 = local_2.group_mask;
+                if ((_e516 & 4278190080u) == 0u) {
+                    let _e520 = local_2.len;
+                    if (_e520 == 0u) {
+                        phi_1194_ = false;
                     } else {
-                        let _e506 = local_2.len;
-                        local_2.len = (_e506 - 1u);
-                        let _e509 = local_2.len;
-                        if (_e509 < 32u) {
+                        let _e524 = local_2.len;
+                        local_2.len = (_e524 - 1u);
+                        let _e527 = local_2.len;
+                        if (_e527 < 32u) {
                         } else {
                             return;
                         }
-                        let _e514 = local_2.first[(0u + _e509)];
-                        local_2.group = _e514;
-                        let _e517 = local_2.len;
-                        if (_e517 < 32u) {
+                        let _e532 = local_2.first[(0u + _e527)];
+                        local_2.group = _e532;
+                        let _e535 = local_2.len;
+                        if (_e535 < 32u) {
                         } else {
                             return;
                         }
-                        let _e522 = local_2.mask[(0u + _e517)];
-                        local_2.group_mask = _e522;
-                        phi_1175_ = true;
+                        let _e540 = local_2.mask[(0u + _e535)];
+                        local_2.group_mask = _e540;
+                        phi_1194_ = true;
                     }
-                    let _e525 = phi_1175_;
-                    phi_1176_ = _e525;
+                    let _e543 = phi_1194_;
+                    phi_1195_ = _e543;
                 } else {
-                    phi_1176_ = true;
+                    phi_1195_ = true;
                 }
-                let _e527 = phi_1176_;
-                if _e527 {
-                    let _e529 = local_2.group_mask;
-                    let _e535 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e529)), 32u, (_e529 == 0u)));
-                    let _e539 = local_2.group_mask;
-                    let _e553 = local_2.group_mask;
-                    local_2.group_mask = (_e553 & ~((1u << bitcast<u32>((_e535 & 31u)))));
-                    let _e556 = local_2.group;
-                    phi_1207_ = (_e556 + countOneBits(((_e539 & ~((4294967295u << bitcast<u32>((((_e535 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e545 = phi_1195_;
+                if _e545 {
+                    let _e547 = local_2.group_mask;
+                    let _e553 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e547)), 32u, (_e547 == 0u)));
+                    let _e557 = local_2.group_mask;
+                    let _e571 = local_2.group_mask;
+                    local_2.group_mask = (_e571 & ~((1u << bitcast<u32>((_e553 & 31u)))));
+                    let _e574 = local_2.group;
+                    phi_1226_ = (_e574 + countOneBits(((_e557 & ~((4294967295u << bitcast<u32>((((_e553 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1207_ = 4294967295u;
+                    phi_1226_ = 4294967295u;
                 }
-                let _e559 = phi_1207_;
-                phi_1209_ = _e158;
-                phi_1212_ = _e559;
+                let _e577 = phi_1226_;
+                phi_1228_ = _e176;
+                phi_1231_ = _e577;
                 loop {
-                    let _e561 = phi_1209_;
-                    let _e563 = phi_1212_;
-                    local_7 = _e561;
-                    let _e564 = (_e563 != 4294967295u);
-                    if _e564 {
-                        if (_e563 < _e77) {
+                    let _e579 = phi_1228_;
+                    let _e581 = phi_1231_;
+                    local_7 = _e579;
+                    let _e582 = (_e581 != 4294967295u);
+                    if _e582 {
+                        if (_e581 < _e78) {
                         } else {
                             return;
                         }
-                        let _e572 = nodes.member[(0u + _e563)].frame[3u];
-                        let _e597 = (bitcast<f32>((((_e572 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
-                        let _e598 = (bitcast<f32>((((_e572 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
-                        let _e599 = (bitcast<f32>((((_e572 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e324);
-                        let _e602 = nodes.member[(0u + _e563)].frame[0u];
-                        let _e606 = nodes.member[(0u + _e563)].frame[1u];
-                        let _e610 = nodes.member[(0u + _e563)].frame[2u];
-                        let _e618 = ((bitcast<f32>(_e602) - _e156.origin.x) * _e302);
-                        let _e619 = ((bitcast<f32>(_e606) - _e156.origin.y) * _e313);
-                        let _e620 = ((bitcast<f32>(_e610) - _e156.origin.z) * _e324);
-                        let _e628 = nodes.member[(0u + _e563)].x;
-                        if (_e302 < 0f) {
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e639.unnamed.word, _e628.w), _e639.unnamed_1);
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e628.x, _e645.unnamed_1.shift));
-                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_mask_LightPlace(_e651.unnamed_1.word, _e628.y));
+                        let _e590 = nodes.member[(0u + _e581)].frame[3u];
+                        let _e615 = (bitcast<f32>((((_e590 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e320);
+                        let _e616 = (bitcast<f32>((((_e590 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
+                        let _e617 = (bitcast<f32>((((_e590 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e342);
+                        let _e620 = nodes.member[(0u + _e581)].frame[0u];
+                        let _e624 = nodes.member[(0u + _e581)].frame[1u];
+                        let _e628 = nodes.member[(0u + _e581)].frame[2u];
+                        let _e636 = ((bitcast<f32>(_e620) - _e174.origin.x) * _e320);
+                        let _e637 = ((bitcast<f32>(_e624) - _e174.origin.y) * _e331);
+                        let _e638 = ((bitcast<f32>(_e628) - _e174.origin.z) * _e342);
+                        let _e646 = nodes.member[(0u + _e581)].x;
+                        if (_e320 < 0f) {
+                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.unnamed.word, _e646.w), _e657.unnamed_1);
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_mask_LightPlace(_e646.x, _e663.unnamed_1.shift));
+                            phi_1316_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_mask_LightPlace(_e669.unnamed_1.word, _e646.y));
                         } else {
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.unnamed.word, _e628.y), _e667.unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_mask_LightPlace(_e628.z, _e673.unnamed_1.shift));
-                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e679.unnamed_1.word, _e628.w));
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e685.unnamed.word, _e646.y), _e685.unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e646.z, _e691.unnamed_1.shift));
+                            phi_1316_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_mask_LightPlace(_e697.unnamed_1.word, _e646.w));
                         }
-                        let _e687 = phi_1297_;
-                        let _e697 = nodes.member[(0u + _e563)].y;
-                        if (_e313 < 0f) {
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e708.unnamed.word, _e697.w), _e708.unnamed_1);
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e697.x, _e714.unnamed_1.shift));
-                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_mask_LightPlace(_e720.unnamed_1.word, _e697.y));
+                        let _e705 = phi_1316_;
+                        let _e715 = nodes.member[(0u + _e581)].y;
+                        if (_e331 < 0f) {
+                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.unnamed.word, _e715.w), _e726.unnamed_1);
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e715.x, _e732.unnamed_1.shift));
+                            phi_1343_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e738.unnamed_1.word, _e715.y));
                         } else {
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e736.unnamed.word, _e697.y), _e736.unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_mask_LightPlace(_e697.z, _e742.unnamed_1.shift));
-                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e748.unnamed_1.word, _e697.w));
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e754.unnamed.word, _e715.y), _e754.unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e715.z, _e760.unnamed_1.shift));
+                            phi_1343_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_mask_LightPlace(_e766.unnamed_1.word, _e715.w));
                         }
-                        let _e756 = phi_1324_;
-                        let _e766 = nodes.member[(0u + _e563)].z;
-                        if (_e324 < 0f) {
-                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e777.unnamed.word, _e766.w), _e777.unnamed_1);
-                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e766.x, _e783.unnamed_1.shift));
-                            phi_1351_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e789.unnamed, lt_mask_LightPlace(_e789.unnamed_1.word, _e766.y));
+                        let _e774 = phi_1343_;
+                        let _e784 = nodes.member[(0u + _e581)].z;
+                        if (_e342 < 0f) {
+                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e795.unnamed.word, _e784.w), _e795.unnamed_1);
+                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e784.x, _e801.unnamed_1.shift));
+                            phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_mask_LightPlace(_e807.unnamed_1.word, _e784.y));
                         } else {
-                            let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e805.unnamed.word, _e766.y), _e805.unnamed_1);
-                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_mask_LightPlace(_e766.z, _e811.unnamed_1.shift));
-                            phi_1351_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e817.unnamed, lt_mask_LightPlace(_e817.unnamed_1.word, _e766.w));
+                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e823.unnamed.word, _e784.y), _e823.unnamed_1);
+                            let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_mask_LightPlace(_e784.z, _e829.unnamed_1.shift));
+                            phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e835.unnamed, lt_mask_LightPlace(_e835.unnamed_1.word, _e784.w));
                         }
-                        let _e825 = phi_1351_;
-                        phi_1357_ = 0u;
-                        phi_1360_ = 0u;
+                        let _e843 = phi_1370_;
+                        phi_1376_ = 0u;
+                        phi_1379_ = 0u;
                         loop {
-                            let _e835 = phi_1357_;
-                            let _e837 = phi_1360_;
-                            local_3 = _e837;
-                            local_4 = _e837;
-                            local_5 = _e837;
-                            let _e838 = (_e835 < 8u);
-                            if _e838 {
-                                let _e840 = (_e835 >> bitcast<u32>(2i));
-                                let _e841 = (_e835 & 3u);
-                                if (_e840 == 0u) {
-                                    phi_1374_ = _e687.unnamed.word;
+                            let _e853 = phi_1376_;
+                            let _e855 = phi_1379_;
+                            local_3 = _e855;
+                            local_4 = _e855;
+                            local_5 = _e855;
+                            let _e856 = (_e853 < 8u);
+                            if _e856 {
+                                let _e858 = (_e853 >> bitcast<u32>(2i));
+                                let _e859 = (_e853 & 3u);
+                                if (_e858 == 0u) {
+                                    phi_1393_ = _e705.unnamed.word;
                                 } else {
-                                    phi_1374_ = _e687.unnamed.shift;
+                                    phi_1393_ = _e705.unnamed.shift;
                                 }
-                                let _e844 = phi_1374_;
-                                if (_e840 == 0u) {
-                                    phi_1384_ = _e756.unnamed.word;
+                                let _e862 = phi_1393_;
+                                if (_e858 == 0u) {
+                                    phi_1403_ = _e774.unnamed.word;
                                 } else {
-                                    phi_1384_ = _e756.unnamed.shift;
+                                    phi_1403_ = _e774.unnamed.shift;
                                 }
-                                let _e853 = phi_1384_;
-                                if (_e840 == 0u) {
-                                    phi_1394_ = _e825.unnamed.word;
+                                let _e871 = phi_1403_;
+                                if (_e858 == 0u) {
+                                    phi_1413_ = _e843.unnamed.word;
                                 } else {
-                                    phi_1394_ = _e825.unnamed.shift;
+                                    phi_1413_ = _e843.unnamed.shift;
                                 }
-                                let _e862 = phi_1394_;
-                                let _e875 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 - _e362)), ((f32(((_e853 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 - _e363)));
-                                let _e876 = core_intrinsics_maximum_number_nsz_f32_(_e875, ((f32(((_e862 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e364)));
-                                if (_e840 == 0u) {
-                                    phi_1412_ = _e687.unnamed_1.word;
+                                let _e880 = phi_1413_;
+                                let _e893 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e862 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e615) + (_e636 - _e380)), ((f32(((_e871 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e616) + (_e637 - _e381)));
+                                let _e894 = core_intrinsics_maximum_number_nsz_f32_(_e893, ((f32(((_e880 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e617) + (_e638 - _e382)));
+                                if (_e858 == 0u) {
+                                    phi_1431_ = _e705.unnamed_1.word;
                                 } else {
-                                    phi_1412_ = _e687.unnamed_1.shift;
+                                    phi_1431_ = _e705.unnamed_1.shift;
                                 }
-                                let _e879 = phi_1412_;
-                                if (_e840 == 0u) {
-                                    phi_1422_ = _e756.unnamed_1.word;
+                                let _e897 = phi_1431_;
+                                if (_e858 == 0u) {
+                                    phi_1441_ = _e774.unnamed_1.word;
                                 } else {
-                                    phi_1422_ = _e756.unnamed_1.shift;
+                                    phi_1441_ = _e774.unnamed_1.shift;
                                 }
-                                let _e888 = phi_1422_;
-                                if (_e840 == 0u) {
-                                    phi_1432_ = _e825.unnamed_1.word;
+                                let _e906 = phi_1441_;
+                                if (_e858 == 0u) {
+                                    phi_1451_ = _e843.unnamed_1.word;
                                 } else {
-                                    phi_1432_ = _e825.unnamed_1.shift;
+                                    phi_1451_ = _e843.unnamed_1.shift;
                                 }
-                                let _e897 = phi_1432_;
-                                let _e910 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e879 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 + _e362)), ((f32(((_e888 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 + _e363)));
-                                let _e911 = core_intrinsics_minimum_number_nsz_f32_(_e910, ((f32(((_e897 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e364)));
-                                if (_e876 <= _e911) {
-                                    if (_e876 <= _e561.t) {
-                                        if (_e911 >= _e156.tmin) {
-                                            if (_e840 == 0u) {
-                                                let _e918 = nodes.member[(0u + _e563)].links[2u];
-                                                phi_1468_ = _e918;
+                                let _e915 = phi_1451_;
+                                let _e928 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e897 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e615) + (_e636 + _e380)), ((f32(((_e906 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e616) + (_e637 + _e381)));
+                                let _e929 = core_intrinsics_minimum_number_nsz_f32_(_e928, ((f32(((_e915 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e617) + (_e638 + _e382)));
+                                if (_e894 <= _e929) {
+                                    if (_e894 <= _e579.t) {
+                                        if (_e929 >= _e174.tmin) {
+                                            if (_e858 == 0u) {
+                                                let _e936 = nodes.member[(0u + _e581)].links[2u];
+                                                phi_1487_ = _e936;
                                             } else {
-                                                let _e921 = nodes.member[(0u + _e563)].links[3u];
-                                                phi_1468_ = _e921;
+                                                let _e939 = nodes.member[(0u + _e581)].links[3u];
+                                                phi_1487_ = _e939;
                                             }
-                                            let _e923 = phi_1468_;
-                                            let _e928 = ((_e923 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u);
-                                            let _e929 = (_e928 & 31u);
-                                            if (_e929 >= 24u) {
-                                                phi_1481_ = (24u + ((_e929 - 24u) ^ _e423));
+                                            let _e941 = phi_1487_;
+                                            let _e946 = ((_e941 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u);
+                                            let _e947 = (_e946 & 31u);
+                                            if (_e947 >= 24u) {
+                                                phi_1500_ = (24u + ((_e947 - 24u) ^ _e441));
                                             } else {
-                                                phi_1481_ = _e929;
+                                                phi_1500_ = _e947;
                                             }
-                                            let _e935 = phi_1481_;
-                                            phi_1486_ = (_e837 | ((_e928 >> bitcast<u32>(5i)) << bitcast<u32>((_e935 & 31u))));
+                                            let _e953 = phi_1500_;
+                                            phi_1505_ = (_e855 | ((_e946 >> bitcast<u32>(5i)) << bitcast<u32>((_e953 & 31u))));
                                         } else {
-                                            phi_1486_ = _e837;
+                                            phi_1505_ = _e855;
                                         }
-                                        let _e943 = phi_1486_;
-                                        phi_1487_ = _e943;
+                                        let _e961 = phi_1505_;
+                                        phi_1506_ = _e961;
                                     } else {
-                                        phi_1487_ = _e837;
+                                        phi_1506_ = _e855;
                                     }
-                                    let _e945 = phi_1487_;
-                                    phi_1488_ = _e945;
+                                    let _e963 = phi_1506_;
+                                    phi_1507_ = _e963;
                                 } else {
-                                    phi_1488_ = _e837;
+                                    phi_1507_ = _e855;
                                 }
-                                let _e947 = phi_1488_;
-                                phi_1358_ = (_e835 + 1u);
-                                phi_1361_ = _e947;
+                                let _e965 = phi_1507_;
+                                phi_1377_ = (_e853 + 1u);
+                                phi_1380_ = _e965;
                             } else {
-                                phi_1358_ = u32();
-                                phi_1361_ = u32();
+                                phi_1377_ = u32();
+                                phi_1380_ = u32();
                             }
-                            let _e950 = phi_1358_;
-                            let _e952 = phi_1361_;
+                            let _e968 = phi_1377_;
+                            let _e970 = phi_1380_;
                             continue;
                             continuing {
-                                phi_1357_ = _e950;
-                                phi_1360_ = _e952;
-                                break if !(_e838);
+                                phi_1376_ = _e968;
+                                phi_1379_ = _e970;
+                                break if !(_e856);
                             }
                         }
-                        let _e956 = nodes.member[(0u + _e563)].links[0u];
-                        let _e960 = nodes.member[(0u + _e563)].frame[3u];
-                        let _e964 = local_3;
-                        if ((_e964 & 4278190080u) == 0u) {
+                        let _e974 = nodes.member[(0u + _e581)].links[0u];
+                        let _e978 = nodes.member[(0u + _e581)].frame[3u];
+                        let _e982 = local_3;
+                        if ((_e982 & 4278190080u) == 0u) {
                         } else {
-                            let _e968 = local_2.group_mask;
-                            if ((_e968 & 4278190080u) == 0u) {
+                            let _e986 = local_2.group_mask;
+                            if ((_e986 & 4278190080u) == 0u) {
                             } else {
-                                let _e972 = local_2.len;
-                                if (_e972 < 32u) {
-                                    let _e975 = local_2.group;
-                                    let _e977 = local_2.len;
-                                    if (_e977 < 32u) {
+                                let _e990 = local_2.len;
+                                if (_e990 < 32u) {
+                                    let _e993 = local_2.group;
+                                    let _e995 = local_2.len;
+                                    if (_e995 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e977)] = _e975;
-                                    let _e983 = local_2.group_mask;
-                                    let _e985 = local_2.len;
-                                    if (_e985 < 32u) {
+                                    local_2.first[(0u + _e995)] = _e993;
+                                    let _e1001 = local_2.group_mask;
+                                    let _e1003 = local_2.len;
+                                    if (_e1003 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e985)] = _e983;
-                                    let _e992 = local_2.len;
-                                    local_2.len = (_e992 + 1u);
+                                    local_2.mask[(0u + _e1003)] = _e1001;
+                                    let _e1010 = local_2.len;
+                                    local_2.len = (_e1010 + 1u);
                                 }
                             }
-                            local_2.group = (0u + _e956);
-                            let _e996 = local_4;
-                            local_2.group_mask = ((_e996 & 4278190080u) | (_e960 >> bitcast<u32>(24i)));
+                            local_2.group = (0u + _e974);
+                            let _e1014 = local_4;
+                            local_2.group_mask = ((_e1014 & 4278190080u) | (_e978 >> bitcast<u32>(24i)));
                         }
-                        let _e1001 = local_5;
-                        phi_1546_ = _e561;
-                        phi_1549_ = (_e1001 & 16777215u);
+                        let _e1019 = local_5;
+                        phi_1565_ = _e579;
+                        phi_1568_ = (_e1019 & 16777215u);
                         loop {
-                            let _e1004 = phi_1546_;
-                            let _e1006 = phi_1549_;
-                            local_6 = _e1004;
-                            if (_e1006 == 0u) {
-                                phi_1547_ = lt_bvh_Hit();
-                                phi_1550_ = u32();
-                                phi_2405_ = false;
+                            let _e1022 = phi_1565_;
+                            let _e1024 = phi_1568_;
+                            local_6 = _e1022;
+                            if (_e1024 == 0u) {
+                                phi_1566_ = lt_bvh_Hit();
+                                phi_1569_ = u32();
+                                phi_2424_ = false;
                             } else {
-                                let _e1010 = nodes.member[(0u + _e563)].links[1u];
-                                let _e1015 = ((0u + _e1010) + select(firstTrailingBit(_e1006), 32u, (_e1006 == 0u)));
-                                if (_e1015 < _e80) {
+                                let _e1028 = nodes.member[(0u + _e581)].links[1u];
+                                let _e1033 = ((0u + _e1028) + select(firstTrailingBit(_e1024), 32u, (_e1024 == 0u)));
+                                if (_e1033 < _e81) {
                                 } else {
                                     return;
                                 }
-                                let _e1022 = triangles.member[(0u + _e1015)].v0_;
-                                let _e1025 = (_e1022.x - _e156.origin.x);
-                                let _e1028 = (_e1022.y - _e156.origin.y);
-                                let _e1031 = (_e1022.z - _e156.origin.z);
-                                if (_e390 == 0u) {
-                                    phi_1596_ = vec3<f32>(_e1028, _e1031, _e1025);
+                                let _e1040 = triangles.member[(0u + _e1033)].v0_;
+                                let _e1043 = (_e1040.x - _e174.origin.x);
+                                let _e1046 = (_e1040.y - _e174.origin.y);
+                                let _e1049 = (_e1040.z - _e174.origin.z);
+                                if (_e408 == 0u) {
+                                    phi_1615_ = vec3<f32>(_e1046, _e1049, _e1043);
                                 } else {
-                                    if (_e390 == 1u) {
-                                        phi_1595_ = vec3<f32>(_e1031, _e1025, _e1028);
+                                    if (_e408 == 1u) {
+                                        phi_1614_ = vec3<f32>(_e1049, _e1043, _e1046);
                                     } else {
-                                        phi_1595_ = (_e1022 - _e156.origin);
+                                        phi_1614_ = (_e1040 - _e174.origin);
                                     }
-                                    let _e1038 = phi_1595_;
-                                    phi_1596_ = _e1038;
+                                    let _e1056 = phi_1614_;
+                                    phi_1615_ = _e1056;
                                 }
-                                let _e1040 = phi_1596_;
-                                let _e1044 = (_e1040.x - (_e407 * _e1040.z));
-                                let _e1048 = (_e1040.y - (_e410 * _e1040.z));
-                                let _e1050 = triangles.member[(0u + _e1015)].v1_;
-                                let _e1053 = (_e1050.x - _e156.origin.x);
-                                let _e1056 = (_e1050.y - _e156.origin.y);
-                                let _e1059 = (_e1050.z - _e156.origin.z);
-                                if (_e390 == 0u) {
-                                    phi_1628_ = vec3<f32>(_e1056, _e1059, _e1053);
+                                let _e1058 = phi_1615_;
+                                let _e1062 = (_e1058.x - (_e425 * _e1058.z));
+                                let _e1066 = (_e1058.y - (_e428 * _e1058.z));
+                                let _e1068 = triangles.member[(0u + _e1033)].v1_;
+                                let _e1071 = (_e1068.x - _e174.origin.x);
+                                let _e1074 = (_e1068.y - _e174.origin.y);
+                                let _e1077 = (_e1068.z - _e174.origin.z);
+                                if (_e408 == 0u) {
+                                    phi_1647_ = vec3<f32>(_e1074, _e1077, _e1071);
                                 } else {
-                                    if (_e390 == 1u) {
-                                        phi_1627_ = vec3<f32>(_e1059, _e1053, _e1056);
+                                    if (_e408 == 1u) {
+                                        phi_1646_ = vec3<f32>(_e1077, _e1071, _e1074);
                                     } else {
-                                        phi_1627_ = (_e1050 - _e156.origin);
+                                        phi_1646_ = (_e1068 - _e174.origin);
                                     }
-                                    let _e1066 = phi_1627_;
-                                    phi_1628_ = _e1066;
+                                    let _e1084 = phi_1646_;
+                                    phi_1647_ = _e1084;
                                 }
-                                let _e1068 = phi_1628_;
-                                let _e1072 = (_e1068.x - (_e407 * _e1068.z));
-                                let _e1076 = (_e1068.y - (_e410 * _e1068.z));
-                                let _e1078 = triangles.member[(0u + _e1015)].v2_;
-                                let _e1081 = (_e1078.x - _e156.origin.x);
-                                let _e1084 = (_e1078.y - _e156.origin.y);
-                                let _e1087 = (_e1078.z - _e156.origin.z);
-                                if (_e390 == 0u) {
-                                    phi_1660_ = vec3<f32>(_e1084, _e1087, _e1081);
+                                let _e1086 = phi_1647_;
+                                let _e1090 = (_e1086.x - (_e425 * _e1086.z));
+                                let _e1094 = (_e1086.y - (_e428 * _e1086.z));
+                                let _e1096 = triangles.member[(0u + _e1033)].v2_;
+                                let _e1099 = (_e1096.x - _e174.origin.x);
+                                let _e1102 = (_e1096.y - _e174.origin.y);
+                                let _e1105 = (_e1096.z - _e174.origin.z);
+                                if (_e408 == 0u) {
+                                    phi_1679_ = vec3<f32>(_e1102, _e1105, _e1099);
                                 } else {
-                                    if (_e390 == 1u) {
-                                        phi_1659_ = vec3<f32>(_e1087, _e1081, _e1084);
+                                    if (_e408 == 1u) {
+                                        phi_1678_ = vec3<f32>(_e1105, _e1099, _e1102);
                                     } else {
-                                        phi_1659_ = (_e1078 - _e156.origin);
+                                        phi_1678_ = (_e1096 - _e174.origin);
                                     }
-                                    let _e1094 = phi_1659_;
-                                    phi_1660_ = _e1094;
+                                    let _e1112 = phi_1678_;
+                                    phi_1679_ = _e1112;
                                 }
-                                let _e1096 = phi_1660_;
-                                let _e1100 = (_e1096.x - (_e407 * _e1096.z));
-                                let _e1104 = (_e1096.y - (_e410 * _e1096.z));
-                                if (_e1072 < _e1100) {
-                                    phi_1679_ = true;
+                                let _e1114 = phi_1679_;
+                                let _e1118 = (_e1114.x - (_e425 * _e1114.z));
+                                let _e1122 = (_e1114.y - (_e428 * _e1114.z));
+                                if (_e1090 < _e1118) {
+                                    phi_1698_ = true;
                                 } else {
-                                    if (_e1072 == _e1100) {
-                                        phi_1678_ = (_e1076 < _e1104);
+                                    if (_e1090 == _e1118) {
+                                        phi_1697_ = (_e1094 < _e1122);
                                     } else {
-                                        phi_1678_ = false;
+                                        phi_1697_ = false;
                                     }
-                                    let _e1109 = phi_1678_;
-                                    phi_1679_ = _e1109;
+                                    let _e1127 = phi_1697_;
+                                    phi_1698_ = _e1127;
                                 }
-                                let _e1111 = phi_1679_;
-                                if _e1111 {
-                                    phi_1683_ = _e1104;
-                                    phi_1684_ = _e1100;
-                                    phi_1685_ = _e1076;
-                                    phi_1686_ = _e1072;
+                                let _e1129 = phi_1698_;
+                                if _e1129 {
+                                    phi_1702_ = _e1122;
+                                    phi_1703_ = _e1118;
+                                    phi_1704_ = _e1094;
+                                    phi_1705_ = _e1090;
                                 } else {
-                                    phi_1683_ = _e1076;
-                                    phi_1684_ = _e1072;
-                                    phi_1685_ = _e1104;
-                                    phi_1686_ = _e1100;
+                                    phi_1702_ = _e1094;
+                                    phi_1703_ = _e1090;
+                                    phi_1704_ = _e1122;
+                                    phi_1705_ = _e1118;
                                 }
-                                let _e1113 = phi_1683_;
-                                let _e1115 = phi_1684_;
-                                let _e1117 = phi_1685_;
-                                let _e1119 = phi_1686_;
-                                let _e1122 = ((_e1119 * _e1113) - (_e1117 * _e1115));
-                                if _e1111 {
-                                    phi_1694_ = -(_e1122);
+                                let _e1131 = phi_1702_;
+                                let _e1133 = phi_1703_;
+                                let _e1135 = phi_1704_;
+                                let _e1137 = phi_1705_;
+                                let _e1140 = ((_e1137 * _e1131) - (_e1135 * _e1133));
+                                if _e1129 {
+                                    phi_1713_ = -(_e1140);
                                 } else {
-                                    phi_1694_ = _e1122;
+                                    phi_1713_ = _e1140;
                                 }
-                                let _e1125 = phi_1694_;
-                                if (_e1100 < _e1044) {
-                                    phi_1705_ = true;
+                                let _e1143 = phi_1713_;
+                                if (_e1118 < _e1062) {
+                                    phi_1724_ = true;
                                 } else {
-                                    if (_e1100 == _e1044) {
-                                        phi_1704_ = (_e1104 < _e1048);
+                                    if (_e1118 == _e1062) {
+                                        phi_1723_ = (_e1122 < _e1066);
                                     } else {
-                                        phi_1704_ = false;
+                                        phi_1723_ = false;
                                     }
-                                    let _e1130 = phi_1704_;
-                                    phi_1705_ = _e1130;
+                                    let _e1148 = phi_1723_;
+                                    phi_1724_ = _e1148;
                                 }
-                                let _e1132 = phi_1705_;
-                                if _e1132 {
-                                    phi_1709_ = _e1048;
-                                    phi_1710_ = _e1044;
-                                    phi_1711_ = _e1104;
-                                    phi_1712_ = _e1100;
+                                let _e1150 = phi_1724_;
+                                if _e1150 {
+                                    phi_1728_ = _e1066;
+                                    phi_1729_ = _e1062;
+                                    phi_1730_ = _e1122;
+                                    phi_1731_ = _e1118;
                                 } else {
-                                    phi_1709_ = _e1104;
-                                    phi_1710_ = _e1100;
-                                    phi_1711_ = _e1048;
-                                    phi_1712_ = _e1044;
+                                    phi_1728_ = _e1122;
+                                    phi_1729_ = _e1118;
+                                    phi_1730_ = _e1066;
+                                    phi_1731_ = _e1062;
                                 }
-                                let _e1134 = phi_1709_;
-                                let _e1136 = phi_1710_;
-                                let _e1138 = phi_1711_;
-                                let _e1140 = phi_1712_;
-                                let _e1143 = ((_e1140 * _e1134) - (_e1138 * _e1136));
-                                if _e1132 {
-                                    phi_1720_ = -(_e1143);
+                                let _e1152 = phi_1728_;
+                                let _e1154 = phi_1729_;
+                                let _e1156 = phi_1730_;
+                                let _e1158 = phi_1731_;
+                                let _e1161 = ((_e1158 * _e1152) - (_e1156 * _e1154));
+                                if _e1150 {
+                                    phi_1739_ = -(_e1161);
                                 } else {
-                                    phi_1720_ = _e1143;
+                                    phi_1739_ = _e1161;
                                 }
-                                let _e1146 = phi_1720_;
-                                if (_e1044 < _e1072) {
-                                    phi_1731_ = true;
+                                let _e1164 = phi_1739_;
+                                if (_e1062 < _e1090) {
+                                    phi_1750_ = true;
                                 } else {
-                                    if (_e1044 == _e1072) {
-                                        phi_1730_ = (_e1048 < _e1076);
+                                    if (_e1062 == _e1090) {
+                                        phi_1749_ = (_e1066 < _e1094);
                                     } else {
-                                        phi_1730_ = false;
+                                        phi_1749_ = false;
                                     }
-                                    let _e1151 = phi_1730_;
-                                    phi_1731_ = _e1151;
+                                    let _e1169 = phi_1749_;
+                                    phi_1750_ = _e1169;
                                 }
-                                let _e1153 = phi_1731_;
-                                if _e1153 {
-                                    phi_1735_ = _e1076;
-                                    phi_1736_ = _e1072;
-                                    phi_1737_ = _e1048;
-                                    phi_1738_ = _e1044;
+                                let _e1171 = phi_1750_;
+                                if _e1171 {
+                                    phi_1754_ = _e1094;
+                                    phi_1755_ = _e1090;
+                                    phi_1756_ = _e1066;
+                                    phi_1757_ = _e1062;
                                 } else {
-                                    phi_1735_ = _e1048;
-                                    phi_1736_ = _e1044;
-                                    phi_1737_ = _e1076;
-                                    phi_1738_ = _e1072;
+                                    phi_1754_ = _e1066;
+                                    phi_1755_ = _e1062;
+                                    phi_1756_ = _e1094;
+                                    phi_1757_ = _e1090;
                                 }
-                                let _e1155 = phi_1735_;
-                                let _e1157 = phi_1736_;
-                                let _e1159 = phi_1737_;
-                                let _e1161 = phi_1738_;
-                                let _e1164 = ((_e1161 * _e1155) - (_e1159 * _e1157));
-                                if _e1153 {
-                                    phi_1746_ = -(_e1164);
+                                let _e1173 = phi_1754_;
+                                let _e1175 = phi_1755_;
+                                let _e1177 = phi_1756_;
+                                let _e1179 = phi_1757_;
+                                let _e1182 = ((_e1179 * _e1173) - (_e1177 * _e1175));
+                                if _e1171 {
+                                    phi_1765_ = -(_e1182);
                                 } else {
-                                    phi_1746_ = _e1164;
+                                    phi_1765_ = _e1182;
                                 }
-                                let _e1167 = phi_1746_;
-                                if (_e1125 >= 0f) {
-                                    if (_e1146 >= 0f) {
-                                        if (_e1167 >= 0f) {
-                                            phi_1761_ = ((_e1125 + _e1146) + _e1167);
-                                            phi_1762_ = false;
+                                let _e1185 = phi_1765_;
+                                if (_e1143 >= 0f) {
+                                    if (_e1164 >= 0f) {
+                                        if (_e1185 >= 0f) {
+                                            phi_1780_ = ((_e1143 + _e1164) + _e1185);
+                                            phi_1781_ = false;
                                         } else {
-                                            phi_1761_ = f32();
-                                            phi_1762_ = true;
+                                            phi_1780_ = f32();
+                                            phi_1781_ = true;
                                         }
-                                        let _e1174 = phi_1761_;
-                                        let _e1176 = phi_1762_;
-                                        phi_1763_ = _e1174;
-                                        phi_1764_ = _e1176;
+                                        let _e1192 = phi_1780_;
+                                        let _e1194 = phi_1781_;
+                                        phi_1782_ = _e1192;
+                                        phi_1783_ = _e1194;
                                     } else {
-                                        phi_1763_ = f32();
-                                        phi_1764_ = true;
+                                        phi_1782_ = f32();
+                                        phi_1783_ = true;
                                     }
-                                    let _e1178 = phi_1763_;
-                                    let _e1180 = phi_1764_;
-                                    phi_1765_ = _e1178;
-                                    phi_1766_ = _e1180;
+                                    let _e1196 = phi_1782_;
+                                    let _e1198 = phi_1783_;
+                                    phi_1784_ = _e1196;
+                                    phi_1785_ = _e1198;
                                 } else {
-                                    phi_1765_ = f32();
-                                    phi_1766_ = true;
+                                    phi_1784_ = f32();
+                                    phi_1785_ = true;
                                 }
-                                let _e1182 = phi_1765_;
-                                let _e1184 = phi_1766_;
-                                if _e1184 {
-                                    if (_e1125 <= 0f) {
-                                        if (_e1146 <= 0f) {
-                                            let _e1187 = (_e1167 <= 0f);
-                                            if _e1187 {
+                                let _e1200 = phi_1784_;
+                                let _e1202 = phi_1785_;
+                                if _e1202 {
+                                    if (_e1143 <= 0f) {
+                                        if (_e1164 <= 0f) {
+                                            let _e1205 = (_e1185 <= 0f);
+                                            if _e1205 {
                                             }
-                                            phi_1784_ = ((_e1125 + _e1146) + _e1167);
-                                            phi_1785_ = false;
-                                            phi_1786_ = _e1187;
+                                            phi_1803_ = ((_e1143 + _e1164) + _e1185);
+                                            phi_1804_ = false;
+                                            phi_1805_ = _e1205;
                                         } else {
-                                            phi_1784_ = f32();
-                                            phi_1785_ = true;
-                                            phi_1786_ = false;
+                                            phi_1803_ = f32();
+                                            phi_1804_ = true;
+                                            phi_1805_ = false;
                                         }
-                                        let _e1191 = phi_1784_;
-                                        let _e1193 = phi_1785_;
-                                        let _e1195 = phi_1786_;
-                                        phi_1787_ = _e1191;
-                                        phi_1788_ = _e1193;
-                                        phi_1789_ = _e1195;
+                                        let _e1209 = phi_1803_;
+                                        let _e1211 = phi_1804_;
+                                        let _e1213 = phi_1805_;
+                                        phi_1806_ = _e1209;
+                                        phi_1807_ = _e1211;
+                                        phi_1808_ = _e1213;
                                     } else {
-                                        phi_1787_ = f32();
-                                        phi_1788_ = true;
-                                        phi_1789_ = false;
+                                        phi_1806_ = f32();
+                                        phi_1807_ = true;
+                                        phi_1808_ = false;
                                     }
-                                    let _e1197 = phi_1787_;
-                                    let _e1199 = phi_1788_;
-                                    let _e1201 = phi_1789_;
-                                    if _e1199 {
-                                        phi_1793_ = false;
+                                    let _e1215 = phi_1806_;
+                                    let _e1217 = phi_1807_;
+                                    let _e1219 = phi_1808_;
+                                    if _e1217 {
+                                        phi_1812_ = false;
                                     } else {
-                                        phi_1793_ = _e1201;
+                                        phi_1812_ = _e1219;
                                     }
-                                    let _e1203 = phi_1793_;
-                                    phi_1794_ = _e1197;
-                                    phi_1795_ = _e1203;
+                                    let _e1221 = phi_1812_;
+                                    phi_1813_ = _e1215;
+                                    phi_1814_ = _e1221;
                                 } else {
-                                    phi_1794_ = _e1182;
-                                    phi_1795_ = true;
+                                    phi_1813_ = _e1200;
+                                    phi_1814_ = true;
                                 }
-                                let _e1205 = phi_1794_;
-                                let _e1207 = phi_1795_;
-                                if _e1207 {
-                                    let _e1208 = (_e1205 == 0f);
-                                    if _e1208 {
-                                        phi_2121_ = lt_bvh_triangle_Intersection();
-                                        phi_2122_ = false;
+                                let _e1223 = phi_1813_;
+                                let _e1225 = phi_1814_;
+                                if _e1225 {
+                                    let _e1226 = (_e1223 == 0f);
+                                    if _e1226 {
+                                        phi_2140_ = lt_bvh_triangle_Intersection();
+                                        phi_2141_ = false;
                                     } else {
-                                        let _e1210 = triangles.member[(0u + _e1015)].v0_;
-                                        let _e1213 = (_e1210.x - _e156.origin.x);
-                                        let _e1216 = (_e1210.y - _e156.origin.y);
-                                        let _e1219 = (_e1210.z - _e156.origin.z);
-                                        if (_e390 == 0u) {
-                                            phi_1826_ = vec3<f32>(_e1216, _e1219, _e1213);
+                                        let _e1228 = triangles.member[(0u + _e1033)].v0_;
+                                        let _e1231 = (_e1228.x - _e174.origin.x);
+                                        let _e1234 = (_e1228.y - _e174.origin.y);
+                                        let _e1237 = (_e1228.z - _e174.origin.z);
+                                        if (_e408 == 0u) {
+                                            phi_1845_ = vec3<f32>(_e1234, _e1237, _e1231);
                                         } else {
-                                            if (_e390 == 1u) {
-                                                phi_1825_ = vec3<f32>(_e1219, _e1213, _e1216);
+                                            if (_e408 == 1u) {
+                                                phi_1844_ = vec3<f32>(_e1237, _e1231, _e1234);
                                             } else {
-                                                phi_1825_ = (_e1210 - _e156.origin);
+                                                phi_1844_ = (_e1228 - _e174.origin);
                                             }
-                                            let _e1226 = phi_1825_;
-                                            phi_1826_ = _e1226;
+                                            let _e1244 = phi_1844_;
+                                            phi_1845_ = _e1244;
                                         }
-                                        let _e1228 = phi_1826_;
-                                        let _e1230 = triangles.member[(0u + _e1015)].v1_;
-                                        let _e1232 = triangles.member[(0u + _e1015)].v0_;
-                                        let _e1235 = (_e1230.x - _e1232.x);
-                                        let _e1238 = (_e1230.y - _e1232.y);
-                                        let _e1241 = (_e1230.z - _e1232.z);
-                                        if (_e390 == 0u) {
-                                            phi_1852_ = vec3<f32>(_e1238, _e1241, _e1235);
+                                        let _e1246 = phi_1845_;
+                                        let _e1248 = triangles.member[(0u + _e1033)].v1_;
+                                        let _e1250 = triangles.member[(0u + _e1033)].v0_;
+                                        let _e1253 = (_e1248.x - _e1250.x);
+                                        let _e1256 = (_e1248.y - _e1250.y);
+                                        let _e1259 = (_e1248.z - _e1250.z);
+                                        if (_e408 == 0u) {
+                                            phi_1871_ = vec3<f32>(_e1256, _e1259, _e1253);
                                         } else {
-                                            if (_e390 == 1u) {
-                                                phi_1851_ = vec3<f32>(_e1241, _e1235, _e1238);
+                                            if (_e408 == 1u) {
+                                                phi_1870_ = vec3<f32>(_e1259, _e1253, _e1256);
                                             } else {
-                                                phi_1851_ = (_e1230 - _e1232);
+                                                phi_1870_ = (_e1248 - _e1250);
                                             }
-                                            let _e1248 = phi_1851_;
-                                            phi_1852_ = _e1248;
+                                            let _e1266 = phi_1870_;
+                                            phi_1871_ = _e1266;
                                         }
-                                        let _e1250 = phi_1852_;
-                                        let _e1252 = triangles.member[(0u + _e1015)].v2_;
-                                        let _e1254 = triangles.member[(0u + _e1015)].v0_;
-                                        let _e1257 = (_e1252.x - _e1254.x);
-                                        let _e1260 = (_e1252.y - _e1254.y);
-                                        let _e1263 = (_e1252.z - _e1254.z);
-                                        if (_e390 == 0u) {
-                                            phi_1878_ = vec3<f32>(_e1260, _e1263, _e1257);
+                                        let _e1268 = phi_1871_;
+                                        let _e1270 = triangles.member[(0u + _e1033)].v2_;
+                                        let _e1272 = triangles.member[(0u + _e1033)].v0_;
+                                        let _e1275 = (_e1270.x - _e1272.x);
+                                        let _e1278 = (_e1270.y - _e1272.y);
+                                        let _e1281 = (_e1270.z - _e1272.z);
+                                        if (_e408 == 0u) {
+                                            phi_1897_ = vec3<f32>(_e1278, _e1281, _e1275);
                                         } else {
-                                            if (_e390 == 1u) {
-                                                phi_1877_ = vec3<f32>(_e1263, _e1257, _e1260);
+                                            if (_e408 == 1u) {
+                                                phi_1896_ = vec3<f32>(_e1281, _e1275, _e1278);
                                             } else {
-                                                phi_1877_ = (_e1252 - _e1254);
+                                                phi_1896_ = (_e1270 - _e1272);
                                             }
-                                            let _e1270 = phi_1877_;
-                                            phi_1878_ = _e1270;
+                                            let _e1288 = phi_1896_;
+                                            phi_1897_ = _e1288;
                                         }
-                                        let _e1272 = phi_1878_;
-                                        let _e1279 = ((_e1250.y * _e1272.z) - (_e1250.z * _e1272.y));
-                                        let _e1286 = ((_e1250.z * _e1272.x) - (_e1250.x * _e1272.z));
-                                        let _e1293 = ((_e1250.x * _e1272.y) - (_e1250.y * _e1272.x));
-                                        let _e1307 = (((1f / _e404.z) * (((_e1279 * _e1228.x) + (_e1286 * _e1228.y)) + (_e1293 * _e1228.z))) / (((_e1279 * _e407) + (_e1286 * _e410)) + _e1293));
-                                        if (_e1307 > _e156.tmin) {
-                                            if (_e1307 < _e156.tmax) {
-                                                let _e1313 = triangles.member[(0u + _e1015)].v0_;
-                                                let _e1315 = triangles.member[(0u + _e1015)].v1_;
-                                                if (_e1313.x < _e1315.x) {
-                                                    phi_1936_ = _e1313.x;
+                                        let _e1290 = phi_1897_;
+                                        let _e1297 = ((_e1268.y * _e1290.z) - (_e1268.z * _e1290.y));
+                                        let _e1304 = ((_e1268.z * _e1290.x) - (_e1268.x * _e1290.z));
+                                        let _e1311 = ((_e1268.x * _e1290.y) - (_e1268.y * _e1290.x));
+                                        let _e1325 = (((1f / _e422.z) * (((_e1297 * _e1246.x) + (_e1304 * _e1246.y)) + (_e1311 * _e1246.z))) / (((_e1297 * _e425) + (_e1304 * _e428)) + _e1311));
+                                        if (_e1325 > _e174.tmin) {
+                                            if (_e1325 < _e174.tmax) {
+                                                let _e1331 = triangles.member[(0u + _e1033)].v0_;
+                                                let _e1333 = triangles.member[(0u + _e1033)].v1_;
+                                                if (_e1331.x < _e1333.x) {
+                                                    phi_1955_ = _e1331.x;
                                                 } else {
-                                                    phi_1936_ = _e1315.x;
+                                                    phi_1955_ = _e1333.x;
                                                 }
-                                                let _e1322 = phi_1936_;
-                                                if (_e1313.y < _e1315.y) {
-                                                    phi_1945_ = _e1313.y;
+                                                let _e1340 = phi_1955_;
+                                                if (_e1331.y < _e1333.y) {
+                                                    phi_1964_ = _e1331.y;
                                                 } else {
-                                                    phi_1945_ = _e1315.y;
+                                                    phi_1964_ = _e1333.y;
                                                 }
-                                                let _e1329 = phi_1945_;
-                                                if (_e1313.z < _e1315.z) {
-                                                    phi_1954_ = _e1313.z;
+                                                let _e1347 = phi_1964_;
+                                                if (_e1331.z < _e1333.z) {
+                                                    phi_1973_ = _e1331.z;
                                                 } else {
-                                                    phi_1954_ = _e1315.z;
+                                                    phi_1973_ = _e1333.z;
                                                 }
-                                                let _e1336 = phi_1954_;
-                                                let _e1338 = triangles.member[(0u + _e1015)].v2_;
-                                                if (_e1322 < _e1338.x) {
-                                                    phi_1963_ = _e1322;
+                                                let _e1354 = phi_1973_;
+                                                let _e1356 = triangles.member[(0u + _e1033)].v2_;
+                                                if (_e1340 < _e1356.x) {
+                                                    phi_1982_ = _e1340;
                                                 } else {
-                                                    phi_1963_ = _e1338.x;
+                                                    phi_1982_ = _e1356.x;
                                                 }
-                                                let _e1343 = phi_1963_;
-                                                if (_e1329 < _e1338.y) {
-                                                    phi_1970_ = _e1329;
+                                                let _e1361 = phi_1982_;
+                                                if (_e1347 < _e1356.y) {
+                                                    phi_1989_ = _e1347;
                                                 } else {
-                                                    phi_1970_ = _e1338.y;
+                                                    phi_1989_ = _e1356.y;
                                                 }
-                                                let _e1348 = phi_1970_;
-                                                if (_e1336 < _e1338.z) {
-                                                    phi_1977_ = _e1336;
+                                                let _e1366 = phi_1989_;
+                                                if (_e1354 < _e1356.z) {
+                                                    phi_1996_ = _e1354;
                                                 } else {
-                                                    phi_1977_ = _e1338.z;
+                                                    phi_1996_ = _e1356.z;
                                                 }
-                                                let _e1353 = phi_1977_;
-                                                let _e1355 = triangles.member[(0u + _e1015)].v0_;
-                                                let _e1357 = triangles.member[(0u + _e1015)].v1_;
-                                                if (_e1355.x > _e1357.x) {
-                                                    phi_1990_ = _e1355.x;
+                                                let _e1371 = phi_1996_;
+                                                let _e1373 = triangles.member[(0u + _e1033)].v0_;
+                                                let _e1375 = triangles.member[(0u + _e1033)].v1_;
+                                                if (_e1373.x > _e1375.x) {
+                                                    phi_2009_ = _e1373.x;
                                                 } else {
-                                                    phi_1990_ = _e1357.x;
+                                                    phi_2009_ = _e1375.x;
                                                 }
-                                                let _e1364 = phi_1990_;
-                                                if (_e1355.y > _e1357.y) {
-                                                    phi_1999_ = _e1355.y;
+                                                let _e1382 = phi_2009_;
+                                                if (_e1373.y > _e1375.y) {
+                                                    phi_2018_ = _e1373.y;
                                                 } else {
-                                                    phi_1999_ = _e1357.y;
+                                                    phi_2018_ = _e1375.y;
                                                 }
-                                                let _e1371 = phi_1999_;
-                                                if (_e1355.z > _e1357.z) {
-                                                    phi_2008_ = _e1355.z;
+                                                let _e1389 = phi_2018_;
+                                                if (_e1373.z > _e1375.z) {
+                                                    phi_2027_ = _e1373.z;
                                                 } else {
-                                                    phi_2008_ = _e1357.z;
+                                                    phi_2027_ = _e1375.z;
                                                 }
-                                                let _e1378 = phi_2008_;
-                                                let _e1380 = triangles.member[(0u + _e1015)].v2_;
-                                                if (_e1364 > _e1380.x) {
-                                                    phi_2017_ = _e1364;
+                                                let _e1396 = phi_2027_;
+                                                let _e1398 = triangles.member[(0u + _e1033)].v2_;
+                                                if (_e1382 > _e1398.x) {
+                                                    phi_2036_ = _e1382;
                                                 } else {
-                                                    phi_2017_ = _e1380.x;
+                                                    phi_2036_ = _e1398.x;
                                                 }
-                                                let _e1385 = phi_2017_;
-                                                if (_e1371 > _e1380.y) {
-                                                    phi_2024_ = _e1371;
+                                                let _e1403 = phi_2036_;
+                                                if (_e1389 > _e1398.y) {
+                                                    phi_2043_ = _e1389;
                                                 } else {
-                                                    phi_2024_ = _e1380.y;
+                                                    phi_2043_ = _e1398.y;
                                                 }
-                                                let _e1390 = phi_2024_;
-                                                if (_e1378 > _e1380.z) {
-                                                    phi_2031_ = _e1378;
+                                                let _e1408 = phi_2043_;
+                                                if (_e1396 > _e1398.z) {
+                                                    phi_2050_ = _e1396;
                                                 } else {
-                                                    phi_2031_ = _e1380.z;
+                                                    phi_2050_ = _e1398.z;
                                                 }
-                                                let _e1395 = phi_2031_;
-                                                let _e1402 = ((_e1343 - _e156.origin.x) * _e302);
-                                                let _e1403 = ((_e1348 - _e156.origin.y) * _e313);
-                                                let _e1404 = ((_e1353 - _e156.origin.z) * _e324);
-                                                let _e1411 = ((_e1385 - _e156.origin.x) * _e302);
-                                                let _e1412 = ((_e1390 - _e156.origin.y) * _e313);
-                                                let _e1413 = ((_e1395 - _e156.origin.z) * _e324);
-                                                if (_e1402 < _e1411) {
-                                                    phi_2054_ = _e1402;
+                                                let _e1413 = phi_2050_;
+                                                let _e1420 = ((_e1361 - _e174.origin.x) * _e320);
+                                                let _e1421 = ((_e1366 - _e174.origin.y) * _e331);
+                                                let _e1422 = ((_e1371 - _e174.origin.z) * _e342);
+                                                let _e1429 = ((_e1403 - _e174.origin.x) * _e320);
+                                                let _e1430 = ((_e1408 - _e174.origin.y) * _e331);
+                                                let _e1431 = ((_e1413 - _e174.origin.z) * _e342);
+                                                if (_e1420 < _e1429) {
+                                                    phi_2073_ = _e1420;
                                                 } else {
-                                                    phi_2054_ = _e1411;
+                                                    phi_2073_ = _e1429;
                                                 }
-                                                let _e1416 = phi_2054_;
-                                                if (_e1403 < _e1412) {
-                                                    phi_2059_ = _e1403;
+                                                let _e1434 = phi_2073_;
+                                                if (_e1421 < _e1430) {
+                                                    phi_2078_ = _e1421;
                                                 } else {
-                                                    phi_2059_ = _e1412;
+                                                    phi_2078_ = _e1430;
                                                 }
-                                                let _e1419 = phi_2059_;
-                                                if (_e1404 < _e1413) {
-                                                    phi_2064_ = _e1404;
+                                                let _e1437 = phi_2078_;
+                                                if (_e1422 < _e1431) {
+                                                    phi_2083_ = _e1422;
                                                 } else {
-                                                    phi_2064_ = _e1413;
+                                                    phi_2083_ = _e1431;
                                                 }
-                                                let _e1422 = phi_2064_;
-                                                if (_e1402 > _e1411) {
-                                                    phi_2072_ = _e1402;
+                                                let _e1440 = phi_2083_;
+                                                if (_e1420 > _e1429) {
+                                                    phi_2091_ = _e1420;
                                                 } else {
-                                                    phi_2072_ = _e1411;
+                                                    phi_2091_ = _e1429;
                                                 }
-                                                let _e1428 = phi_2072_;
-                                                if (_e1403 > _e1412) {
-                                                    phi_2077_ = _e1403;
+                                                let _e1446 = phi_2091_;
+                                                if (_e1421 > _e1430) {
+                                                    phi_2096_ = _e1421;
                                                 } else {
-                                                    phi_2077_ = _e1412;
+                                                    phi_2096_ = _e1430;
                                                 }
-                                                let _e1431 = phi_2077_;
-                                                if (_e1404 > _e1413) {
-                                                    phi_2082_ = _e1404;
+                                                let _e1449 = phi_2096_;
+                                                if (_e1422 > _e1431) {
+                                                    phi_2101_ = _e1422;
                                                 } else {
-                                                    phi_2082_ = _e1413;
+                                                    phi_2101_ = _e1431;
                                                 }
-                                                let _e1434 = phi_2082_;
-                                                let _e1438 = core_intrinsics_maximum_number_nsz_f32_((_e1416 - _e369), (_e1419 - _e370));
-                                                let _e1439 = core_intrinsics_maximum_number_nsz_f32_(_e1438, (_e1422 - _e371));
-                                                let _e1440 = core_intrinsics_minimum_number_nsz_f32_((_e1428 + _e369), (_e1431 + _e370));
-                                                let _e1441 = core_intrinsics_minimum_number_nsz_f32_(_e1440, (_e1434 + _e371));
-                                                if (_e1439 > -300000000000000000000000000000000000000f) {
-                                                    phi_2094_ = _e1439;
+                                                let _e1452 = phi_2101_;
+                                                let _e1456 = core_intrinsics_maximum_number_nsz_f32_((_e1434 - _e387), (_e1437 - _e388));
+                                                let _e1457 = core_intrinsics_maximum_number_nsz_f32_(_e1456, (_e1440 - _e389));
+                                                let _e1458 = core_intrinsics_minimum_number_nsz_f32_((_e1446 + _e387), (_e1449 + _e388));
+                                                let _e1459 = core_intrinsics_minimum_number_nsz_f32_(_e1458, (_e1452 + _e389));
+                                                if (_e1457 > -300000000000000000000000000000000000000f) {
+                                                    phi_2113_ = _e1457;
                                                 } else {
-                                                    phi_2094_ = -300000000000000000000000000000000000000f;
+                                                    phi_2113_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1444 = phi_2094_;
-                                                if (_e1441 < 300000000000000000000000000000000000000f) {
-                                                    phi_2099_ = _e1441;
+                                                let _e1462 = phi_2113_;
+                                                if (_e1459 < 300000000000000000000000000000000000000f) {
+                                                    phi_2118_ = _e1459;
                                                 } else {
-                                                    phi_2099_ = 300000000000000000000000000000000000000f;
+                                                    phi_2118_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1447 = phi_2099_;
-                                                if (_e1307 < _e1444) {
-                                                    phi_2104_ = _e1444;
+                                                let _e1465 = phi_2118_;
+                                                if (_e1325 < _e1462) {
+                                                    phi_2123_ = _e1462;
                                                 } else {
-                                                    phi_2104_ = _e1307;
+                                                    phi_2123_ = _e1325;
                                                 }
-                                                let _e1450 = phi_2104_;
-                                                if (_e1450 > _e1447) {
-                                                    phi_2109_ = _e1447;
+                                                let _e1468 = phi_2123_;
+                                                if (_e1468 > _e1465) {
+                                                    phi_2128_ = _e1465;
                                                 } else {
-                                                    phi_2109_ = _e1450;
+                                                    phi_2128_ = _e1468;
                                                 }
-                                                let _e1453 = phi_2109_;
-                                                phi_2114_ = lt_bvh_triangle_Intersection(_e1453, (_e1146 / _e1205), (_e1167 / _e1205), (_e1444 <= _e1447));
-                                                phi_2115_ = false;
+                                                let _e1471 = phi_2128_;
+                                                phi_2133_ = lt_bvh_triangle_Intersection(_e1471, (_e1164 / _e1223), (_e1185 / _e1223), (_e1462 <= _e1465));
+                                                phi_2134_ = false;
                                             } else {
-                                                phi_2114_ = lt_bvh_triangle_Intersection();
-                                                phi_2115_ = true;
+                                                phi_2133_ = lt_bvh_triangle_Intersection();
+                                                phi_2134_ = true;
                                             }
-                                            let _e1459 = phi_2114_;
-                                            let _e1461 = phi_2115_;
-                                            phi_2116_ = _e1459;
-                                            phi_2117_ = _e1461;
+                                            let _e1477 = phi_2133_;
+                                            let _e1479 = phi_2134_;
+                                            phi_2135_ = _e1477;
+                                            phi_2136_ = _e1479;
                                         } else {
-                                            phi_2116_ = lt_bvh_triangle_Intersection();
-                                            phi_2117_ = true;
+                                            phi_2135_ = lt_bvh_triangle_Intersection();
+                                            phi_2136_ = true;
                                         }
-                                        let _e1463 = phi_2116_;
-                                        let _e1465 = phi_2117_;
-                                        if _e1465 {
+                                        let _e1481 = phi_2135_;
+                                        let _e1483 = phi_2136_;
+                                        if _e1483 {
                                         }
-                                        phi_2121_ = _e1463;
-                                        phi_2122_ = _e1465;
+                                        phi_2140_ = _e1481;
+                                        phi_2141_ = _e1483;
                                     }
-                                    let _e1467 = phi_2121_;
-                                    let _e1469 = phi_2122_;
-                                    phi_2123_ = _e1467;
-                                    phi_2124_ = _e1208;
-                                    phi_2125_ = _e1469;
+                                    let _e1485 = phi_2140_;
+                                    let _e1487 = phi_2141_;
+                                    phi_2142_ = _e1485;
+                                    phi_2143_ = _e1226;
+                                    phi_2144_ = _e1487;
                                 } else {
-                                    phi_2123_ = lt_bvh_triangle_Intersection();
-                                    phi_2124_ = true;
-                                    phi_2125_ = false;
+                                    phi_2142_ = lt_bvh_triangle_Intersection();
+                                    phi_2143_ = true;
+                                    phi_2144_ = false;
                                 }
-                                let _e1471 = phi_2123_;
-                                let _e1473 = phi_2124_;
-                                let _e1475 = phi_2125_;
-                                if _e1473 {
-                                    phi_2129_ = true;
+                                let _e1489 = phi_2142_;
+                                let _e1491 = phi_2143_;
+                                let _e1493 = phi_2144_;
+                                if _e1491 {
+                                    phi_2148_ = true;
                                 } else {
-                                    phi_2129_ = _e1475;
+                                    phi_2148_ = _e1493;
                                 }
-                                let _e1477 = phi_2129_;
-                                if _e1477 {
-                                    phi_2133_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1495 = phi_2148_;
+                                if _e1495 {
+                                    phi_2152_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2133_ = _e1471;
+                                    phi_2152_ = _e1489;
                                 }
-                                let _e1479 = phi_2133_;
-                                if _e1479.is_hit {
-                                    if (_e1479.t > _e156.tmin) {
-                                        if (_e1479.t < _e1004.t) {
-                                            phi_2182_ = true;
+                                let _e1497 = phi_2152_;
+                                if _e1497.is_hit {
+                                    if (_e1497.t > _e174.tmin) {
+                                        if (_e1497.t < _e1022.t) {
+                                            phi_2201_ = true;
                                         } else {
-                                            if (_e1479.t == _e1004.t) {
-                                                if (_e1004.triangle != 4294967295u) {
-                                                    if (_e1015 < _e1004.triangle) {
-                                                        phi_2173_ = true;
+                                            if (_e1497.t == _e1022.t) {
+                                                if (_e1022.triangle != 4294967295u) {
+                                                    if (_e1033 < _e1022.triangle) {
+                                                        phi_2192_ = true;
                                                     } else {
-                                                        if (_e1015 == _e1004.triangle) {
-                                                            phi_2172_ = (4294967295u < _e1004.instance);
+                                                        if (_e1033 == _e1022.triangle) {
+                                                            phi_2191_ = (4294967295u < _e1022.instance);
                                                         } else {
-                                                            phi_2172_ = false;
+                                                            phi_2191_ = false;
                                                         }
-                                                        let _e1498 = phi_2172_;
-                                                        phi_2173_ = _e1498;
+                                                        let _e1516 = phi_2191_;
+                                                        phi_2192_ = _e1516;
                                                     }
-                                                    let _e1500 = phi_2173_;
-                                                    phi_2174_ = _e1500;
-                                                    phi_2175_ = false;
+                                                    let _e1518 = phi_2192_;
+                                                    phi_2193_ = _e1518;
+                                                    phi_2194_ = false;
                                                 } else {
-                                                    phi_2174_ = bool();
-                                                    phi_2175_ = true;
+                                                    phi_2193_ = bool();
+                                                    phi_2194_ = true;
                                                 }
-                                                let _e1502 = phi_2174_;
-                                                let _e1504 = phi_2175_;
-                                                phi_2176_ = _e1502;
-                                                phi_2177_ = _e1504;
+                                                let _e1520 = phi_2193_;
+                                                let _e1522 = phi_2194_;
+                                                phi_2195_ = _e1520;
+                                                phi_2196_ = _e1522;
                                             } else {
-                                                phi_2176_ = bool();
-                                                phi_2177_ = true;
+                                                phi_2195_ = bool();
+                                                phi_2196_ = true;
                                             }
-                                            let _e1506 = phi_2176_;
-                                            let _e1508 = phi_2177_;
-                                            if _e1508 {
-                                                phi_2181_ = false;
+                                            let _e1524 = phi_2195_;
+                                            let _e1526 = phi_2196_;
+                                            if _e1526 {
+                                                phi_2200_ = false;
                                             } else {
-                                                phi_2181_ = _e1506;
+                                                phi_2200_ = _e1524;
                                             }
-                                            let _e1510 = phi_2181_;
-                                            phi_2182_ = _e1510;
+                                            let _e1528 = phi_2200_;
+                                            phi_2201_ = _e1528;
                                         }
-                                        let _e1512 = phi_2182_;
-                                        if _e1512 {
-                                            let _e1514 = triangles.member[(0u + _e1015)].i0_;
-                                            if ((_e1514 & 2147483648u) == 0u) {
-                                                phi_2393_ = true;
+                                        let _e1530 = phi_2201_;
+                                        if _e1530 {
+                                            let _e1532 = triangles.member[(0u + _e1033)].i0_;
+                                            if ((_e1532 & 2147483648u) == 0u) {
+                                                phi_2412_ = true;
                                             } else {
-                                                if (_e1015 < _e80) {
+                                                if (_e1033 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1523 = triangles.member[(0u + _e1015)].i0_;
-                                                let _e1524 = (_e1523 & 2147483647u);
-                                                let _e1526 = triangles.member[(0u + _e1015)].i1_;
-                                                let _e1528 = triangles.member[(0u + _e1015)].i2_;
-                                                if (_e1524 < _e83) {
+                                                let _e1541 = triangles.member[(0u + _e1033)].i0_;
+                                                let _e1542 = (_e1541 & 2147483647u);
+                                                let _e1544 = triangles.member[(0u + _e1033)].i1_;
+                                                let _e1546 = triangles.member[(0u + _e1033)].i2_;
+                                                if (_e1542 < _e84) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1532 = vertices.member[(0u + _e1524)];
-                                                if (_e1526 < _e83) {
+                                                let _e1550 = vertices.member[(0u + _e1542)];
+                                                if (_e1544 < _e84) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1536 = vertices.member[(0u + _e1526)];
-                                                if (_e1528 < _e83) {
+                                                let _e1554 = vertices.member[(0u + _e1544)];
+                                                if (_e1546 < _e84) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1540 = vertices.member[(0u + _e1528)];
-                                                let _e1541 = array<abi_Vertex, 3>(_e1532, _e1536, _e1540);
-                                                if (_e1541[0].material < _e86) {
+                                                let _e1558 = vertices.member[(0u + _e1546)];
+                                                let _e1559 = array<abi_Vertex, 3>(_e1550, _e1554, _e1558);
+                                                if (_e1559[0].material < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1547 = materials.member[(0u + _e1541[0].material)];
-                                                if ((_e1547.flags & 0u) == 0u) {
-                                                    let _e1552 = ((1f - _e1479.u) - _e1479.v);
-                                                    if (_e1547.cutoff <= 0f) {
-                                                        phi_2388_ = true;
+                                                let _e1565 = materials.member[(0u + _e1559[0].material)];
+                                                if ((_e1565.flags & 0u) == 0u) {
+                                                    let _e1570 = ((1f - _e1497.u) - _e1497.v);
+                                                    if (_e1565.cutoff <= 0f) {
+                                                        phi_2407_ = true;
                                                     } else {
-                                                        let _e1579 = (_e1547.base_color.w * ((((f32((_e1541[0].color >> bitcast<u32>(24i))) * _e1552) + (f32((_e1541[1].color >> bitcast<u32>(24i))) * _e1479.u)) + (f32((_e1541[2].color >> bitcast<u32>(24i))) * _e1479.v)) * (1f / 255f)));
-                                                        if (_e1547.alpha_size == 0u) {
-                                                            phi_2385_ = _e1579;
+                                                        let _e1597 = (_e1565.base_color.w * ((((f32((_e1559[0].color >> bitcast<u32>(24i))) * _e1570) + (f32((_e1559[1].color >> bitcast<u32>(24i))) * _e1497.u)) + (f32((_e1559[2].color >> bitcast<u32>(24i))) * _e1497.v)) * (1f / 255f)));
+                                                        if (_e1565.alpha_size == 0u) {
+                                                            phi_2404_ = _e1597;
                                                         } else {
-                                                            local_1.offset = _e1547.alpha_offset;
-                                                            local_1.size = _e1547.alpha_size;
-                                                            local_1.flags = _e1547.flags;
-                                                            let _e1610 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1541[0].u * _e1552) + (_e1541[1].u * _e1479.u)) + (_e1541[2].u * _e1479.v)), (((_e1541[0].v * _e1552) + (_e1541[1].v * _e1479.u)) + (_e1541[2].v * _e1479.v)));
-                                                            let _e1614 = (_e1610.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1614 < _e92) {
+                                                            local_1.offset = _e1565.alpha_offset;
+                                                            local_1.size = _e1565.alpha_size;
+                                                            local_1.flags = _e1565.flags;
+                                                            let _e1628 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1559[0].u * _e1570) + (_e1559[1].u * _e1497.u)) + (_e1559[2].u * _e1497.v)), (((_e1559[0].v * _e1570) + (_e1559[1].v * _e1497.u)) + (_e1559[2].v * _e1497.v)));
+                                                            let _e1632 = (_e1628.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1632 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1618 = alpha_texels.member[(0u + _e1614)];
-                                                            let _e1634 = (_e1610.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1634 < _e92) {
+                                                            let _e1636 = alpha_texels.member[(0u + _e1632)];
+                                                            let _e1652 = (_e1628.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1652 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1638 = alpha_texels.member[(0u + _e1634)];
-                                                            let _e1655 = (_e1610.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1655 < _e92) {
+                                                            let _e1656 = alpha_texels.member[(0u + _e1652)];
+                                                            let _e1673 = (_e1628.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1673 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1659 = alpha_texels.member[(0u + _e1655)];
-                                                            let _e1676 = (_e1610.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1676 < _e92) {
+                                                            let _e1677 = alpha_texels.member[(0u + _e1673)];
+                                                            let _e1694 = (_e1628.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1694 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1680 = alpha_texels.member[(0u + _e1676)];
-                                                            phi_2385_ = (_e1579 * (((((f32(((_e1618 >> bitcast<u32>((((_e1610.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.x) + ((f32(((_e1638 >> bitcast<u32>((((_e1610.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.y)) + ((f32(((_e1659 >> bitcast<u32>((((_e1610.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.z)) + ((f32(((_e1680 >> bitcast<u32>((((_e1610.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.w)));
+                                                            let _e1698 = alpha_texels.member[(0u + _e1694)];
+                                                            phi_2404_ = (_e1597 * (((((f32(((_e1636 >> bitcast<u32>((((_e1628.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.x) + ((f32(((_e1656 >> bitcast<u32>((((_e1628.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.y)) + ((f32(((_e1677 >> bitcast<u32>((((_e1628.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.z)) + ((f32(((_e1698 >> bitcast<u32>((((_e1628.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.w)));
                                                         }
-                                                        let _e1696 = phi_2385_;
-                                                        phi_2388_ = (_e1696 >= _e1547.cutoff);
+                                                        let _e1714 = phi_2404_;
+                                                        phi_2407_ = (_e1714 >= _e1565.cutoff);
                                                     }
-                                                    let _e1700 = phi_2388_;
-                                                    phi_2389_ = _e1700;
+                                                    let _e1718 = phi_2407_;
+                                                    phi_2408_ = _e1718;
                                                 } else {
-                                                    phi_2389_ = false;
+                                                    phi_2408_ = false;
                                                 }
-                                                let _e1702 = phi_2389_;
-                                                if _e1702 {
+                                                let _e1720 = phi_2408_;
+                                                if _e1720 {
                                                 }
-                                                phi_2393_ = _e1702;
+                                                phi_2412_ = _e1720;
                                             }
-                                            let _e1704 = phi_2393_;
-                                            if _e1704 {
-                                                phi_2401_ = lt_bvh_Hit(_e1479.t, _e1479.u, _e1479.v, _e1015, 4294967295u);
+                                            let _e1722 = phi_2412_;
+                                            if _e1722 {
+                                                phi_2420_ = lt_bvh_Hit(_e1497.t, _e1497.u, _e1497.v, _e1033, 4294967295u);
                                             } else {
-                                                phi_2401_ = _e1004;
+                                                phi_2420_ = _e1022;
                                             }
-                                            let _e1710 = phi_2401_;
-                                            phi_2402_ = _e1710;
+                                            let _e1728 = phi_2420_;
+                                            phi_2421_ = _e1728;
                                         } else {
-                                            phi_2402_ = _e1004;
+                                            phi_2421_ = _e1022;
                                         }
-                                        let _e1712 = phi_2402_;
-                                        phi_2403_ = _e1712;
+                                        let _e1730 = phi_2421_;
+                                        phi_2422_ = _e1730;
                                     } else {
-                                        phi_2403_ = _e1004;
+                                        phi_2422_ = _e1022;
                                     }
-                                    let _e1714 = phi_2403_;
-                                    phi_2404_ = _e1714;
+                                    let _e1732 = phi_2422_;
+                                    phi_2423_ = _e1732;
                                 } else {
-                                    phi_2404_ = _e1004;
+                                    phi_2423_ = _e1022;
                                 }
-                                let _e1716 = phi_2404_;
-                                phi_1547_ = _e1716;
-                                phi_1550_ = (_e1006 & (_e1006 - 1u));
-                                phi_2405_ = true;
+                                let _e1734 = phi_2423_;
+                                phi_1566_ = _e1734;
+                                phi_1569_ = (_e1024 & (_e1024 - 1u));
+                                phi_2424_ = true;
                             }
-                            let _e1718 = phi_1547_;
-                            let _e1720 = phi_1550_;
-                            let _e1722 = phi_2405_;
+                            let _e1736 = phi_1566_;
+                            let _e1738 = phi_1569_;
+                            let _e1740 = phi_2424_;
                             continue;
                             continuing {
-                                phi_1546_ = _e1718;
-                                phi_1549_ = _e1720;
-                                break if !(_e1722);
+                                phi_1565_ = _e1736;
+                                phi_1568_ = _e1738;
+                                break if !(_e1740);
                             }
                         }
-                        let _e1725 = local_2.group_mask;
-                        if ((_e1725 & 4278190080u) == 0u) {
-                            let _e1729 = local_2.len;
-                            if (_e1729 == 0u) {
-                                phi_2444_ = false;
+                        let _e1743 = local_2.group_mask;
+                        if ((_e1743 & 4278190080u) == 0u) {
+                            let _e1747 = local_2.len;
+                            if (_e1747 == 0u) {
+                                phi_2463_ = false;
                             } else {
-                                let _e1733 = local_2.len;
-                                local_2.len = (_e1733 - 1u);
-                                let _e1736 = local_2.len;
-                                if (_e1736 < 32u) {
+                                let _e1751 = local_2.len;
+                                local_2.len = (_e1751 - 1u);
+                                let _e1754 = local_2.len;
+                                if (_e1754 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1741 = local_2.first[(0u + _e1736)];
-                                local_2.group = _e1741;
-                                let _e1744 = local_2.len;
-                                if (_e1744 < 32u) {
+                                let _e1759 = local_2.first[(0u + _e1754)];
+                                local_2.group = _e1759;
+                                let _e1762 = local_2.len;
+                                if (_e1762 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1749 = local_2.mask[(0u + _e1744)];
-                                local_2.group_mask = _e1749;
-                                phi_2444_ = true;
+                                let _e1767 = local_2.mask[(0u + _e1762)];
+                                local_2.group_mask = _e1767;
+                                phi_2463_ = true;
                             }
-                            let _e1752 = phi_2444_;
-                            phi_2445_ = _e1752;
+                            let _e1770 = phi_2463_;
+                            phi_2464_ = _e1770;
                         } else {
-                            phi_2445_ = true;
+                            phi_2464_ = true;
                         }
-                        let _e1754 = phi_2445_;
-                        if _e1754 {
-                            let _e1756 = local_2.group_mask;
-                            let _e1762 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1756)), 32u, (_e1756 == 0u)));
-                            let _e1766 = local_2.group_mask;
-                            let _e1780 = local_2.group_mask;
-                            local_2.group_mask = (_e1780 & ~((1u << bitcast<u32>((_e1762 & 31u)))));
-                            let _e1783 = local_2.group;
-                            phi_2476_ = (_e1783 + countOneBits(((_e1766 & ~((4294967295u << bitcast<u32>((((_e1762 - 24u) ^ _e423) & 31u))))) & 255u)));
+                        let _e1772 = phi_2464_;
+                        if _e1772 {
+                            let _e1774 = local_2.group_mask;
+                            let _e1780 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1774)), 32u, (_e1774 == 0u)));
+                            let _e1784 = local_2.group_mask;
+                            let _e1798 = local_2.group_mask;
+                            local_2.group_mask = (_e1798 & ~((1u << bitcast<u32>((_e1780 & 31u)))));
+                            let _e1801 = local_2.group;
+                            phi_2495_ = (_e1801 + countOneBits(((_e1784 & ~((4294967295u << bitcast<u32>((((_e1780 - 24u) ^ _e441) & 31u))))) & 255u)));
                         } else {
-                            phi_2476_ = 4294967295u;
+                            phi_2495_ = 4294967295u;
                         }
-                        let _e1786 = phi_2476_;
-                        let _e2631 = local_6;
-                        phi_1210_ = _e2631;
-                        phi_1213_ = _e1786;
+                        let _e1804 = phi_2495_;
+                        let _e2649 = local_6;
+                        phi_1229_ = _e2649;
+                        phi_1232_ = _e1804;
                     } else {
-                        phi_1210_ = lt_bvh_Hit();
-                        phi_1213_ = u32();
+                        phi_1229_ = lt_bvh_Hit();
+                        phi_1232_ = u32();
                     }
-                    let _e1788 = phi_1210_;
-                    let _e1790 = phi_1213_;
+                    let _e1806 = phi_1229_;
+                    let _e1808 = phi_1232_;
                     continue;
                     continuing {
-                        phi_1209_ = _e1788;
-                        phi_1212_ = _e1790;
-                        break if !(_e564);
+                        phi_1228_ = _e1806;
+                        phi_1231_ = _e1808;
+                        break if !(_e582);
                     }
                 }
-                let _e2635 = local_7;
-                phi_2477_ = _e2635;
+                let _e2653 = local_7;
+                phi_2496_ = _e2653;
             }
-            let _e1793 = phi_2477_;
-            phi_2478_ = _e1793;
-            phi_2479_ = _e220;
+            let _e1811 = phi_2496_;
+            phi_2497_ = _e1811;
+            phi_2498_ = _e238;
         } else {
-            phi_2478_ = lt_bvh_Hit();
-            phi_2479_ = true;
+            phi_2497_ = lt_bvh_Hit();
+            phi_2498_ = true;
         }
-        let _e1795 = phi_2478_;
-        let _e1797 = phi_2479_;
-        if _e1797 {
-            phi_2483_ = _e158;
+        let _e1813 = phi_2497_;
+        let _e1815 = phi_2498_;
+        if _e1815 {
+            phi_2502_ = _e176;
         } else {
-            phi_2483_ = _e1795;
+            phi_2502_ = _e1813;
         }
-        let _e1799 = phi_2483_;
-        if (_e1799.triangle != 4294967295u) {
-            let _e1805 = ((1f - _e1799.u) - _e1799.v);
-            if (_e1799.triangle < _e80) {
+        let _e1817 = phi_2502_;
+        if (_e1817.triangle != 4294967295u) {
+            let _e1823 = ((1f - _e1817.u) - _e1817.v);
+            if (_e1817.triangle < _e81) {
             } else {
                 return;
             }
-            let _e1810 = triangles.member[(0u + _e1799.triangle)];
-            let _e1835 = (((_e1810.v0_.x * _e1805) + (_e1810.v1_.x * _e1799.u)) + (_e1810.v2_.x * _e1799.v));
-            let _e1836 = (((_e1810.v0_.y * _e1805) + (_e1810.v1_.y * _e1799.u)) + (_e1810.v2_.y * _e1799.v));
-            let _e1837 = (((_e1810.v0_.z * _e1805) + (_e1810.v1_.z * _e1799.u)) + (_e1810.v2_.z * _e1799.v));
-            let _e1840 = abs(_e1810.v0_.x);
-            let _e1842 = abs(_e1810.v0_.y);
-            let _e1844 = abs(_e1810.v0_.z);
-            let _e1846 = abs(_e1810.v1_.x);
-            let _e1848 = abs(_e1810.v1_.y);
-            let _e1850 = abs(_e1810.v1_.z);
-            if (_e1840 > _e1846) {
-                phi_2547_ = _e1840;
+            let _e1828 = triangles.member[(0u + _e1817.triangle)];
+            let _e1853 = (((_e1828.v0_.x * _e1823) + (_e1828.v1_.x * _e1817.u)) + (_e1828.v2_.x * _e1817.v));
+            let _e1854 = (((_e1828.v0_.y * _e1823) + (_e1828.v1_.y * _e1817.u)) + (_e1828.v2_.y * _e1817.v));
+            let _e1855 = (((_e1828.v0_.z * _e1823) + (_e1828.v1_.z * _e1817.u)) + (_e1828.v2_.z * _e1817.v));
+            let _e1858 = abs(_e1828.v0_.x);
+            let _e1860 = abs(_e1828.v0_.y);
+            let _e1862 = abs(_e1828.v0_.z);
+            let _e1864 = abs(_e1828.v1_.x);
+            let _e1866 = abs(_e1828.v1_.y);
+            let _e1868 = abs(_e1828.v1_.z);
+            if (_e1858 > _e1864) {
+                phi_2566_ = _e1858;
             } else {
-                phi_2547_ = _e1846;
+                phi_2566_ = _e1864;
             }
-            let _e1853 = phi_2547_;
-            if (_e1842 > _e1848) {
-                phi_2552_ = _e1842;
+            let _e1871 = phi_2566_;
+            if (_e1860 > _e1866) {
+                phi_2571_ = _e1860;
             } else {
-                phi_2552_ = _e1848;
+                phi_2571_ = _e1866;
             }
-            let _e1856 = phi_2552_;
-            if (_e1844 > _e1850) {
-                phi_2557_ = _e1844;
+            let _e1874 = phi_2571_;
+            if (_e1862 > _e1868) {
+                phi_2576_ = _e1862;
             } else {
-                phi_2557_ = _e1850;
+                phi_2576_ = _e1868;
             }
-            let _e1859 = phi_2557_;
-            let _e1861 = abs(_e1810.v2_.x);
-            let _e1863 = abs(_e1810.v2_.y);
-            let _e1865 = abs(_e1810.v2_.z);
-            if (_e1853 > _e1861) {
-                phi_2568_ = _e1853;
+            let _e1877 = phi_2576_;
+            let _e1879 = abs(_e1828.v2_.x);
+            let _e1881 = abs(_e1828.v2_.y);
+            let _e1883 = abs(_e1828.v2_.z);
+            if (_e1871 > _e1879) {
+                phi_2587_ = _e1871;
             } else {
-                phi_2568_ = _e1861;
+                phi_2587_ = _e1879;
             }
-            let _e1868 = phi_2568_;
-            if (_e1856 > _e1863) {
-                phi_2573_ = _e1856;
+            let _e1886 = phi_2587_;
+            if (_e1874 > _e1881) {
+                phi_2592_ = _e1874;
             } else {
-                phi_2573_ = _e1863;
+                phi_2592_ = _e1881;
             }
-            let _e1871 = phi_2573_;
-            if (_e1859 > _e1865) {
-                phi_2578_ = _e1859;
+            let _e1889 = phi_2592_;
+            if (_e1877 > _e1883) {
+                phi_2597_ = _e1877;
             } else {
-                phi_2578_ = _e1865;
+                phi_2597_ = _e1883;
             }
-            let _e1874 = phi_2578_;
-            let _e1877 = (_e1810.v1_.x - _e1810.v0_.x);
-            let _e1880 = (_e1810.v1_.y - _e1810.v0_.y);
-            let _e1883 = (_e1810.v1_.z - _e1810.v0_.z);
-            let _e1886 = (_e1810.v2_.x - _e1810.v0_.x);
-            let _e1889 = (_e1810.v2_.y - _e1810.v0_.y);
-            let _e1892 = (_e1810.v2_.z - _e1810.v0_.z);
-            let _e1896 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1880), abs(_e1883));
-            let _e1897 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1877), _e1896);
-            let _e1898 = (_e1877 / _e1897);
-            let _e1899 = (_e1880 / _e1897);
-            let _e1900 = (_e1883 / _e1897);
-            let _e1904 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1889), abs(_e1892));
-            let _e1905 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1886), _e1904);
-            let _e1906 = (_e1886 / _e1905);
-            let _e1907 = (_e1889 / _e1905);
-            let _e1908 = (_e1892 / _e1905);
-            let _e1911 = ((_e1899 * _e1908) - (_e1907 * _e1900));
-            let _e1914 = ((_e1900 * _e1906) - (_e1908 * _e1898));
-            let _e1917 = ((_e1898 * _e1907) - (_e1906 * _e1899));
-            let _e1919 = p.member.eye;
-            let _e1932 = (1f / sqrt((((_e1911 * _e1911) + (_e1914 * _e1914)) + (_e1917 * _e1917))));
-            let _e1933 = (_e1911 * _e1932);
-            let _e1934 = (_e1914 * _e1932);
-            let _e1935 = (_e1917 * _e1932);
-            if ((((_e1933 * (_e1919.x - _e1835)) + (_e1934 * (_e1919.y - _e1836))) + (_e1935 * (_e1919.z - _e1837))) < 0f) {
-                phi_2654_ = vec3<f32>(-(_e1933), -(_e1934), -(_e1935));
+            let _e1892 = phi_2597_;
+            let _e1895 = (_e1828.v1_.x - _e1828.v0_.x);
+            let _e1898 = (_e1828.v1_.y - _e1828.v0_.y);
+            let _e1901 = (_e1828.v1_.z - _e1828.v0_.z);
+            let _e1904 = (_e1828.v2_.x - _e1828.v0_.x);
+            let _e1907 = (_e1828.v2_.y - _e1828.v0_.y);
+            let _e1910 = (_e1828.v2_.z - _e1828.v0_.z);
+            let _e1914 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1898), abs(_e1901));
+            let _e1915 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1895), _e1914);
+            let _e1916 = (_e1895 / _e1915);
+            let _e1917 = (_e1898 / _e1915);
+            let _e1918 = (_e1901 / _e1915);
+            let _e1922 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1907), abs(_e1910));
+            let _e1923 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1904), _e1922);
+            let _e1924 = (_e1904 / _e1923);
+            let _e1925 = (_e1907 / _e1923);
+            let _e1926 = (_e1910 / _e1923);
+            let _e1929 = ((_e1917 * _e1926) - (_e1925 * _e1918));
+            let _e1932 = ((_e1918 * _e1924) - (_e1926 * _e1916));
+            let _e1935 = ((_e1916 * _e1925) - (_e1924 * _e1917));
+            let _e1937 = p.member.eye;
+            let _e1950 = (1f / sqrt((((_e1929 * _e1929) + (_e1932 * _e1932)) + (_e1935 * _e1935))));
+            let _e1951 = (_e1929 * _e1950);
+            let _e1952 = (_e1932 * _e1950);
+            let _e1953 = (_e1935 * _e1950);
+            if ((((_e1951 * (_e1937.x - _e1853)) + (_e1952 * (_e1937.y - _e1854))) + (_e1953 * (_e1937.z - _e1855))) < 0f) {
+                phi_2673_ = vec3<f32>(-(_e1951), -(_e1952), -(_e1953));
             } else {
-                phi_2654_ = vec3<f32>(_e1933, _e1934, _e1935);
+                phi_2673_ = vec3<f32>(_e1951, _e1952, _e1953);
             }
-            let _e1948 = phi_2654_;
-            if (_e1799.triangle < _e80) {
+            let _e1966 = phi_2673_;
+            if (_e1817.triangle < _e81) {
             } else {
                 return;
             }
-            let _e1953 = triangles.member[(0u + _e1799.triangle)];
-            let _e1955 = (_e1953.i0_ & 2147483647u);
-            if (_e1955 < _e83) {
+            let _e1971 = triangles.member[(0u + _e1817.triangle)];
+            let _e1973 = (_e1971.i0_ & 2147483647u);
+            if (_e1973 < _e84) {
             } else {
                 return;
             }
-            let _e1961 = vertices.member[(0u + _e1955)];
-            if (_e1953.i1_ < _e83) {
+            let _e1979 = vertices.member[(0u + _e1973)];
+            if (_e1971.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e1965 = vertices.member[(0u + _e1953.i1_)];
-            if (_e1953.i2_ < _e83) {
+            let _e1983 = vertices.member[(0u + _e1971.i1_)];
+            if (_e1971.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e1969 = vertices.member[(0u + _e1953.i2_)];
-            let _e1970 = array<abi_Vertex, 3>(_e1961, _e1965, _e1969);
-            if (_e1970[0].material < _e86) {
+            let _e1987 = vertices.member[(0u + _e1971.i2_)];
+            let _e1988 = array<abi_Vertex, 3>(_e1979, _e1983, _e1987);
+            if (_e1988[0].material < _e87) {
             } else {
                 return;
             }
-            let _e1976 = materials.member[(0u + _e1970[0].material)];
-            let _e1993 = (1f / 255f);
-            let _e2012 = (1f / 255f);
-            let _e2034 = (1f / 255f);
-            if (_e1976.color_size == 0u) {
-                phi_2897_ = vec3<f32>(1f, 1f, 1f);
+            let _e1994 = materials.member[(0u + _e1988[0].material)];
+            let _e2011 = (1f / 255f);
+            let _e2030 = (1f / 255f);
+            let _e2052 = (1f / 255f);
+            if (_e1994.color_size == 0u) {
+                phi_2916_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1976.color_offset;
-                local.size = _e1976.color_size;
-                local.flags = _e1976.flags;
-                let _e2077 = _lt_shaders_texture_TextureView_quad((&local), (((_e1970[0].u * _e1805) + (_e1970[1].u * _e1799.u)) + (_e1970[2].u * _e1799.v)), (((_e1970[0].v * _e1805) + (_e1970[1].v * _e1799.u)) + (_e1970[2].v * _e1799.v)));
-                if (_e2077.indices[0] < _e95) {
+                local.offset = _e1994.color_offset;
+                local.size = _e1994.color_size;
+                local.flags = _e1994.flags;
+                let _e2095 = _lt_shaders_texture_TextureView_quad((&local), (((_e1988[0].u * _e1823) + (_e1988[1].u * _e1817.u)) + (_e1988[2].u * _e1817.v)), (((_e1988[0].v * _e1823) + (_e1988[1].v * _e1817.u)) + (_e1988[2].v * _e1817.v)));
+                if (_e2095.indices[0] < _e96) {
                 } else {
                     return;
                 }
-                let _e2083 = color_texels.member[(0u + _e2077.indices[0])];
-                let _e2094 = (1f / 255f);
-                if (_e2077.indices[1] < _e95) {
+                let _e2101 = color_texels.member[(0u + _e2095.indices[0])];
+                let _e2112 = (1f / 255f);
+                if (_e2095.indices[1] < _e96) {
                 } else {
                     return;
                 }
-                let _e2108 = color_texels.member[(0u + _e2077.indices[1])];
-                let _e2119 = (1f / 255f);
-                if (_e2077.indices[2] < _e95) {
+                let _e2126 = color_texels.member[(0u + _e2095.indices[1])];
+                let _e2137 = (1f / 255f);
+                if (_e2095.indices[2] < _e96) {
                 } else {
                     return;
                 }
-                let _e2136 = color_texels.member[(0u + _e2077.indices[2])];
-                let _e2147 = (1f / 255f);
-                if (_e2077.indices[3] < _e95) {
+                let _e2154 = color_texels.member[(0u + _e2095.indices[2])];
+                let _e2165 = (1f / 255f);
+                if (_e2095.indices[3] < _e96) {
                 } else {
                     return;
                 }
-                let _e2164 = color_texels.member[(0u + _e2077.indices[3])];
-                let _e2175 = (1f / 255f);
-                let _e2184 = (((((f32((_e2083 & 255u)) * _e2094) * _e2077.weights.x) + ((f32((_e2108 & 255u)) * _e2119) * _e2077.weights.y)) + ((f32((_e2136 & 255u)) * _e2147) * _e2077.weights.z)) + ((f32((_e2164 & 255u)) * _e2175) * _e2077.weights.w));
-                let _e2185 = (((((f32(((_e2083 >> bitcast<u32>(8i)) & 255u)) * _e2094) * _e2077.weights.x) + ((f32(((_e2108 >> bitcast<u32>(8i)) & 255u)) * _e2119) * _e2077.weights.y)) + ((f32(((_e2136 >> bitcast<u32>(8i)) & 255u)) * _e2147) * _e2077.weights.z)) + ((f32(((_e2164 >> bitcast<u32>(8i)) & 255u)) * _e2175) * _e2077.weights.w));
-                let _e2186 = (((((f32(((_e2083 >> bitcast<u32>(16i)) & 255u)) * _e2094) * _e2077.weights.x) + ((f32(((_e2108 >> bitcast<u32>(16i)) & 255u)) * _e2119) * _e2077.weights.y)) + ((f32(((_e2136 >> bitcast<u32>(16i)) & 255u)) * _e2147) * _e2077.weights.z)) + ((f32(((_e2164 >> bitcast<u32>(16i)) & 255u)) * _e2175) * _e2077.weights.w));
-                phi_2897_ = vec3<f32>((_e2184 * _e2184), (_e2185 * _e2185), (_e2186 * _e2186));
+                let _e2182 = color_texels.member[(0u + _e2095.indices[3])];
+                let _e2193 = (1f / 255f);
+                let _e2202 = (((((f32((_e2101 & 255u)) * _e2112) * _e2095.weights.x) + ((f32((_e2126 & 255u)) * _e2137) * _e2095.weights.y)) + ((f32((_e2154 & 255u)) * _e2165) * _e2095.weights.z)) + ((f32((_e2182 & 255u)) * _e2193) * _e2095.weights.w));
+                let _e2203 = (((((f32(((_e2101 >> bitcast<u32>(8i)) & 255u)) * _e2112) * _e2095.weights.x) + ((f32(((_e2126 >> bitcast<u32>(8i)) & 255u)) * _e2137) * _e2095.weights.y)) + ((f32(((_e2154 >> bitcast<u32>(8i)) & 255u)) * _e2165) * _e2095.weights.z)) + ((f32(((_e2182 >> bitcast<u32>(8i)) & 255u)) * _e2193) * _e2095.weights.w));
+                let _e2204 = (((((f32(((_e2101 >> bitcast<u32>(16i)) & 255u)) * _e2112) * _e2095.weights.x) + ((f32(((_e2126 >> bitcast<u32>(16i)) & 255u)) * _e2137) * _e2095.weights.y)) + ((f32(((_e2154 >> bitcast<u32>(16i)) & 255u)) * _e2165) * _e2095.weights.z)) + ((f32(((_e2182 >> bitcast<u32>(16i)) & 255u)) * _e2193) * _e2095.weights.w));
+                phi_2916_ = vec3<f32>((_e2202 * _e2202), (_e2203 * _e2203), (_e2204 * _e2204));
             }
-            let _e2192 = phi_2897_;
-            let _e2194 = ((_e1976.base_color.x * ((((f32((_e1970[0].color & 255u)) * _e1993) * _e1805) + ((f32((_e1970[1].color & 255u)) * _e2012) * _e1799.u)) + ((f32((_e1970[2].color & 255u)) * _e2034) * _e1799.v))) * _e2192.x);
-            let _e2196 = ((_e1976.base_color.y * ((((f32(((_e1970[0].color >> bitcast<u32>(8i)) & 255u)) * _e1993) * _e1805) + ((f32(((_e1970[1].color >> bitcast<u32>(8i)) & 255u)) * _e2012) * _e1799.u)) + ((f32(((_e1970[2].color >> bitcast<u32>(8i)) & 255u)) * _e2034) * _e1799.v))) * _e2192.y);
-            let _e2198 = ((_e1976.base_color.z * ((((f32(((_e1970[0].color >> bitcast<u32>(16i)) & 255u)) * _e1993) * _e1805) + ((f32(((_e1970[1].color >> bitcast<u32>(16i)) & 255u)) * _e2012) * _e1799.u)) + ((f32(((_e1970[2].color >> bitcast<u32>(16i)) & 255u)) * _e2034) * _e1799.v))) * _e2192.z);
-            let _e2199 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1871, _e1874);
-            let _e2200 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1868, _e2199);
-            if ((_e1976.flags & 2u) == 0u) {
-                phi_2912_ = 0u;
+            let _e2210 = phi_2916_;
+            let _e2212 = ((_e1994.base_color.x * ((((f32((_e1988[0].color & 255u)) * _e2011) * _e1823) + ((f32((_e1988[1].color & 255u)) * _e2030) * _e1817.u)) + ((f32((_e1988[2].color & 255u)) * _e2052) * _e1817.v))) * _e2210.x);
+            let _e2214 = ((_e1994.base_color.y * ((((f32(((_e1988[0].color >> bitcast<u32>(8i)) & 255u)) * _e2011) * _e1823) + ((f32(((_e1988[1].color >> bitcast<u32>(8i)) & 255u)) * _e2030) * _e1817.u)) + ((f32(((_e1988[2].color >> bitcast<u32>(8i)) & 255u)) * _e2052) * _e1817.v))) * _e2210.y);
+            let _e2216 = ((_e1994.base_color.z * ((((f32(((_e1988[0].color >> bitcast<u32>(16i)) & 255u)) * _e2011) * _e1823) + ((f32(((_e1988[1].color >> bitcast<u32>(16i)) & 255u)) * _e2030) * _e1817.u)) + ((f32(((_e1988[2].color >> bitcast<u32>(16i)) & 255u)) * _e2052) * _e1817.v))) * _e2210.z);
+            let _e2217 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1889, _e1892);
+            let _e2218 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1886, _e2217);
+            if ((_e1994.flags & 2u) == 0u) {
+                phi_2931_ = 0u;
             } else {
-                phi_2912_ = 1u;
+                phi_2931_ = 1u;
             }
-            let _e2205 = phi_2912_;
-            if (_e1970[0].normal == 2147516416u) {
-                phi_3115_ = _e1948;
+            let _e2223 = phi_2931_;
+            if (_e1988[0].normal == 2147516416u) {
+                phi_3134_ = _e1966;
             } else {
-                let _e2218 = (f32((bitcast<i32>((_e1970[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2224 = (f32((bitcast<i32>(_e1970[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2228 = ((1f - abs(_e2218)) - abs(_e2224));
-                if (_e2228 < 0f) {
-                    phi_2939_ = -(_e2228);
+                let _e2236 = (f32((bitcast<i32>((_e1988[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2242 = (f32((bitcast<i32>(_e1988[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2246 = ((1f - abs(_e2236)) - abs(_e2242));
+                if (_e2246 < 0f) {
+                    phi_2958_ = -(_e2246);
                 } else {
-                    phi_2939_ = 0f;
+                    phi_2958_ = 0f;
                 }
-                let _e2232 = phi_2939_;
-                if (_e2218 < 0f) {
-                    phi_2946_ = (_e2218 + _e2232);
+                let _e2250 = phi_2958_;
+                if (_e2236 < 0f) {
+                    phi_2965_ = (_e2236 + _e2250);
                 } else {
-                    phi_2946_ = (_e2218 - _e2232);
+                    phi_2965_ = (_e2236 - _e2250);
                 }
-                let _e2237 = phi_2946_;
-                if (_e2224 < 0f) {
-                    phi_2953_ = (_e2224 + _e2232);
+                let _e2255 = phi_2965_;
+                if (_e2242 < 0f) {
+                    phi_2972_ = (_e2242 + _e2250);
                 } else {
-                    phi_2953_ = (_e2224 - _e2232);
+                    phi_2972_ = (_e2242 - _e2250);
                 }
-                let _e2242 = phi_2953_;
-                let _e2249 = (1f / sqrt((((_e2237 * _e2237) + (_e2242 * _e2242)) + (_e2228 * _e2228))));
-                let _e2265 = (f32((bitcast<i32>((_e1970[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2271 = (f32((bitcast<i32>(_e1970[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2275 = ((1f - abs(_e2265)) - abs(_e2271));
-                if (_e2275 < 0f) {
-                    phi_2988_ = -(_e2275);
+                let _e2260 = phi_2972_;
+                let _e2267 = (1f / sqrt((((_e2255 * _e2255) + (_e2260 * _e2260)) + (_e2246 * _e2246))));
+                let _e2283 = (f32((bitcast<i32>((_e1988[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2289 = (f32((bitcast<i32>(_e1988[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2293 = ((1f - abs(_e2283)) - abs(_e2289));
+                if (_e2293 < 0f) {
+                    phi_3007_ = -(_e2293);
                 } else {
-                    phi_2988_ = 0f;
+                    phi_3007_ = 0f;
                 }
-                let _e2279 = phi_2988_;
-                if (_e2265 < 0f) {
-                    phi_2995_ = (_e2265 + _e2279);
+                let _e2297 = phi_3007_;
+                if (_e2283 < 0f) {
+                    phi_3014_ = (_e2283 + _e2297);
                 } else {
-                    phi_2995_ = (_e2265 - _e2279);
+                    phi_3014_ = (_e2283 - _e2297);
                 }
-                let _e2284 = phi_2995_;
-                if (_e2271 < 0f) {
-                    phi_3002_ = (_e2271 + _e2279);
+                let _e2302 = phi_3014_;
+                if (_e2289 < 0f) {
+                    phi_3021_ = (_e2289 + _e2297);
                 } else {
-                    phi_3002_ = (_e2271 - _e2279);
+                    phi_3021_ = (_e2289 - _e2297);
                 }
-                let _e2289 = phi_3002_;
-                let _e2296 = (1f / sqrt((((_e2284 * _e2284) + (_e2289 * _e2289)) + (_e2275 * _e2275))));
-                let _e2315 = (f32((bitcast<i32>((_e1970[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2321 = (f32((bitcast<i32>(_e1970[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2325 = ((1f - abs(_e2315)) - abs(_e2321));
-                if (_e2325 < 0f) {
-                    phi_3040_ = -(_e2325);
+                let _e2307 = phi_3021_;
+                let _e2314 = (1f / sqrt((((_e2302 * _e2302) + (_e2307 * _e2307)) + (_e2293 * _e2293))));
+                let _e2333 = (f32((bitcast<i32>((_e1988[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2339 = (f32((bitcast<i32>(_e1988[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2343 = ((1f - abs(_e2333)) - abs(_e2339));
+                if (_e2343 < 0f) {
+                    phi_3059_ = -(_e2343);
                 } else {
-                    phi_3040_ = 0f;
+                    phi_3059_ = 0f;
                 }
-                let _e2329 = phi_3040_;
-                if (_e2315 < 0f) {
-                    phi_3047_ = (_e2315 + _e2329);
+                let _e2347 = phi_3059_;
+                if (_e2333 < 0f) {
+                    phi_3066_ = (_e2333 + _e2347);
                 } else {
-                    phi_3047_ = (_e2315 - _e2329);
+                    phi_3066_ = (_e2333 - _e2347);
                 }
-                let _e2334 = phi_3047_;
-                if (_e2321 < 0f) {
-                    phi_3054_ = (_e2321 + _e2329);
+                let _e2352 = phi_3066_;
+                if (_e2339 < 0f) {
+                    phi_3073_ = (_e2339 + _e2347);
                 } else {
-                    phi_3054_ = (_e2321 - _e2329);
+                    phi_3073_ = (_e2339 - _e2347);
                 }
-                let _e2339 = phi_3054_;
-                let _e2346 = (1f / sqrt((((_e2334 * _e2334) + (_e2339 * _e2339)) + (_e2325 * _e2325))));
-                let _e2357 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2237 * _e2249) * _e1805) + ((_e2284 * _e2296) * _e1799.u)) + ((_e2334 * _e2346) * _e1799.v)), ((((_e2242 * _e2249) * _e1805) + ((_e2289 * _e2296) * _e1799.u)) + ((_e2339 * _e2346) * _e1799.v)), ((((_e2228 * _e2249) * _e1805) + ((_e2275 * _e2296) * _e1799.u)) + ((_e2325 * _e2346) * _e1799.v))));
-                let _e2369 = sqrt((((_e2357.x * _e2357.x) + (_e2357.y * _e2357.y)) + (_e2357.z * _e2357.z)));
-                if (_e2369 > 0f) {
-                    let _e2372 = (_e2357.x / _e2369);
-                    let _e2374 = (_e2357.y / _e2369);
-                    let _e2376 = (_e2357.z / _e2369);
-                    if ((((_e2372 * _e1948.x) + (_e2374 * _e1948.y)) + (_e2376 * _e1948.z)) < 0f) {
-                        phi_3113_ = vec3<f32>(-(_e2372), -(_e2374), -(_e2376));
+                let _e2357 = phi_3073_;
+                let _e2364 = (1f / sqrt((((_e2352 * _e2352) + (_e2357 * _e2357)) + (_e2343 * _e2343))));
+                let _e2375 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2255 * _e2267) * _e1823) + ((_e2302 * _e2314) * _e1817.u)) + ((_e2352 * _e2364) * _e1817.v)), ((((_e2260 * _e2267) * _e1823) + ((_e2307 * _e2314) * _e1817.u)) + ((_e2357 * _e2364) * _e1817.v)), ((((_e2246 * _e2267) * _e1823) + ((_e2293 * _e2314) * _e1817.u)) + ((_e2343 * _e2364) * _e1817.v))));
+                let _e2387 = sqrt((((_e2375.x * _e2375.x) + (_e2375.y * _e2375.y)) + (_e2375.z * _e2375.z)));
+                if (_e2387 > 0f) {
+                    let _e2390 = (_e2375.x / _e2387);
+                    let _e2392 = (_e2375.y / _e2387);
+                    let _e2394 = (_e2375.z / _e2387);
+                    if ((((_e2390 * _e1966.x) + (_e2392 * _e1966.y)) + (_e2394 * _e1966.z)) < 0f) {
+                        phi_3132_ = vec3<f32>(-(_e2390), -(_e2392), -(_e2394));
                     } else {
-                        phi_3113_ = (_e2357 / vec3(_e2369));
+                        phi_3132_ = (_e2375 / vec3(_e2387));
                     }
-                    let _e2393 = phi_3113_;
-                    phi_3114_ = _e2393;
+                    let _e2411 = phi_3132_;
+                    phi_3133_ = _e2411;
                 } else {
-                    phi_3114_ = _e1948;
+                    phi_3133_ = _e1966;
                 }
-                let _e2395 = phi_3114_;
-                phi_3115_ = _e2395;
+                let _e2413 = phi_3133_;
+                phi_3134_ = _e2413;
             }
-            let _e2397 = phi_3115_;
-            if (_e2194 > 0f) {
-                if (_e2194 < 1f) {
-                    phi_3124_ = _e2194;
+            let _e2415 = phi_3134_;
+            if (_e2212 > 0f) {
+                if (_e2212 < 1f) {
+                    phi_3143_ = _e2212;
                 } else {
-                    phi_3124_ = 1f;
+                    phi_3143_ = 1f;
                 }
-                let _e2401 = phi_3124_;
-                phi_3125_ = _e2401;
+                let _e2419 = phi_3143_;
+                phi_3144_ = _e2419;
             } else {
-                phi_3125_ = 0f;
+                phi_3144_ = 0f;
             }
-            let _e2403 = phi_3125_;
-            if (_e2196 > 0f) {
-                if (_e2196 < 1f) {
-                    phi_3135_ = _e2196;
+            let _e2421 = phi_3144_;
+            if (_e2214 > 0f) {
+                if (_e2214 < 1f) {
+                    phi_3154_ = _e2214;
                 } else {
-                    phi_3135_ = 1f;
+                    phi_3154_ = 1f;
                 }
-                let _e2408 = phi_3135_;
-                phi_3136_ = _e2408;
+                let _e2426 = phi_3154_;
+                phi_3155_ = _e2426;
             } else {
-                phi_3136_ = 0f;
+                phi_3155_ = 0f;
             }
-            let _e2410 = phi_3136_;
-            if (_e2198 > 0f) {
-                if (_e2198 < 1f) {
-                    phi_3146_ = _e2198;
+            let _e2428 = phi_3155_;
+            if (_e2216 > 0f) {
+                if (_e2216 < 1f) {
+                    phi_3165_ = _e2216;
                 } else {
-                    phi_3146_ = 1f;
+                    phi_3165_ = 1f;
                 }
-                let _e2415 = phi_3146_;
-                phi_3147_ = _e2415;
+                let _e2433 = phi_3165_;
+                phi_3166_ = _e2433;
             } else {
-                phi_3147_ = 0f;
+                phi_3166_ = 0f;
             }
-            let _e2417 = phi_3147_;
-            let _e2420 = ((sqrt(_e2403) * 255f) + 0.5f);
-            let _e2429 = ((sqrt(_e2410) * 255f) + 0.5f);
-            let _e2441 = ((sqrt(_e2417) * 255f) + 0.5f);
-            phi_3182_ = abi_Sample(vec3<f32>(_e1835, _e1836, _e1837), _e2200, _e1948, _e2205, _e2397, ((select(select(u32(_e2420), 0u, (_e2420 < bitcast<f32>(0u))), 4294967295u, (_e2420 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2429), 0u, (_e2429 < bitcast<f32>(0u))), 4294967295u, (_e2429 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2441), 0u, (_e2441 < bitcast<f32>(0u))), 4294967295u, (_e2441 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2435 = phi_3166_;
+            let _e2438 = ((sqrt(_e2421) * 255f) + 0.5f);
+            let _e2447 = ((sqrt(_e2428) * 255f) + 0.5f);
+            let _e2459 = ((sqrt(_e2435) * 255f) + 0.5f);
+            phi_3201_ = abi_Sample(vec3<f32>(_e1853, _e1854, _e1855), _e2218, _e1966, _e2223, _e2415, ((select(select(u32(_e2438), 0u, (_e2438 < bitcast<f32>(0u))), 4294967295u, (_e2438 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2447), 0u, (_e2447 < bitcast<f32>(0u))), 4294967295u, (_e2447 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2459), 0u, (_e2459 < bitcast<f32>(0u))), 4294967295u, (_e2459 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3182_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3201_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2455 = phi_3182_;
-        if (_e101.shift < arrayLength((&samples.member))) {
+        let _e2473 = phi_3201_;
+        if (_e102.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e101.shift)] = _e2455;
+        samples.member[(0u + _e102.shift)] = _e2473;
     }
     return;
 }

@@ -2,13 +2,13 @@ struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
     right: vec3<f32>,
-    pad0_: u32,
+    layers_behind: u32,
     up: vec3<f32>,
     pad1_: u32,
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -169,430 +169,430 @@ var<storage> before: type_26;
 var<storage, read_write> past: type_26;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_222_: lt_mask_LightPlace;
-    var phi_223_: bool;
     var phi_224_: lt_mask_LightPlace;
     var phi_225_: bool;
-    var phi_230_: lt_mask_LightPlace;
+    var phi_226_: lt_mask_LightPlace;
+    var phi_227_: bool;
+    var phi_232_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_222_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_223_ = false;
+            phi_224_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_225_ = false;
         } else {
-            phi_222_ = lt_mask_LightPlace();
-            phi_223_ = true;
+            phi_224_ = lt_mask_LightPlace();
+            phi_225_ = true;
         }
-        let _e85 = phi_222_;
-        let _e87 = phi_223_;
-        phi_224_ = _e85;
-        phi_225_ = _e87;
+        let _e86 = phi_224_;
+        let _e88 = phi_225_;
+        phi_226_ = _e86;
+        phi_227_ = _e88;
     } else {
-        phi_224_ = lt_mask_LightPlace();
-        phi_225_ = true;
+        phi_226_ = lt_mask_LightPlace();
+        phi_227_ = true;
     }
-    let _e89 = phi_224_;
-    let _e91 = phi_225_;
-    if _e91 {
-        phi_230_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e90 = phi_226_;
+    let _e92 = phi_227_;
+    if _e92 {
+        phi_232_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_230_ = _e89;
+        phi_232_ = _e90;
     }
-    let _e96 = phi_230_;
-    return lt_mask_LightPlace(_e96.word, _e96.shift);
+    let _e97 = phi_232_;
+    return lt_mask_LightPlace(_e97.word, _e97.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_245_: bool;
-    var phi_249_: f32;
+    var phi_247_: bool;
+    var phi_251_: f32;
 
     if (param_3 != param_3) {
-        phi_245_ = true;
+        phi_247_ = true;
     } else {
-        let _e75 = (param_4 >= param_3);
-        if _e75 {
+        let _e76 = (param_4 >= param_3);
+        if _e76 {
         }
-        phi_245_ = _e75;
+        phi_247_ = _e76;
     }
-    let _e77 = phi_245_;
-    if _e77 {
-        phi_249_ = param_4;
+    let _e78 = phi_247_;
+    if _e78 {
+        phi_251_ = param_4;
     } else {
-        phi_249_ = param_3;
+        phi_251_ = param_3;
     }
-    let _e79 = phi_249_;
-    return _e79;
+    let _e80 = phi_251_;
+    return _e80;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_261_: bool;
-    var phi_265_: f32;
+    var phi_263_: bool;
+    var phi_267_: f32;
 
     if (param_5 != param_5) {
-        phi_261_ = true;
+        phi_263_ = true;
     } else {
-        let _e75 = (param_6 <= param_5);
-        if _e75 {
+        let _e76 = (param_6 <= param_5);
+        if _e76 {
         }
-        phi_261_ = _e75;
+        phi_263_ = _e76;
     }
-    let _e77 = phi_261_;
-    if _e77 {
-        phi_265_ = param_6;
+    let _e78 = phi_263_;
+    if _e78 {
+        phi_267_ = param_6;
     } else {
-        phi_265_ = param_5;
+        phi_267_ = param_5;
     }
-    let _e79 = phi_265_;
-    return _e79;
+    let _e80 = phi_267_;
+    return _e80;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_307_: f32;
-    var phi_312_: f32;
-    var phi_313_: bool;
+    var phi_309_: f32;
     var phi_314_: f32;
     var phi_315_: bool;
-    var phi_319_: f32;
-    var phi_345_: f32;
-    var phi_350_: f32;
-    var phi_351_: bool;
+    var phi_316_: f32;
+    var phi_317_: bool;
+    var phi_321_: f32;
+    var phi_347_: f32;
     var phi_352_: f32;
     var phi_353_: bool;
-    var phi_357_: f32;
-    var phi_365_: f32;
-    var phi_366_: f32;
+    var phi_354_: f32;
+    var phi_355_: bool;
+    var phi_359_: f32;
     var phi_367_: f32;
-    var phi_376_: f32;
-    var phi_377_: f32;
-    var phi_395_: u32;
-    var phi_409_: u32;
-    var phi_416_: u32;
-    var phi_421_: u32;
-    var phi_427_: u32;
-    var phi_432_: u32;
-    var phi_434_: texture_Axis;
-    var phi_462_: f32;
-    var phi_467_: f32;
-    var phi_468_: bool;
+    var phi_368_: f32;
+    var phi_369_: f32;
+    var phi_378_: f32;
+    var phi_379_: f32;
+    var phi_397_: u32;
+    var phi_411_: u32;
+    var phi_418_: u32;
+    var phi_423_: u32;
+    var phi_429_: u32;
+    var phi_434_: u32;
+    var phi_436_: texture_Axis;
+    var phi_464_: f32;
     var phi_469_: f32;
     var phi_470_: bool;
-    var phi_474_: f32;
-    var phi_500_: f32;
-    var phi_505_: f32;
-    var phi_506_: bool;
+    var phi_471_: f32;
+    var phi_472_: bool;
+    var phi_476_: f32;
+    var phi_502_: f32;
     var phi_507_: f32;
     var phi_508_: bool;
-    var phi_512_: f32;
-    var phi_520_: f32;
-    var phi_521_: f32;
+    var phi_509_: f32;
+    var phi_510_: bool;
+    var phi_514_: f32;
     var phi_522_: f32;
-    var phi_531_: f32;
-    var phi_532_: f32;
-    var phi_550_: u32;
-    var phi_564_: u32;
-    var phi_571_: u32;
-    var phi_576_: u32;
-    var phi_582_: u32;
-    var phi_587_: u32;
-    var phi_589_: texture_Axis;
+    var phi_523_: f32;
+    var phi_524_: f32;
+    var phi_533_: f32;
+    var phi_534_: f32;
+    var phi_552_: u32;
+    var phi_566_: u32;
+    var phi_573_: u32;
+    var phi_578_: u32;
+    var phi_584_: u32;
+    var phi_589_: u32;
+    var phi_591_: texture_Axis;
 
-    let _e76 = (*param_7).size;
-    let _e77 = (_e76 & 65535u);
-    let _e79 = (*param_7).size;
-    let _e81 = (_e79 >> bitcast<u32>(16i));
-    let _e83 = (*param_7).flags;
-    let _e85 = ((_e83 & 4u) != 0u);
-    let _e87 = (*param_7).flags;
-    let _e90 = ((_e87 >> bitcast<u32>(4u)) & 3u);
-    if (_e90 == 0u) {
+    let _e77 = (*param_7).size;
+    let _e78 = (_e77 & 65535u);
+    let _e80 = (*param_7).size;
+    let _e82 = (_e80 >> bitcast<u32>(16i));
+    let _e84 = (*param_7).flags;
+    let _e86 = ((_e84 & 4u) != 0u);
+    let _e88 = (*param_7).flags;
+    let _e91 = ((_e88 >> bitcast<u32>(4u)) & 3u);
+    if (_e91 == 0u) {
         if (param_8 > -8388608f) {
-            let _e103 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
-            if (_e103 > param_8) {
-                phi_307_ = 1f;
+            let _e104 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e104 > param_8) {
+                phi_309_ = 1f;
             } else {
-                phi_307_ = 0f;
+                phi_309_ = 0f;
             }
-            let _e106 = phi_307_;
+            let _e107 = phi_309_;
             if (param_8 < 8388608f) {
-                phi_312_ = (_e103 - _e106);
-                phi_313_ = false;
+                phi_314_ = (_e104 - _e107);
+                phi_315_ = false;
             } else {
-                phi_312_ = f32();
-                phi_313_ = true;
+                phi_314_ = f32();
+                phi_315_ = true;
             }
-            let _e109 = phi_312_;
-            let _e111 = phi_313_;
-            phi_314_ = _e109;
-            phi_315_ = _e111;
+            let _e110 = phi_314_;
+            let _e112 = phi_315_;
+            phi_316_ = _e110;
+            phi_317_ = _e112;
         } else {
-            phi_314_ = f32();
-            phi_315_ = true;
+            phi_316_ = f32();
+            phi_317_ = true;
         }
-        let _e113 = phi_314_;
-        let _e115 = phi_315_;
-        if _e115 {
-            phi_319_ = param_8;
+        let _e114 = phi_316_;
+        let _e116 = phi_317_;
+        if _e116 {
+            phi_321_ = param_8;
         } else {
-            phi_319_ = _e113;
+            phi_321_ = _e114;
         }
-        let _e117 = phi_319_;
-        phi_367_ = (param_8 - _e117);
+        let _e118 = phi_321_;
+        phi_369_ = (param_8 - _e118);
     } else {
-        if (_e90 == 1u) {
-            let _e120 = (param_8 * 0.5f);
-            if (_e120 > -8388608f) {
-                let _e132 = f32(select(0i, select(select(i32(_e120), i32(-2147483648), (_e120 < bitcast<f32>(3472883712u))), 2147483647i, (_e120 > bitcast<f32>(1325400063u))), (_e120 == _e120)));
-                if (_e132 > _e120) {
-                    phi_345_ = 1f;
+        if (_e91 == 1u) {
+            let _e121 = (param_8 * 0.5f);
+            if (_e121 > -8388608f) {
+                let _e133 = f32(select(0i, select(select(i32(_e121), i32(-2147483648), (_e121 < bitcast<f32>(3472883712u))), 2147483647i, (_e121 > bitcast<f32>(1325400063u))), (_e121 == _e121)));
+                if (_e133 > _e121) {
+                    phi_347_ = 1f;
                 } else {
-                    phi_345_ = 0f;
+                    phi_347_ = 0f;
                 }
-                let _e135 = phi_345_;
-                if (_e120 < 8388608f) {
-                    phi_350_ = (_e132 - _e135);
-                    phi_351_ = false;
+                let _e136 = phi_347_;
+                if (_e121 < 8388608f) {
+                    phi_352_ = (_e133 - _e136);
+                    phi_353_ = false;
                 } else {
-                    phi_350_ = f32();
-                    phi_351_ = true;
+                    phi_352_ = f32();
+                    phi_353_ = true;
                 }
-                let _e138 = phi_350_;
-                let _e140 = phi_351_;
-                phi_352_ = _e138;
-                phi_353_ = _e140;
+                let _e139 = phi_352_;
+                let _e141 = phi_353_;
+                phi_354_ = _e139;
+                phi_355_ = _e141;
             } else {
-                phi_352_ = f32();
-                phi_353_ = true;
+                phi_354_ = f32();
+                phi_355_ = true;
             }
-            let _e142 = phi_352_;
-            let _e144 = phi_353_;
-            if _e144 {
-                phi_357_ = _e120;
+            let _e143 = phi_354_;
+            let _e145 = phi_355_;
+            if _e145 {
+                phi_359_ = _e121;
             } else {
-                phi_357_ = _e142;
+                phi_359_ = _e143;
             }
-            let _e146 = phi_357_;
-            let _e148 = (param_8 - (2f * _e146));
-            if (_e148 > 1f) {
-                phi_365_ = (2f - _e148);
+            let _e147 = phi_359_;
+            let _e149 = (param_8 - (2f * _e147));
+            if (_e149 > 1f) {
+                phi_367_ = (2f - _e149);
             } else {
-                phi_365_ = _e148;
+                phi_367_ = _e149;
             }
-            let _e152 = phi_365_;
-            phi_366_ = _e152;
+            let _e153 = phi_367_;
+            phi_368_ = _e153;
         } else {
-            phi_366_ = param_8;
+            phi_368_ = param_8;
         }
-        let _e154 = phi_366_;
-        phi_367_ = _e154;
+        let _e155 = phi_368_;
+        phi_369_ = _e155;
     }
-    let _e156 = phi_367_;
-    if (_e156 > 0f) {
-        if (_e156 < 1f) {
-            phi_376_ = _e156;
+    let _e157 = phi_369_;
+    if (_e157 > 0f) {
+        if (_e157 < 1f) {
+            phi_378_ = _e157;
         } else {
-            phi_376_ = 1f;
+            phi_378_ = 1f;
         }
-        let _e160 = phi_376_;
-        phi_377_ = _e160;
+        let _e161 = phi_378_;
+        phi_379_ = _e161;
     } else {
-        phi_377_ = 0f;
+        phi_379_ = 0f;
     }
-    let _e162 = phi_377_;
-    let _e163 = (_e77 - 1u);
-    let _e165 = (_e162 * f32(_e77));
-    if _e85 {
-        let _e172 = select(select(u32(_e165), 0u, (_e165 < bitcast<f32>(0u))), 4294967295u, (_e165 > bitcast<f32>(1333788671u)));
-        if (_e163 < _e172) {
-            phi_395_ = _e163;
+    let _e163 = phi_379_;
+    let _e164 = (_e78 - 1u);
+    let _e166 = (_e163 * f32(_e78));
+    if _e86 {
+        let _e173 = select(select(u32(_e166), 0u, (_e166 < bitcast<f32>(0u))), 4294967295u, (_e166 > bitcast<f32>(1333788671u)));
+        if (_e164 < _e173) {
+            phi_397_ = _e164;
         } else {
-            phi_395_ = _e172;
+            phi_397_ = _e173;
         }
-        let _e175 = phi_395_;
-        phi_434_ = texture_Axis(_e175, _e175, 0f);
+        let _e176 = phi_397_;
+        phi_436_ = texture_Axis(_e176, _e176, 0f);
     } else {
-        let _e177 = (_e165 + 0.5f);
-        let _e184 = select(select(u32(_e177), 0u, (_e177 < bitcast<f32>(0u))), 4294967295u, (_e177 > bitcast<f32>(1333788671u)));
-        if (_e77 < _e184) {
-            phi_409_ = _e77;
+        let _e178 = (_e166 + 0.5f);
+        let _e185 = select(select(u32(_e178), 0u, (_e178 < bitcast<f32>(0u))), 4294967295u, (_e178 > bitcast<f32>(1333788671u)));
+        if (_e78 < _e185) {
+            phi_411_ = _e78;
         } else {
-            phi_409_ = _e184;
+            phi_411_ = _e185;
         }
-        let _e187 = phi_409_;
-        if (_e90 == 0u) {
-            phi_416_ = _e163;
+        let _e188 = phi_411_;
+        if (_e91 == 0u) {
+            phi_418_ = _e164;
         } else {
-            phi_416_ = 0u;
+            phi_418_ = 0u;
         }
-        let _e192 = phi_416_;
-        if (_e90 == 0u) {
-            phi_421_ = 0u;
+        let _e193 = phi_418_;
+        if (_e91 == 0u) {
+            phi_423_ = 0u;
         } else {
-            phi_421_ = _e163;
+            phi_423_ = _e164;
         }
-        let _e195 = phi_421_;
-        if (_e187 == 0u) {
-            phi_427_ = _e192;
+        let _e196 = phi_423_;
+        if (_e188 == 0u) {
+            phi_429_ = _e193;
         } else {
-            phi_427_ = (_e187 - 1u);
+            phi_429_ = (_e188 - 1u);
         }
-        let _e199 = phi_427_;
-        if (_e187 > _e163) {
-            phi_432_ = _e195;
+        let _e200 = phi_429_;
+        if (_e188 > _e164) {
+            phi_434_ = _e196;
         } else {
-            phi_432_ = _e187;
+            phi_434_ = _e188;
         }
-        let _e202 = phi_432_;
-        phi_434_ = texture_Axis(_e199, _e202, (_e177 - f32(_e187)));
+        let _e203 = phi_434_;
+        phi_436_ = texture_Axis(_e200, _e203, (_e178 - f32(_e188)));
     }
-    let _e205 = phi_434_;
-    let _e207 = (*param_7).flags;
-    let _e210 = ((_e207 >> bitcast<u32>(6u)) & 3u);
-    if (_e210 == 0u) {
+    let _e206 = phi_436_;
+    let _e208 = (*param_7).flags;
+    let _e211 = ((_e208 >> bitcast<u32>(6u)) & 3u);
+    if (_e211 == 0u) {
         if (param_9 > -8388608f) {
-            let _e223 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
-            if (_e223 > param_9) {
-                phi_462_ = 1f;
+            let _e224 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e224 > param_9) {
+                phi_464_ = 1f;
             } else {
-                phi_462_ = 0f;
+                phi_464_ = 0f;
             }
-            let _e226 = phi_462_;
+            let _e227 = phi_464_;
             if (param_9 < 8388608f) {
-                phi_467_ = (_e223 - _e226);
-                phi_468_ = false;
+                phi_469_ = (_e224 - _e227);
+                phi_470_ = false;
             } else {
-                phi_467_ = f32();
-                phi_468_ = true;
+                phi_469_ = f32();
+                phi_470_ = true;
             }
-            let _e229 = phi_467_;
-            let _e231 = phi_468_;
-            phi_469_ = _e229;
-            phi_470_ = _e231;
+            let _e230 = phi_469_;
+            let _e232 = phi_470_;
+            phi_471_ = _e230;
+            phi_472_ = _e232;
         } else {
-            phi_469_ = f32();
-            phi_470_ = true;
+            phi_471_ = f32();
+            phi_472_ = true;
         }
-        let _e233 = phi_469_;
-        let _e235 = phi_470_;
-        if _e235 {
-            phi_474_ = param_9;
+        let _e234 = phi_471_;
+        let _e236 = phi_472_;
+        if _e236 {
+            phi_476_ = param_9;
         } else {
-            phi_474_ = _e233;
+            phi_476_ = _e234;
         }
-        let _e237 = phi_474_;
-        phi_522_ = (param_9 - _e237);
+        let _e238 = phi_476_;
+        phi_524_ = (param_9 - _e238);
     } else {
-        if (_e210 == 1u) {
-            let _e240 = (param_9 * 0.5f);
-            if (_e240 > -8388608f) {
-                let _e252 = f32(select(0i, select(select(i32(_e240), i32(-2147483648), (_e240 < bitcast<f32>(3472883712u))), 2147483647i, (_e240 > bitcast<f32>(1325400063u))), (_e240 == _e240)));
-                if (_e252 > _e240) {
-                    phi_500_ = 1f;
+        if (_e211 == 1u) {
+            let _e241 = (param_9 * 0.5f);
+            if (_e241 > -8388608f) {
+                let _e253 = f32(select(0i, select(select(i32(_e241), i32(-2147483648), (_e241 < bitcast<f32>(3472883712u))), 2147483647i, (_e241 > bitcast<f32>(1325400063u))), (_e241 == _e241)));
+                if (_e253 > _e241) {
+                    phi_502_ = 1f;
                 } else {
-                    phi_500_ = 0f;
+                    phi_502_ = 0f;
                 }
-                let _e255 = phi_500_;
-                if (_e240 < 8388608f) {
-                    phi_505_ = (_e252 - _e255);
-                    phi_506_ = false;
+                let _e256 = phi_502_;
+                if (_e241 < 8388608f) {
+                    phi_507_ = (_e253 - _e256);
+                    phi_508_ = false;
                 } else {
-                    phi_505_ = f32();
-                    phi_506_ = true;
+                    phi_507_ = f32();
+                    phi_508_ = true;
                 }
-                let _e258 = phi_505_;
-                let _e260 = phi_506_;
-                phi_507_ = _e258;
-                phi_508_ = _e260;
+                let _e259 = phi_507_;
+                let _e261 = phi_508_;
+                phi_509_ = _e259;
+                phi_510_ = _e261;
             } else {
-                phi_507_ = f32();
-                phi_508_ = true;
+                phi_509_ = f32();
+                phi_510_ = true;
             }
-            let _e262 = phi_507_;
-            let _e264 = phi_508_;
-            if _e264 {
-                phi_512_ = _e240;
+            let _e263 = phi_509_;
+            let _e265 = phi_510_;
+            if _e265 {
+                phi_514_ = _e241;
             } else {
-                phi_512_ = _e262;
+                phi_514_ = _e263;
             }
-            let _e266 = phi_512_;
-            let _e268 = (param_9 - (2f * _e266));
-            if (_e268 > 1f) {
-                phi_520_ = (2f - _e268);
+            let _e267 = phi_514_;
+            let _e269 = (param_9 - (2f * _e267));
+            if (_e269 > 1f) {
+                phi_522_ = (2f - _e269);
             } else {
-                phi_520_ = _e268;
+                phi_522_ = _e269;
             }
-            let _e272 = phi_520_;
-            phi_521_ = _e272;
+            let _e273 = phi_522_;
+            phi_523_ = _e273;
         } else {
-            phi_521_ = param_9;
+            phi_523_ = param_9;
         }
-        let _e274 = phi_521_;
-        phi_522_ = _e274;
+        let _e275 = phi_523_;
+        phi_524_ = _e275;
     }
-    let _e276 = phi_522_;
-    if (_e276 > 0f) {
-        if (_e276 < 1f) {
-            phi_531_ = _e276;
+    let _e277 = phi_524_;
+    if (_e277 > 0f) {
+        if (_e277 < 1f) {
+            phi_533_ = _e277;
         } else {
-            phi_531_ = 1f;
+            phi_533_ = 1f;
         }
-        let _e280 = phi_531_;
-        phi_532_ = _e280;
+        let _e281 = phi_533_;
+        phi_534_ = _e281;
     } else {
-        phi_532_ = 0f;
+        phi_534_ = 0f;
     }
-    let _e282 = phi_532_;
-    let _e283 = (_e81 - 1u);
-    let _e285 = (_e282 * f32(_e81));
-    if _e85 {
-        let _e292 = select(select(u32(_e285), 0u, (_e285 < bitcast<f32>(0u))), 4294967295u, (_e285 > bitcast<f32>(1333788671u)));
-        if (_e283 < _e292) {
-            phi_550_ = _e283;
+    let _e283 = phi_534_;
+    let _e284 = (_e82 - 1u);
+    let _e286 = (_e283 * f32(_e82));
+    if _e86 {
+        let _e293 = select(select(u32(_e286), 0u, (_e286 < bitcast<f32>(0u))), 4294967295u, (_e286 > bitcast<f32>(1333788671u)));
+        if (_e284 < _e293) {
+            phi_552_ = _e284;
         } else {
-            phi_550_ = _e292;
+            phi_552_ = _e293;
         }
-        let _e295 = phi_550_;
-        phi_589_ = texture_Axis(_e295, _e295, 0f);
+        let _e296 = phi_552_;
+        phi_591_ = texture_Axis(_e296, _e296, 0f);
     } else {
-        let _e297 = (_e285 + 0.5f);
-        let _e304 = select(select(u32(_e297), 0u, (_e297 < bitcast<f32>(0u))), 4294967295u, (_e297 > bitcast<f32>(1333788671u)));
-        if (_e81 < _e304) {
-            phi_564_ = _e81;
+        let _e298 = (_e286 + 0.5f);
+        let _e305 = select(select(u32(_e298), 0u, (_e298 < bitcast<f32>(0u))), 4294967295u, (_e298 > bitcast<f32>(1333788671u)));
+        if (_e82 < _e305) {
+            phi_566_ = _e82;
         } else {
-            phi_564_ = _e304;
+            phi_566_ = _e305;
         }
-        let _e307 = phi_564_;
-        if (_e210 == 0u) {
-            phi_571_ = _e283;
+        let _e308 = phi_566_;
+        if (_e211 == 0u) {
+            phi_573_ = _e284;
         } else {
-            phi_571_ = 0u;
+            phi_573_ = 0u;
         }
-        let _e312 = phi_571_;
-        if (_e210 == 0u) {
-            phi_576_ = 0u;
+        let _e313 = phi_573_;
+        if (_e211 == 0u) {
+            phi_578_ = 0u;
         } else {
-            phi_576_ = _e283;
+            phi_578_ = _e284;
         }
-        let _e315 = phi_576_;
-        if (_e307 == 0u) {
-            phi_582_ = _e312;
+        let _e316 = phi_578_;
+        if (_e308 == 0u) {
+            phi_584_ = _e313;
         } else {
-            phi_582_ = (_e307 - 1u);
+            phi_584_ = (_e308 - 1u);
         }
-        let _e319 = phi_582_;
-        if (_e307 > _e283) {
-            phi_587_ = _e315;
+        let _e320 = phi_584_;
+        if (_e308 > _e284) {
+            phi_589_ = _e316;
         } else {
-            phi_587_ = _e307;
+            phi_589_ = _e308;
         }
-        let _e322 = phi_587_;
-        phi_589_ = texture_Axis(_e319, _e322, (_e297 - f32(_e307)));
+        let _e323 = phi_589_;
+        phi_591_ = texture_Axis(_e320, _e323, (_e298 - f32(_e308)));
     }
-    let _e325 = phi_589_;
-    let _e329 = (*param_7).offset;
-    let _e336 = (*param_7).offset;
-    let _e343 = (*param_7).offset;
-    let _e350 = (*param_7).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e329 + (_e325.low * _e77)) + _e205.low), ((_e336 + (_e325.low * _e77)) + _e205.high), ((_e343 + (_e325.high * _e77)) + _e205.low), ((_e350 + (_e325.high * _e77)) + _e205.high)), vec4<f32>(((1f - _e205.fraction) * (1f - _e325.fraction)), (_e205.fraction * (1f - _e325.fraction)), ((1f - _e205.fraction) * _e325.fraction), (_e205.fraction * _e325.fraction)));
+    let _e326 = phi_591_;
+    let _e330 = (*param_7).offset;
+    let _e337 = (*param_7).offset;
+    let _e344 = (*param_7).offset;
+    let _e351 = (*param_7).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e330 + (_e326.low * _e78)) + _e206.low), ((_e337 + (_e326.low * _e78)) + _e206.high), ((_e344 + (_e326.high * _e78)) + _e206.low), ((_e351 + (_e326.high * _e78)) + _e206.high)), vec4<f32>(((1f - _e206.fraction) * (1f - _e326.fraction)), (_e206.fraction * (1f - _e326.fraction)), ((1f - _e206.fraction) * _e326.fraction), (_e206.fraction * _e326.fraction)));
 }
 
 fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
@@ -600,15 +600,15 @@ fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
-    var phi_648_: f32;
+    var phi_650_: f32;
 
     if (param_12 > param_13) {
-        phi_648_ = param_12;
+        phi_650_ = param_12;
     } else {
-        phi_648_ = param_13;
+        phi_650_ = param_13;
     }
-    let _e76 = phi_648_;
-    return _e76;
+    let _e77 = phi_650_;
+    return _e77;
 }
 
 fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_14: vec3<f32>) -> vec3<f32> {
@@ -623,1808 +623,1810 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: texture_TextureView;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_790_: bool;
+    var phi_802_: bool;
     var phi_803_: bool;
     var phi_804_: bool;
     var phi_805_: bool;
-    var phi_806_: bool;
-    var phi_810_: bool;
+    var phi_809_: bool;
+    var phi_822_: bool;
     var phi_823_: bool;
     var phi_824_: bool;
     var phi_825_: bool;
     var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_832_: bool;
-    var phi_833_: bool;
-    var phi_837_: bool;
-    var phi_913_: f32;
-    var phi_920_: f32;
-    var phi_928_: f32;
-    var phi_935_: f32;
-    var phi_943_: f32;
-    var phi_950_: f32;
-    var phi_973_: f32;
-    var phi_978_: f32;
-    var phi_983_: f32;
-    var phi_988_: f32;
-    var phi_993_: f32;
-    var phi_1024_: bool;
-    var phi_1025_: bool;
-    var phi_1033_: u32;
-    var phi_1034_: u32;
-    var phi_1051_: vec3<f32>;
-    var phi_1052_: vec3<f32>;
-    var phi_1065_: u32;
-    var phi_1070_: u32;
-    var phi_1075_: u32;
-    var phi_1189_: bool;
-    var phi_1190_: bool;
-    var phi_1221_: u32;
-    var phi_1223_: lt_bvh_Hit;
-    var phi_1226_: u32;
-    var phi_1311_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1338_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1365_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1371_: u32;
-    var phi_1374_: u32;
-    var phi_1388_: u32;
-    var phi_1398_: u32;
-    var phi_1408_: u32;
-    var phi_1426_: u32;
-    var phi_1436_: u32;
-    var phi_1446_: u32;
-    var phi_1482_: u32;
-    var phi_1495_: u32;
-    var phi_1500_: u32;
+    var phi_842_: bool;
+    var phi_843_: bool;
+    var phi_844_: bool;
+    var phi_848_: bool;
+    var phi_849_: bool;
+    var phi_850_: bool;
+    var phi_851_: bool;
+    var phi_852_: bool;
+    var phi_856_: bool;
+    var phi_932_: f32;
+    var phi_939_: f32;
+    var phi_947_: f32;
+    var phi_954_: f32;
+    var phi_962_: f32;
+    var phi_969_: f32;
+    var phi_992_: f32;
+    var phi_997_: f32;
+    var phi_1002_: f32;
+    var phi_1007_: f32;
+    var phi_1012_: f32;
+    var phi_1043_: bool;
+    var phi_1044_: bool;
+    var phi_1052_: u32;
+    var phi_1053_: u32;
+    var phi_1070_: vec3<f32>;
+    var phi_1071_: vec3<f32>;
+    var phi_1084_: u32;
+    var phi_1089_: u32;
+    var phi_1094_: u32;
+    var phi_1208_: bool;
+    var phi_1209_: bool;
+    var phi_1240_: u32;
+    var phi_1242_: lt_bvh_Hit;
+    var phi_1245_: u32;
+    var phi_1330_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1357_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1384_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1390_: u32;
+    var phi_1393_: u32;
+    var phi_1407_: u32;
+    var phi_1417_: u32;
+    var phi_1427_: u32;
+    var phi_1445_: u32;
+    var phi_1455_: u32;
+    var phi_1465_: u32;
     var phi_1501_: u32;
-    var phi_1502_: u32;
-    var phi_1372_: u32;
-    var phi_1375_: u32;
+    var phi_1514_: u32;
+    var phi_1519_: u32;
+    var phi_1520_: u32;
+    var phi_1521_: u32;
+    var phi_1391_: u32;
+    var phi_1394_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1560_: lt_bvh_Hit;
-    var phi_1563_: u32;
-    var phi_1609_: vec3<f32>;
-    var phi_1610_: vec3<f32>;
-    var phi_1641_: vec3<f32>;
-    var phi_1642_: vec3<f32>;
-    var phi_1673_: vec3<f32>;
-    var phi_1674_: vec3<f32>;
-    var phi_1692_: bool;
-    var phi_1693_: bool;
-    var phi_1697_: f32;
-    var phi_1698_: f32;
-    var phi_1699_: f32;
-    var phi_1700_: f32;
-    var phi_1708_: f32;
-    var phi_1718_: bool;
-    var phi_1719_: bool;
-    var phi_1723_: f32;
-    var phi_1724_: f32;
-    var phi_1725_: f32;
-    var phi_1726_: f32;
-    var phi_1734_: f32;
-    var phi_1744_: bool;
-    var phi_1745_: bool;
-    var phi_1749_: f32;
-    var phi_1750_: f32;
-    var phi_1751_: f32;
-    var phi_1752_: f32;
-    var phi_1760_: f32;
-    var phi_1775_: f32;
-    var phi_1776_: bool;
-    var phi_1777_: f32;
-    var phi_1778_: bool;
+    var phi_1579_: lt_bvh_Hit;
+    var phi_1582_: u32;
+    var phi_1628_: vec3<f32>;
+    var phi_1629_: vec3<f32>;
+    var phi_1660_: vec3<f32>;
+    var phi_1661_: vec3<f32>;
+    var phi_1692_: vec3<f32>;
+    var phi_1693_: vec3<f32>;
+    var phi_1711_: bool;
+    var phi_1712_: bool;
+    var phi_1716_: f32;
+    var phi_1717_: f32;
+    var phi_1718_: f32;
+    var phi_1719_: f32;
+    var phi_1727_: f32;
+    var phi_1737_: bool;
+    var phi_1738_: bool;
+    var phi_1742_: f32;
+    var phi_1743_: f32;
+    var phi_1744_: f32;
+    var phi_1745_: f32;
+    var phi_1753_: f32;
+    var phi_1763_: bool;
+    var phi_1764_: bool;
+    var phi_1768_: f32;
+    var phi_1769_: f32;
+    var phi_1770_: f32;
+    var phi_1771_: f32;
     var phi_1779_: f32;
-    var phi_1780_: bool;
+    var phi_1794_: f32;
+    var phi_1795_: bool;
+    var phi_1796_: f32;
+    var phi_1797_: bool;
     var phi_1798_: f32;
     var phi_1799_: bool;
-    var phi_1800_: bool;
-    var phi_1801_: f32;
-    var phi_1802_: bool;
-    var phi_1803_: bool;
-    var phi_1807_: bool;
-    var phi_1808_: f32;
-    var phi_1809_: bool;
-    var phi_1839_: vec3<f32>;
-    var phi_1840_: vec3<f32>;
-    var phi_1865_: vec3<f32>;
-    var phi_1866_: vec3<f32>;
-    var phi_1891_: vec3<f32>;
-    var phi_1892_: vec3<f32>;
-    var phi_1950_: f32;
-    var phi_1959_: f32;
-    var phi_1968_: f32;
-    var phi_1977_: f32;
-    var phi_1984_: f32;
-    var phi_1991_: f32;
-    var phi_2004_: f32;
-    var phi_2013_: f32;
-    var phi_2022_: f32;
-    var phi_2031_: f32;
-    var phi_2038_: f32;
-    var phi_2045_: f32;
-    var phi_2068_: f32;
-    var phi_2073_: f32;
-    var phi_2078_: f32;
-    var phi_2086_: f32;
-    var phi_2091_: f32;
-    var phi_2096_: f32;
-    var phi_2108_: f32;
-    var phi_2113_: f32;
-    var phi_2118_: f32;
-    var phi_2123_: f32;
-    var phi_2128_: lt_bvh_triangle_Intersection;
-    var phi_2129_: bool;
-    var phi_2130_: lt_bvh_triangle_Intersection;
-    var phi_2131_: bool;
-    var phi_2135_: lt_bvh_triangle_Intersection;
-    var phi_2136_: bool;
-    var phi_2137_: lt_bvh_triangle_Intersection;
-    var phi_2138_: bool;
-    var phi_2139_: bool;
-    var phi_2143_: bool;
+    var phi_1817_: f32;
+    var phi_1818_: bool;
+    var phi_1819_: bool;
+    var phi_1820_: f32;
+    var phi_1821_: bool;
+    var phi_1822_: bool;
+    var phi_1826_: bool;
+    var phi_1827_: f32;
+    var phi_1828_: bool;
+    var phi_1858_: vec3<f32>;
+    var phi_1859_: vec3<f32>;
+    var phi_1884_: vec3<f32>;
+    var phi_1885_: vec3<f32>;
+    var phi_1910_: vec3<f32>;
+    var phi_1911_: vec3<f32>;
+    var phi_1969_: f32;
+    var phi_1978_: f32;
+    var phi_1987_: f32;
+    var phi_1996_: f32;
+    var phi_2003_: f32;
+    var phi_2010_: f32;
+    var phi_2023_: f32;
+    var phi_2032_: f32;
+    var phi_2041_: f32;
+    var phi_2050_: f32;
+    var phi_2057_: f32;
+    var phi_2064_: f32;
+    var phi_2087_: f32;
+    var phi_2092_: f32;
+    var phi_2097_: f32;
+    var phi_2105_: f32;
+    var phi_2110_: f32;
+    var phi_2115_: f32;
+    var phi_2127_: f32;
+    var phi_2132_: f32;
+    var phi_2137_: f32;
+    var phi_2142_: f32;
     var phi_2147_: lt_bvh_triangle_Intersection;
-    var phi_2186_: bool;
-    var phi_2187_: bool;
-    var phi_2188_: bool;
-    var phi_2189_: bool;
-    var phi_2190_: bool;
-    var phi_2191_: bool;
-    var phi_2195_: bool;
-    var phi_2196_: bool;
-    var phi_2399_: f32;
-    var phi_2402_: bool;
-    var phi_2403_: bool;
-    var phi_2407_: bool;
-    var phi_2415_: lt_bvh_Hit;
-    var phi_2416_: lt_bvh_Hit;
-    var phi_2417_: lt_bvh_Hit;
-    var phi_2418_: lt_bvh_Hit;
-    var phi_1561_: lt_bvh_Hit;
-    var phi_1564_: u32;
-    var phi_2419_: bool;
-    var phi_2458_: bool;
-    var phi_2459_: bool;
-    var phi_2490_: u32;
-    var phi_1224_: lt_bvh_Hit;
-    var phi_1227_: u32;
-    var phi_2491_: lt_bvh_Hit;
-    var phi_2492_: lt_bvh_Hit;
-    var phi_2493_: bool;
-    var phi_2497_: lt_bvh_Hit;
-    var phi_2561_: f32;
-    var phi_2566_: f32;
-    var phi_2571_: f32;
-    var phi_2582_: f32;
-    var phi_2587_: f32;
-    var phi_2592_: f32;
-    var phi_2668_: vec3<f32>;
-    var phi_2911_: vec3<f32>;
-    var phi_2926_: u32;
-    var phi_2953_: f32;
-    var phi_2960_: f32;
-    var phi_2967_: f32;
-    var phi_3002_: f32;
-    var phi_3009_: f32;
-    var phi_3016_: f32;
-    var phi_3054_: f32;
-    var phi_3061_: f32;
-    var phi_3068_: f32;
-    var phi_3127_: vec3<f32>;
-    var phi_3128_: vec3<f32>;
-    var phi_3129_: vec3<f32>;
-    var phi_3138_: f32;
-    var phi_3139_: f32;
-    var phi_3149_: f32;
-    var phi_3150_: f32;
-    var phi_3160_: f32;
-    var phi_3161_: f32;
-    var phi_3196_: abi_Sample;
-    var phi_3287_: vec3<f32>;
+    var phi_2148_: bool;
+    var phi_2149_: lt_bvh_triangle_Intersection;
+    var phi_2150_: bool;
+    var phi_2154_: lt_bvh_triangle_Intersection;
+    var phi_2155_: bool;
+    var phi_2156_: lt_bvh_triangle_Intersection;
+    var phi_2157_: bool;
+    var phi_2158_: bool;
+    var phi_2162_: bool;
+    var phi_2166_: lt_bvh_triangle_Intersection;
+    var phi_2205_: bool;
+    var phi_2206_: bool;
+    var phi_2207_: bool;
+    var phi_2208_: bool;
+    var phi_2209_: bool;
+    var phi_2210_: bool;
+    var phi_2214_: bool;
+    var phi_2215_: bool;
+    var phi_2418_: f32;
+    var phi_2421_: bool;
+    var phi_2422_: bool;
+    var phi_2426_: bool;
+    var phi_2434_: lt_bvh_Hit;
+    var phi_2435_: lt_bvh_Hit;
+    var phi_2436_: lt_bvh_Hit;
+    var phi_2437_: lt_bvh_Hit;
+    var phi_1580_: lt_bvh_Hit;
+    var phi_1583_: u32;
+    var phi_2438_: bool;
+    var phi_2477_: bool;
+    var phi_2478_: bool;
+    var phi_2509_: u32;
+    var phi_1243_: lt_bvh_Hit;
+    var phi_1246_: u32;
+    var phi_2510_: lt_bvh_Hit;
+    var phi_2511_: lt_bvh_Hit;
+    var phi_2512_: bool;
+    var phi_2516_: lt_bvh_Hit;
+    var phi_2580_: f32;
+    var phi_2585_: f32;
+    var phi_2590_: f32;
+    var phi_2601_: f32;
+    var phi_2606_: f32;
+    var phi_2611_: f32;
+    var phi_2687_: vec3<f32>;
+    var phi_2930_: vec3<f32>;
+    var phi_2945_: u32;
+    var phi_2972_: f32;
+    var phi_2979_: f32;
+    var phi_2986_: f32;
+    var phi_3021_: f32;
+    var phi_3028_: f32;
+    var phi_3035_: f32;
+    var phi_3073_: f32;
+    var phi_3080_: f32;
+    var phi_3087_: f32;
+    var phi_3146_: vec3<f32>;
+    var phi_3147_: vec3<f32>;
+    var phi_3148_: vec3<f32>;
+    var phi_3157_: f32;
+    var phi_3158_: f32;
+    var phi_3168_: f32;
+    var phi_3169_: f32;
+    var phi_3179_: f32;
+    var phi_3180_: f32;
+    var phi_3215_: abi_Sample;
+    var phi_3306_: vec3<f32>;
     var local_6: lt_bvh_Hit;
     var local_7: lt_bvh_Hit;
 
-    let _e75 = id_1;
-    let _e79 = arrayLength((&nodes.member));
-    let _e82 = arrayLength((&triangles.member));
-    let _e85 = arrayLength((&vertices.member));
-    let _e88 = arrayLength((&materials.member));
-    let _e94 = arrayLength((&alpha_texels.member));
-    let _e97 = arrayLength((&color_texels.member));
-    let _e100 = arrayLength((&before.member));
-    let _e106 = p.member.size[0u];
-    let _e108 = p.member.size[1u];
-    let _e109 = lt_shaders_entry_pixel_index(_e75, _e106, _e108);
-    if (bitcast<i32>(_e109.word) != 0i) {
-        let _e117 = p.member.eye;
-        let _e122 = p.member.size[0u];
-        let _e126 = ((((f32(_e75.x) + 0.5f) / f32(_e122)) * 2f) - 1f);
-        let _e131 = p.member.size[1u];
-        let _e135 = (1f - (((f32(_e75.y) + 0.5f) / f32(_e131)) * 2f));
-        let _e137 = p.member.forward;
-        let _e139 = p.member.right;
-        let _e153 = p.member.up;
-        let _e164 = _lt_bvh_ray_Ray_new(_e117, vec3<f32>(((_e137.x + (_e139.x * _e126)) + (_e153.x * _e135)), ((_e137.y + (_e139.y * _e126)) + (_e153.y * _e135)), ((_e137.z + (_e139.z * _e126)) + (_e153.z * _e135))));
-        let _e166 = lt_bvh_Hit(_e164.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e169 = abs(_e164.direction.x);
-        let _e171 = abs(_e164.direction.y);
-        let _e173 = abs(_e164.direction.z);
-        if (abs(_e164.origin.x) < 1000000000000000f) {
-            if (abs(_e164.origin.y) < 1000000000000000f) {
-                phi_783_ = (abs(_e164.origin.z) < 1000000000000000f);
-                phi_784_ = false;
+    let _e76 = id_1;
+    let _e80 = arrayLength((&nodes.member));
+    let _e83 = arrayLength((&triangles.member));
+    let _e86 = arrayLength((&vertices.member));
+    let _e89 = arrayLength((&materials.member));
+    let _e95 = arrayLength((&alpha_texels.member));
+    let _e98 = arrayLength((&color_texels.member));
+    let _e101 = arrayLength((&before.member));
+    let _e107 = p.member.size[0u];
+    let _e109 = p.member.size[1u];
+    let _e110 = lt_shaders_entry_pixel_index(_e76, _e107, _e109);
+    if (bitcast<i32>(_e110.word) != 0i) {
+        let _e118 = p.member.eye;
+        let _e121 = p.member.grid[0u];
+        let _e123 = p.member.grid[1u];
+        let _e142 = p.member.size[0u];
+        let _e146 = ((((f32(_e76.x) + ((f32((_e76.y & (_e123 - 1u))) + 0.5f) / f32(_e123))) / f32(_e142)) * 2f) - 1f);
+        let _e149 = p.member.size[1u];
+        let _e153 = (1f - (((f32(_e76.y) + ((f32((_e76.x & (_e121 - 1u))) + 0.5f) / f32(_e121))) / f32(_e149)) * 2f));
+        let _e155 = p.member.forward;
+        let _e157 = p.member.right;
+        let _e171 = p.member.up;
+        let _e182 = _lt_bvh_ray_Ray_new(_e118, vec3<f32>(((_e155.x + (_e157.x * _e146)) + (_e171.x * _e153)), ((_e155.y + (_e157.y * _e146)) + (_e171.y * _e153)), ((_e155.z + (_e157.z * _e146)) + (_e171.z * _e153))));
+        let _e184 = lt_bvh_Hit(_e182.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e187 = abs(_e182.direction.x);
+        let _e189 = abs(_e182.direction.y);
+        let _e191 = abs(_e182.direction.z);
+        if (abs(_e182.origin.x) < 1000000000000000f) {
+            if (abs(_e182.origin.y) < 1000000000000000f) {
+                phi_802_ = (abs(_e182.origin.z) < 1000000000000000f);
+                phi_803_ = false;
             } else {
-                phi_783_ = bool();
-                phi_784_ = true;
+                phi_802_ = bool();
+                phi_803_ = true;
             }
-            let _e185 = phi_783_;
-            let _e187 = phi_784_;
-            phi_785_ = _e185;
-            phi_786_ = _e187;
+            let _e203 = phi_802_;
+            let _e205 = phi_803_;
+            phi_804_ = _e203;
+            phi_805_ = _e205;
         } else {
-            phi_785_ = bool();
-            phi_786_ = true;
+            phi_804_ = bool();
+            phi_805_ = true;
         }
-        let _e189 = phi_785_;
-        let _e191 = phi_786_;
-        if _e191 {
-            phi_790_ = false;
+        let _e207 = phi_804_;
+        let _e209 = phi_805_;
+        if _e209 {
+            phi_809_ = false;
         } else {
-            phi_790_ = _e189;
+            phi_809_ = _e207;
         }
-        let _e193 = phi_790_;
-        if _e193 {
-            if (_e169 < 1000000000000000f) {
-                if (_e171 < 1000000000000000f) {
-                    phi_803_ = (_e173 < 1000000000000000f);
-                    phi_804_ = false;
+        let _e211 = phi_809_;
+        if _e211 {
+            if (_e187 < 1000000000000000f) {
+                if (_e189 < 1000000000000000f) {
+                    phi_822_ = (_e191 < 1000000000000000f);
+                    phi_823_ = false;
                 } else {
-                    phi_803_ = bool();
-                    phi_804_ = true;
+                    phi_822_ = bool();
+                    phi_823_ = true;
                 }
-                let _e198 = phi_803_;
-                let _e200 = phi_804_;
-                phi_805_ = _e198;
-                phi_806_ = _e200;
+                let _e216 = phi_822_;
+                let _e218 = phi_823_;
+                phi_824_ = _e216;
+                phi_825_ = _e218;
             } else {
-                phi_805_ = bool();
-                phi_806_ = true;
+                phi_824_ = bool();
+                phi_825_ = true;
             }
-            let _e202 = phi_805_;
-            let _e204 = phi_806_;
-            if _e204 {
-                phi_810_ = false;
+            let _e220 = phi_824_;
+            let _e222 = phi_825_;
+            if _e222 {
+                phi_829_ = false;
             } else {
-                phi_810_ = _e202;
+                phi_829_ = _e220;
             }
-            let _e206 = phi_810_;
-            if _e206 {
-                if (_e169 > 0f) {
-                    phi_824_ = bool();
-                    phi_825_ = true;
+            let _e224 = phi_829_;
+            if _e224 {
+                if (_e187 > 0f) {
+                    phi_843_ = bool();
+                    phi_844_ = true;
                 } else {
-                    let _e208 = (_e171 > 0f);
-                    if _e208 {
-                        phi_823_ = bool();
+                    let _e226 = (_e189 > 0f);
+                    if _e226 {
+                        phi_842_ = bool();
                     } else {
-                        phi_823_ = (_e173 > 0f);
+                        phi_842_ = (_e191 > 0f);
                     }
-                    let _e211 = phi_823_;
-                    phi_824_ = _e211;
-                    phi_825_ = _e208;
+                    let _e229 = phi_842_;
+                    phi_843_ = _e229;
+                    phi_844_ = _e226;
                 }
-                let _e213 = phi_824_;
-                let _e215 = phi_825_;
-                if _e215 {
-                    phi_829_ = true;
+                let _e231 = phi_843_;
+                let _e233 = phi_844_;
+                if _e233 {
+                    phi_848_ = true;
                 } else {
-                    phi_829_ = _e213;
+                    phi_848_ = _e231;
                 }
-                let _e217 = phi_829_;
-                phi_830_ = _e217;
-                phi_831_ = false;
+                let _e235 = phi_848_;
+                phi_849_ = _e235;
+                phi_850_ = false;
             } else {
-                phi_830_ = bool();
-                phi_831_ = true;
+                phi_849_ = bool();
+                phi_850_ = true;
             }
-            let _e219 = phi_830_;
-            let _e221 = phi_831_;
-            phi_832_ = _e219;
-            phi_833_ = _e221;
+            let _e237 = phi_849_;
+            let _e239 = phi_850_;
+            phi_851_ = _e237;
+            phi_852_ = _e239;
         } else {
-            phi_832_ = bool();
-            phi_833_ = true;
+            phi_851_ = bool();
+            phi_852_ = true;
         }
-        let _e223 = phi_832_;
-        let _e225 = phi_833_;
-        if _e225 {
-            phi_837_ = false;
+        let _e241 = phi_851_;
+        let _e243 = phi_852_;
+        if _e243 {
+            phi_856_ = false;
         } else {
-            phi_837_ = _e223;
+            phi_856_ = _e241;
         }
-        let _e227 = phi_837_;
-        if _e227 {
-            let _e228 = (0u >= _e79);
-            if _e228 {
-                phi_2491_ = lt_bvh_Hit();
+        let _e245 = phi_856_;
+        if _e245 {
+            let _e246 = (0u >= _e80);
+            if _e246 {
+                phi_2510_ = lt_bvh_Hit();
             } else {
-                if (0u < _e79) {
+                if (0u < _e80) {
                 } else {
                     return;
                 }
-                let _e234 = nodes.member[(0u + 0u)].frame[0u];
-                let _e238 = nodes.member[(0u + 0u)].frame[1u];
-                let _e242 = nodes.member[(0u + 0u)].frame[2u];
-                let _e246 = nodes.member[(0u + 0u)].frame[0u];
-                let _e250 = nodes.member[(0u + 0u)].frame[1u];
-                let _e254 = nodes.member[(0u + 0u)].frame[2u];
-                let _e258 = nodes.member[(0u + 0u)].frame[3u];
-                let _e297 = core_intrinsics_maximum_number_nsz_f32_(abs(_e164.direction.x), abs(_e164.direction.y));
-                let _e298 = core_intrinsics_maximum_number_nsz_f32_(_e297, abs(_e164.direction.z));
-                let _e299 = (_e298 * 0.0000000000009094947f);
-                if (abs(_e164.direction.x) < _e299) {
-                    phi_913_ = _e299;
+                let _e252 = nodes.member[(0u + 0u)].frame[0u];
+                let _e256 = nodes.member[(0u + 0u)].frame[1u];
+                let _e260 = nodes.member[(0u + 0u)].frame[2u];
+                let _e264 = nodes.member[(0u + 0u)].frame[0u];
+                let _e268 = nodes.member[(0u + 0u)].frame[1u];
+                let _e272 = nodes.member[(0u + 0u)].frame[2u];
+                let _e276 = nodes.member[(0u + 0u)].frame[3u];
+                let _e315 = core_intrinsics_maximum_number_nsz_f32_(abs(_e182.direction.x), abs(_e182.direction.y));
+                let _e316 = core_intrinsics_maximum_number_nsz_f32_(_e315, abs(_e182.direction.z));
+                let _e317 = (_e316 * 0.0000000000009094947f);
+                if (abs(_e182.direction.x) < _e317) {
+                    phi_932_ = _e317;
                 } else {
-                    phi_913_ = abs(_e164.direction.x);
+                    phi_932_ = abs(_e182.direction.x);
                 }
-                let _e305 = phi_913_;
-                if (_e164.direction.x < 0f) {
-                    phi_920_ = (-1f / _e305);
+                let _e323 = phi_932_;
+                if (_e182.direction.x < 0f) {
+                    phi_939_ = (-1f / _e323);
                 } else {
-                    phi_920_ = (1f / _e305);
+                    phi_939_ = (1f / _e323);
                 }
-                let _e310 = phi_920_;
-                if (abs(_e164.direction.y) < _e299) {
-                    phi_928_ = _e299;
+                let _e328 = phi_939_;
+                if (abs(_e182.direction.y) < _e317) {
+                    phi_947_ = _e317;
                 } else {
-                    phi_928_ = abs(_e164.direction.y);
+                    phi_947_ = abs(_e182.direction.y);
                 }
-                let _e316 = phi_928_;
-                if (_e164.direction.y < 0f) {
-                    phi_935_ = (-1f / _e316);
+                let _e334 = phi_947_;
+                if (_e182.direction.y < 0f) {
+                    phi_954_ = (-1f / _e334);
                 } else {
-                    phi_935_ = (1f / _e316);
+                    phi_954_ = (1f / _e334);
                 }
-                let _e321 = phi_935_;
-                if (abs(_e164.direction.z) < _e299) {
-                    phi_943_ = _e299;
+                let _e339 = phi_954_;
+                if (abs(_e182.direction.z) < _e317) {
+                    phi_962_ = _e317;
                 } else {
-                    phi_943_ = abs(_e164.direction.z);
+                    phi_962_ = abs(_e182.direction.z);
                 }
-                let _e327 = phi_943_;
-                if (_e164.direction.z < 0f) {
-                    phi_950_ = (-1f / _e327);
+                let _e345 = phi_962_;
+                if (_e182.direction.z < 0f) {
+                    phi_969_ = (-1f / _e345);
                 } else {
-                    phi_950_ = (1f / _e327);
+                    phi_969_ = (1f / _e345);
                 }
-                let _e332 = phi_950_;
-                let _e339 = abs((bitcast<f32>(_e234) - _e164.origin.x));
-                let _e340 = abs((bitcast<f32>(_e238) - _e164.origin.y));
-                let _e341 = abs((bitcast<f32>(_e242) - _e164.origin.z));
-                let _e348 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e258 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.x));
-                let _e349 = abs(((bitcast<f32>(_e250) + (bitcast<f32>((((_e258 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.y));
-                let _e350 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e258 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.z));
-                if (_e339 > _e348) {
-                    phi_973_ = _e339;
+                let _e350 = phi_969_;
+                let _e357 = abs((bitcast<f32>(_e252) - _e182.origin.x));
+                let _e358 = abs((bitcast<f32>(_e256) - _e182.origin.y));
+                let _e359 = abs((bitcast<f32>(_e260) - _e182.origin.z));
+                let _e366 = abs(((bitcast<f32>(_e264) + (bitcast<f32>((((_e276 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e182.origin.x));
+                let _e367 = abs(((bitcast<f32>(_e268) + (bitcast<f32>((((_e276 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e182.origin.y));
+                let _e368 = abs(((bitcast<f32>(_e272) + (bitcast<f32>((((_e276 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e182.origin.z));
+                if (_e357 > _e366) {
+                    phi_992_ = _e357;
                 } else {
-                    phi_973_ = _e348;
+                    phi_992_ = _e366;
                 }
-                let _e353 = phi_973_;
-                if (_e340 > _e349) {
-                    phi_978_ = _e340;
+                let _e371 = phi_992_;
+                if (_e358 > _e367) {
+                    phi_997_ = _e358;
                 } else {
-                    phi_978_ = _e349;
+                    phi_997_ = _e367;
                 }
-                let _e356 = phi_978_;
-                if (_e341 > _e350) {
-                    phi_983_ = _e341;
+                let _e374 = phi_997_;
+                if (_e359 > _e368) {
+                    phi_1002_ = _e359;
                 } else {
-                    phi_983_ = _e350;
+                    phi_1002_ = _e368;
                 }
-                let _e359 = phi_983_;
-                if (_e353 > _e356) {
-                    phi_988_ = _e353;
+                let _e377 = phi_1002_;
+                if (_e371 > _e374) {
+                    phi_1007_ = _e371;
                 } else {
-                    phi_988_ = _e356;
+                    phi_1007_ = _e374;
                 }
-                let _e362 = phi_988_;
-                if (_e362 > _e359) {
-                    phi_993_ = _e362;
+                let _e380 = phi_1007_;
+                if (_e380 > _e377) {
+                    phi_1012_ = _e380;
                 } else {
-                    phi_993_ = _e359;
+                    phi_1012_ = _e377;
                 }
-                let _e365 = phi_993_;
-                let _e369 = (_e365 * 0.0000019073486f);
-                let _e370 = (abs(_e310) * _e369);
-                let _e371 = (abs(_e321) * _e369);
-                let _e372 = (abs(_e332) * _e369);
-                let _e376 = (_e365 * 0.0000009536743f);
-                let _e377 = (abs(_e310) * _e376);
-                let _e378 = (abs(_e321) * _e376);
-                let _e379 = (abs(_e332) * _e376);
-                let _e383 = abs(_e164.direction.x);
-                let _e385 = abs(_e164.direction.y);
-                let _e387 = abs(_e164.direction.z);
-                if (_e383 >= _e385) {
-                    if (_e383 >= _e387) {
-                        phi_1024_ = false;
+                let _e383 = phi_1012_;
+                let _e387 = (_e383 * 0.0000019073486f);
+                let _e388 = (abs(_e328) * _e387);
+                let _e389 = (abs(_e339) * _e387);
+                let _e390 = (abs(_e350) * _e387);
+                let _e394 = (_e383 * 0.0000009536743f);
+                let _e395 = (abs(_e328) * _e394);
+                let _e396 = (abs(_e339) * _e394);
+                let _e397 = (abs(_e350) * _e394);
+                let _e401 = abs(_e182.direction.x);
+                let _e403 = abs(_e182.direction.y);
+                let _e405 = abs(_e182.direction.z);
+                if (_e401 >= _e403) {
+                    if (_e401 >= _e405) {
+                        phi_1043_ = false;
                     } else {
-                        phi_1024_ = true;
+                        phi_1043_ = true;
                     }
-                    let _e391 = phi_1024_;
-                    phi_1025_ = _e391;
+                    let _e409 = phi_1043_;
+                    phi_1044_ = _e409;
                 } else {
-                    phi_1025_ = true;
+                    phi_1044_ = true;
                 }
-                let _e393 = phi_1025_;
-                if _e393 {
-                    if (_e385 >= _e387) {
-                        phi_1033_ = 1u;
+                let _e411 = phi_1044_;
+                if _e411 {
+                    if (_e403 >= _e405) {
+                        phi_1052_ = 1u;
                     } else {
-                        phi_1033_ = 2u;
+                        phi_1052_ = 2u;
                     }
-                    let _e396 = phi_1033_;
-                    phi_1034_ = _e396;
+                    let _e414 = phi_1052_;
+                    phi_1053_ = _e414;
                 } else {
-                    phi_1034_ = 0u;
+                    phi_1053_ = 0u;
                 }
-                let _e398 = phi_1034_;
-                if (_e398 == 0u) {
-                    phi_1052_ = vec3<f32>(_e164.direction.y, _e164.direction.z, _e164.direction.x);
+                let _e416 = phi_1053_;
+                if (_e416 == 0u) {
+                    phi_1071_ = vec3<f32>(_e182.direction.y, _e182.direction.z, _e182.direction.x);
                 } else {
-                    if (_e398 == 1u) {
-                        phi_1051_ = vec3<f32>(_e164.direction.z, _e164.direction.x, _e164.direction.y);
+                    if (_e416 == 1u) {
+                        phi_1070_ = vec3<f32>(_e182.direction.z, _e182.direction.x, _e182.direction.y);
                     } else {
-                        phi_1051_ = _e164.direction;
+                        phi_1070_ = _e182.direction;
                     }
-                    let _e410 = phi_1051_;
-                    phi_1052_ = _e410;
+                    let _e428 = phi_1070_;
+                    phi_1071_ = _e428;
                 }
-                let _e412 = phi_1052_;
-                let _e415 = (_e412.x / _e412.z);
-                let _e418 = (_e412.y / _e412.z);
-                if (_e310 < 0f) {
-                    phi_1065_ = 0u;
+                let _e430 = phi_1071_;
+                let _e433 = (_e430.x / _e430.z);
+                let _e436 = (_e430.y / _e430.z);
+                if (_e328 < 0f) {
+                    phi_1084_ = 0u;
                 } else {
-                    phi_1065_ = 1u;
+                    phi_1084_ = 1u;
                 }
-                let _e423 = phi_1065_;
-                if (_e321 < 0f) {
-                    phi_1070_ = 0u;
+                let _e441 = phi_1084_;
+                if (_e339 < 0f) {
+                    phi_1089_ = 0u;
                 } else {
-                    phi_1070_ = 2u;
+                    phi_1089_ = 2u;
                 }
-                let _e426 = phi_1070_;
-                if (_e332 < 0f) {
-                    phi_1075_ = 0u;
+                let _e444 = phi_1089_;
+                if (_e350 < 0f) {
+                    phi_1094_ = 0u;
                 } else {
-                    phi_1075_ = 4u;
+                    phi_1094_ = 4u;
                 }
-                let _e429 = phi_1075_;
-                let _e431 = ((_e423 | _e426) | _e429);
-                let _e432 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e432.first[0], _e432.first[1], _e432.first[2], _e432.first[3], _e432.first[4], _e432.first[5], _e432.first[6], _e432.first[7], _e432.first[8], _e432.first[9], _e432.first[10], _e432.first[11], _e432.first[12], _e432.first[13], _e432.first[14], _e432.first[15], _e432.first[16], _e432.first[17], _e432.first[18], _e432.first[19], _e432.first[20], _e432.first[21], _e432.first[22], _e432.first[23], _e432.first[24], _e432.first[25], _e432.first[26], _e432.first[27], _e432.first[28], _e432.first[29], _e432.first[30], _e432.first[31]), array<u32, 32>(_e432.mask[0], _e432.mask[1], _e432.mask[2], _e432.mask[3], _e432.mask[4], _e432.mask[5], _e432.mask[6], _e432.mask[7], _e432.mask[8], _e432.mask[9], _e432.mask[10], _e432.mask[11], _e432.mask[12], _e432.mask[13], _e432.mask[14], _e432.mask[15], _e432.mask[16], _e432.mask[17], _e432.mask[18], _e432.mask[19], _e432.mask[20], _e432.mask[21], _e432.mask[22], _e432.mask[23], _e432.mask[24], _e432.mask[25], _e432.mask[26], _e432.mask[27], _e432.mask[28], _e432.mask[29], _e432.mask[30], _e432.mask[31]), _e432.len, _e432.group, _e432.group_mask);
-                let _e506 = local_2.group_mask;
-                if ((_e506 & 4278190080u) == 0u) {
-                    let _e510 = local_2.len;
-                    if (_e510 == 0u) {
-                        phi_1189_ = false;
+                let _e447 = phi_1094_;
+                let _e449 = ((_e441 | _e444) | _e447);
+                let _e450 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e450.first[0], _e450.first[1], _e450.first[2], _e450.first[3], _e450.first[4], _e450.first[5], _e450.first[6], _e450.first[7], _e450.first[8], _e450.first[9], _e450.first[10], _e450.first[11], _e450.first[12], _e450.first[13], _e450.first[14], _e450.first[15], _e450.first[16], _e450.first[17], _e450.first[18], _e450.first[19], _e450.first[20], _e450.first[21], _e450.first[22], _e450.first[23], _e450.first[24], _e450.first[25], _e450.first[26], _e450.first[27], _e450.first[28], _e450.first[29], _e450.first[30], _e450.first[31]), array<u32, 32>(_e450.mask[0], _e450.mask[1], _e450.mask[2], _e450.mask[3], _e450.mask[4], _e450.mask[5], _e450.mask[6], _e450.mask[7], _e450.mask[8], _e450.mask[9], _e450.mask[10], _e450.mask[11], _e450.mask[12], _e450.mask[13], _e450.mask[14], _e450.mask[15], _e450.mask[16], _e450.mask[17], _e450.mask[18], _e450.mask[19], _e450.mask[20], _e450.mask[21], _e450.mask[22], _e450.mask[23], _e450.mask[24], _e450.mask[25], _e450.mask[26], _e450.mask[27], _e450.mask[28], _e450.mask[29], _e450.mask[30], _e450.mask[31]), _e450.len, _e450.group, _e450.group_mask);
+                let _e524 = local_2.group_mask;
+                if ((_e524 & 4278190080u) == 0u) {
+                    let _e528 = local_2.len;
+                    if (_e528 == 0u) {
+                        phi_1208_ = false;
                     } else {
-                        let _e514 = local_2.len;
-                        local_2.len = (_e514 - 1u);
-                        let _e517 = local_2.len;
-                        if (_e517 < 32u) {
+                        let _e532 = local_2.len;
+                        local_2.len = (_e532 - 1u);
+                        let _e535 = local_2.len;
+                        if (_e535 < 32u) {
                         } else {
                             return;
                         }
-                        let _e522 = local_2.first[(0u + _e517)];
-                        local_2.group = _e522;
-                        let _e525 = local_2.len;
-                        if (_e525 < 32u) {
+                        let _e540 = local_2.first[(0u + _e535)];
+                        local_2.group = _e540;
+                        let _e543 = local_2.len;
+                        if (_e543 < 32u) {
                         } else {
                             return;
                         }
-                        let _e530 = local_2.mask[(0u + _e525)];
-                        local_2.group_mask = _e530;
-                        phi_1189_ = true;
+                        let _e548 = local_2.mask[(0u + _e543)];
+                        local_2.group_mask = _e548;
+                        phi_1208_ = true;
                     }
-                    let _e533 = phi_1189_;
-                    phi_1190_ = _e533;
+                    let _e551 = phi_1208_;
+                    phi_1209_ = _e551;
                 } else {
-                    phi_1190_ = true;
+                    phi_1209_ = true;
                 }
-                let _e535 = phi_1190_;
-                if _e535 {
-                    let _e537 = local_2.group_mask;
-                    let _e543 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e537)), 32u, (_e537 == 0u)));
-                    let _e547 = local_2.group_mask;
-                    let _e561 = local_2.group_mask;
-                    local_2.group_mask = (_e561 & ~((1u << bitcast<u32>((_e543 & 31u)))));
-                    let _e564 = local_2.group;
-                    phi_1221_ = (_e564 + countOneBits(((_e547 & ~((4294967295u << bitcast<u32>((((_e543 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e553 = phi_1209_;
+                if _e553 {
+                    let _e555 = local_2.group_mask;
+                    let _e561 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e555)), 32u, (_e555 == 0u)));
+                    let _e565 = local_2.group_mask;
+                    let _e579 = local_2.group_mask;
+                    local_2.group_mask = (_e579 & ~((1u << bitcast<u32>((_e561 & 31u)))));
+                    let _e582 = local_2.group;
+                    phi_1240_ = (_e582 + countOneBits(((_e565 & ~((4294967295u << bitcast<u32>((((_e561 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1221_ = 4294967295u;
+                    phi_1240_ = 4294967295u;
                 }
-                let _e567 = phi_1221_;
-                phi_1223_ = _e166;
-                phi_1226_ = _e567;
+                let _e585 = phi_1240_;
+                phi_1242_ = _e184;
+                phi_1245_ = _e585;
                 loop {
-                    let _e569 = phi_1223_;
-                    let _e571 = phi_1226_;
-                    local_7 = _e569;
-                    let _e572 = (_e571 != 4294967295u);
-                    if _e572 {
-                        if (_e571 < _e79) {
+                    let _e587 = phi_1242_;
+                    let _e589 = phi_1245_;
+                    local_7 = _e587;
+                    let _e590 = (_e589 != 4294967295u);
+                    if _e590 {
+                        if (_e589 < _e80) {
                         } else {
                             return;
                         }
-                        let _e580 = nodes.member[(0u + _e571)].frame[3u];
-                        let _e605 = (bitcast<f32>((((_e580 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
-                        let _e606 = (bitcast<f32>((((_e580 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e321);
-                        let _e607 = (bitcast<f32>((((_e580 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e332);
-                        let _e610 = nodes.member[(0u + _e571)].frame[0u];
-                        let _e614 = nodes.member[(0u + _e571)].frame[1u];
-                        let _e618 = nodes.member[(0u + _e571)].frame[2u];
-                        let _e626 = ((bitcast<f32>(_e610) - _e164.origin.x) * _e310);
-                        let _e627 = ((bitcast<f32>(_e614) - _e164.origin.y) * _e321);
-                        let _e628 = ((bitcast<f32>(_e618) - _e164.origin.z) * _e332);
-                        let _e636 = nodes.member[(0u + _e571)].x;
-                        if (_e310 < 0f) {
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e647.unnamed.word, _e636.w), _e647.unnamed_1);
-                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e636.x, _e653.unnamed_1.shift));
-                            phi_1311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e659.unnamed, lt_mask_LightPlace(_e659.unnamed_1.word, _e636.y));
+                        let _e598 = nodes.member[(0u + _e589)].frame[3u];
+                        let _e623 = (bitcast<f32>((((_e598 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e328);
+                        let _e624 = (bitcast<f32>((((_e598 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e339);
+                        let _e625 = (bitcast<f32>((((_e598 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e350);
+                        let _e628 = nodes.member[(0u + _e589)].frame[0u];
+                        let _e632 = nodes.member[(0u + _e589)].frame[1u];
+                        let _e636 = nodes.member[(0u + _e589)].frame[2u];
+                        let _e644 = ((bitcast<f32>(_e628) - _e182.origin.x) * _e328);
+                        let _e645 = ((bitcast<f32>(_e632) - _e182.origin.y) * _e339);
+                        let _e646 = ((bitcast<f32>(_e636) - _e182.origin.z) * _e350);
+                        let _e654 = nodes.member[(0u + _e589)].x;
+                        if (_e328 < 0f) {
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.unnamed.word, _e654.w), _e665.unnamed_1);
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_mask_LightPlace(_e654.x, _e671.unnamed_1.shift));
+                            phi_1330_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_mask_LightPlace(_e677.unnamed_1.word, _e654.y));
                         } else {
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e675.unnamed.word, _e636.y), _e675.unnamed_1);
-                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_mask_LightPlace(_e636.z, _e681.unnamed_1.shift));
-                            phi_1311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e687.unnamed, lt_mask_LightPlace(_e687.unnamed_1.word, _e636.w));
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e693.unnamed.word, _e654.y), _e693.unnamed_1);
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_mask_LightPlace(_e654.z, _e699.unnamed_1.shift));
+                            phi_1330_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_mask_LightPlace(_e705.unnamed_1.word, _e654.w));
                         }
-                        let _e695 = phi_1311_;
-                        let _e705 = nodes.member[(0u + _e571)].y;
-                        if (_e321 < 0f) {
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e716.unnamed.word, _e705.w), _e716.unnamed_1);
-                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e705.x, _e722.unnamed_1.shift));
-                            phi_1338_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e728.unnamed, lt_mask_LightPlace(_e728.unnamed_1.word, _e705.y));
+                        let _e713 = phi_1330_;
+                        let _e723 = nodes.member[(0u + _e589)].y;
+                        if (_e339 < 0f) {
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.unnamed.word, _e723.w), _e734.unnamed_1);
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_mask_LightPlace(_e723.x, _e740.unnamed_1.shift));
+                            phi_1357_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_mask_LightPlace(_e746.unnamed_1.word, _e723.y));
                         } else {
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e744.unnamed.word, _e705.y), _e744.unnamed_1);
-                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_mask_LightPlace(_e705.z, _e750.unnamed_1.shift));
-                            phi_1338_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e756.unnamed, lt_mask_LightPlace(_e756.unnamed_1.word, _e705.w));
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e762.unnamed.word, _e723.y), _e762.unnamed_1);
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_mask_LightPlace(_e723.z, _e768.unnamed_1.shift));
+                            phi_1357_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_mask_LightPlace(_e774.unnamed_1.word, _e723.w));
                         }
-                        let _e764 = phi_1338_;
-                        let _e774 = nodes.member[(0u + _e571)].z;
-                        if (_e332 < 0f) {
-                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e785.unnamed.word, _e774.w), _e785.unnamed_1);
-                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e774.x, _e791.unnamed_1.shift));
-                            phi_1365_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_mask_LightPlace(_e797.unnamed_1.word, _e774.y));
+                        let _e782 = phi_1357_;
+                        let _e792 = nodes.member[(0u + _e589)].z;
+                        if (_e350 < 0f) {
+                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e792.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e803.unnamed.word, _e792.w), _e803.unnamed_1);
+                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e809.unnamed, lt_mask_LightPlace(_e792.x, _e809.unnamed_1.shift));
+                            phi_1384_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e815.unnamed, lt_mask_LightPlace(_e815.unnamed_1.word, _e792.y));
                         } else {
-                            let _e813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e813.unnamed.word, _e774.y), _e813.unnamed_1);
-                            let _e825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e819.unnamed, lt_mask_LightPlace(_e774.z, _e819.unnamed_1.shift));
-                            phi_1365_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e825.unnamed, lt_mask_LightPlace(_e825.unnamed_1.word, _e774.w));
+                            let _e831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e792.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e831.unnamed.word, _e792.y), _e831.unnamed_1);
+                            let _e843 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e837.unnamed, lt_mask_LightPlace(_e792.z, _e837.unnamed_1.shift));
+                            phi_1384_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e843.unnamed, lt_mask_LightPlace(_e843.unnamed_1.word, _e792.w));
                         }
-                        let _e833 = phi_1365_;
-                        phi_1371_ = 0u;
-                        phi_1374_ = 0u;
+                        let _e851 = phi_1384_;
+                        phi_1390_ = 0u;
+                        phi_1393_ = 0u;
                         loop {
-                            let _e843 = phi_1371_;
-                            let _e845 = phi_1374_;
-                            local_3 = _e845;
-                            local_4 = _e845;
-                            local_5 = _e845;
-                            let _e846 = (_e843 < 8u);
-                            if _e846 {
-                                let _e848 = (_e843 >> bitcast<u32>(2i));
-                                let _e849 = (_e843 & 3u);
-                                if (_e848 == 0u) {
-                                    phi_1388_ = _e695.unnamed.word;
+                            let _e861 = phi_1390_;
+                            let _e863 = phi_1393_;
+                            local_3 = _e863;
+                            local_4 = _e863;
+                            local_5 = _e863;
+                            let _e864 = (_e861 < 8u);
+                            if _e864 {
+                                let _e866 = (_e861 >> bitcast<u32>(2i));
+                                let _e867 = (_e861 & 3u);
+                                if (_e866 == 0u) {
+                                    phi_1407_ = _e713.unnamed.word;
                                 } else {
-                                    phi_1388_ = _e695.unnamed.shift;
+                                    phi_1407_ = _e713.unnamed.shift;
                                 }
-                                let _e852 = phi_1388_;
-                                if (_e848 == 0u) {
-                                    phi_1398_ = _e764.unnamed.word;
+                                let _e870 = phi_1407_;
+                                if (_e866 == 0u) {
+                                    phi_1417_ = _e782.unnamed.word;
                                 } else {
-                                    phi_1398_ = _e764.unnamed.shift;
+                                    phi_1417_ = _e782.unnamed.shift;
                                 }
-                                let _e861 = phi_1398_;
-                                if (_e848 == 0u) {
-                                    phi_1408_ = _e833.unnamed.word;
+                                let _e879 = phi_1417_;
+                                if (_e866 == 0u) {
+                                    phi_1427_ = _e851.unnamed.word;
                                 } else {
-                                    phi_1408_ = _e833.unnamed.shift;
+                                    phi_1427_ = _e851.unnamed.shift;
                                 }
-                                let _e870 = phi_1408_;
-                                let _e883 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e852 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e605) + (_e626 - _e370)), ((f32(((_e861 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e606) + (_e627 - _e371)));
-                                let _e884 = core_intrinsics_maximum_number_nsz_f32_(_e883, ((f32(((_e870 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e372)));
-                                if (_e848 == 0u) {
-                                    phi_1426_ = _e695.unnamed_1.word;
+                                let _e888 = phi_1427_;
+                                let _e901 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e870 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e623) + (_e644 - _e388)), ((f32(((_e879 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e624) + (_e645 - _e389)));
+                                let _e902 = core_intrinsics_maximum_number_nsz_f32_(_e901, ((f32(((_e888 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e625) + (_e646 - _e390)));
+                                if (_e866 == 0u) {
+                                    phi_1445_ = _e713.unnamed_1.word;
                                 } else {
-                                    phi_1426_ = _e695.unnamed_1.shift;
+                                    phi_1445_ = _e713.unnamed_1.shift;
                                 }
-                                let _e887 = phi_1426_;
-                                if (_e848 == 0u) {
-                                    phi_1436_ = _e764.unnamed_1.word;
+                                let _e905 = phi_1445_;
+                                if (_e866 == 0u) {
+                                    phi_1455_ = _e782.unnamed_1.word;
                                 } else {
-                                    phi_1436_ = _e764.unnamed_1.shift;
+                                    phi_1455_ = _e782.unnamed_1.shift;
                                 }
-                                let _e896 = phi_1436_;
-                                if (_e848 == 0u) {
-                                    phi_1446_ = _e833.unnamed_1.word;
+                                let _e914 = phi_1455_;
+                                if (_e866 == 0u) {
+                                    phi_1465_ = _e851.unnamed_1.word;
                                 } else {
-                                    phi_1446_ = _e833.unnamed_1.shift;
+                                    phi_1465_ = _e851.unnamed_1.shift;
                                 }
-                                let _e905 = phi_1446_;
-                                let _e918 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e887 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e605) + (_e626 + _e370)), ((f32(((_e896 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e606) + (_e627 + _e371)));
-                                let _e919 = core_intrinsics_minimum_number_nsz_f32_(_e918, ((f32(((_e905 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e372)));
-                                if (_e884 <= _e919) {
-                                    if (_e884 <= _e569.t) {
-                                        if (_e919 >= _e164.tmin) {
-                                            if (_e848 == 0u) {
-                                                let _e926 = nodes.member[(0u + _e571)].links[2u];
-                                                phi_1482_ = _e926;
+                                let _e923 = phi_1465_;
+                                let _e936 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e905 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e623) + (_e644 + _e388)), ((f32(((_e914 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e624) + (_e645 + _e389)));
+                                let _e937 = core_intrinsics_minimum_number_nsz_f32_(_e936, ((f32(((_e923 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e625) + (_e646 + _e390)));
+                                if (_e902 <= _e937) {
+                                    if (_e902 <= _e587.t) {
+                                        if (_e937 >= _e182.tmin) {
+                                            if (_e866 == 0u) {
+                                                let _e944 = nodes.member[(0u + _e589)].links[2u];
+                                                phi_1501_ = _e944;
                                             } else {
-                                                let _e929 = nodes.member[(0u + _e571)].links[3u];
-                                                phi_1482_ = _e929;
+                                                let _e947 = nodes.member[(0u + _e589)].links[3u];
+                                                phi_1501_ = _e947;
                                             }
-                                            let _e931 = phi_1482_;
-                                            let _e936 = ((_e931 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u);
-                                            let _e937 = (_e936 & 31u);
-                                            if (_e937 >= 24u) {
-                                                phi_1495_ = (24u + ((_e937 - 24u) ^ _e431));
+                                            let _e949 = phi_1501_;
+                                            let _e954 = ((_e949 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u);
+                                            let _e955 = (_e954 & 31u);
+                                            if (_e955 >= 24u) {
+                                                phi_1514_ = (24u + ((_e955 - 24u) ^ _e449));
                                             } else {
-                                                phi_1495_ = _e937;
+                                                phi_1514_ = _e955;
                                             }
-                                            let _e943 = phi_1495_;
-                                            phi_1500_ = (_e845 | ((_e936 >> bitcast<u32>(5i)) << bitcast<u32>((_e943 & 31u))));
+                                            let _e961 = phi_1514_;
+                                            phi_1519_ = (_e863 | ((_e954 >> bitcast<u32>(5i)) << bitcast<u32>((_e961 & 31u))));
                                         } else {
-                                            phi_1500_ = _e845;
+                                            phi_1519_ = _e863;
                                         }
-                                        let _e951 = phi_1500_;
-                                        phi_1501_ = _e951;
+                                        let _e969 = phi_1519_;
+                                        phi_1520_ = _e969;
                                     } else {
-                                        phi_1501_ = _e845;
+                                        phi_1520_ = _e863;
                                     }
-                                    let _e953 = phi_1501_;
-                                    phi_1502_ = _e953;
+                                    let _e971 = phi_1520_;
+                                    phi_1521_ = _e971;
                                 } else {
-                                    phi_1502_ = _e845;
+                                    phi_1521_ = _e863;
                                 }
-                                let _e955 = phi_1502_;
-                                phi_1372_ = (_e843 + 1u);
-                                phi_1375_ = _e955;
+                                let _e973 = phi_1521_;
+                                phi_1391_ = (_e861 + 1u);
+                                phi_1394_ = _e973;
                             } else {
-                                phi_1372_ = u32();
-                                phi_1375_ = u32();
+                                phi_1391_ = u32();
+                                phi_1394_ = u32();
                             }
-                            let _e958 = phi_1372_;
-                            let _e960 = phi_1375_;
+                            let _e976 = phi_1391_;
+                            let _e978 = phi_1394_;
                             continue;
                             continuing {
-                                phi_1371_ = _e958;
-                                phi_1374_ = _e960;
-                                break if !(_e846);
+                                phi_1390_ = _e976;
+                                phi_1393_ = _e978;
+                                break if !(_e864);
                             }
                         }
-                        let _e964 = nodes.member[(0u + _e571)].links[0u];
-                        let _e968 = nodes.member[(0u + _e571)].frame[3u];
-                        let _e972 = local_3;
-                        if ((_e972 & 4278190080u) == 0u) {
+                        let _e982 = nodes.member[(0u + _e589)].links[0u];
+                        let _e986 = nodes.member[(0u + _e589)].frame[3u];
+                        let _e990 = local_3;
+                        if ((_e990 & 4278190080u) == 0u) {
                         } else {
-                            let _e976 = local_2.group_mask;
-                            if ((_e976 & 4278190080u) == 0u) {
+                            let _e994 = local_2.group_mask;
+                            if ((_e994 & 4278190080u) == 0u) {
                             } else {
-                                let _e980 = local_2.len;
-                                if (_e980 < 32u) {
-                                    let _e983 = local_2.group;
-                                    let _e985 = local_2.len;
-                                    if (_e985 < 32u) {
+                                let _e998 = local_2.len;
+                                if (_e998 < 32u) {
+                                    let _e1001 = local_2.group;
+                                    let _e1003 = local_2.len;
+                                    if (_e1003 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e985)] = _e983;
-                                    let _e991 = local_2.group_mask;
-                                    let _e993 = local_2.len;
-                                    if (_e993 < 32u) {
+                                    local_2.first[(0u + _e1003)] = _e1001;
+                                    let _e1009 = local_2.group_mask;
+                                    let _e1011 = local_2.len;
+                                    if (_e1011 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e993)] = _e991;
-                                    let _e1000 = local_2.len;
-                                    local_2.len = (_e1000 + 1u);
+                                    local_2.mask[(0u + _e1011)] = _e1009;
+                                    let _e1018 = local_2.len;
+                                    local_2.len = (_e1018 + 1u);
                                 }
                             }
-                            local_2.group = (0u + _e964);
-                            let _e1004 = local_4;
-                            local_2.group_mask = ((_e1004 & 4278190080u) | (_e968 >> bitcast<u32>(24i)));
+                            local_2.group = (0u + _e982);
+                            let _e1022 = local_4;
+                            local_2.group_mask = ((_e1022 & 4278190080u) | (_e986 >> bitcast<u32>(24i)));
                         }
-                        let _e1009 = local_5;
-                        phi_1560_ = _e569;
-                        phi_1563_ = (_e1009 & 16777215u);
+                        let _e1027 = local_5;
+                        phi_1579_ = _e587;
+                        phi_1582_ = (_e1027 & 16777215u);
                         loop {
-                            let _e1012 = phi_1560_;
-                            let _e1014 = phi_1563_;
-                            local_6 = _e1012;
-                            if (_e1014 == 0u) {
-                                phi_1561_ = lt_bvh_Hit();
-                                phi_1564_ = u32();
-                                phi_2419_ = false;
+                            let _e1030 = phi_1579_;
+                            let _e1032 = phi_1582_;
+                            local_6 = _e1030;
+                            if (_e1032 == 0u) {
+                                phi_1580_ = lt_bvh_Hit();
+                                phi_1583_ = u32();
+                                phi_2438_ = false;
                             } else {
-                                let _e1018 = nodes.member[(0u + _e571)].links[1u];
-                                let _e1023 = ((0u + _e1018) + select(firstTrailingBit(_e1014), 32u, (_e1014 == 0u)));
-                                if (_e1023 < _e82) {
+                                let _e1036 = nodes.member[(0u + _e589)].links[1u];
+                                let _e1041 = ((0u + _e1036) + select(firstTrailingBit(_e1032), 32u, (_e1032 == 0u)));
+                                if (_e1041 < _e83) {
                                 } else {
                                     return;
                                 }
-                                let _e1030 = triangles.member[(0u + _e1023)].v0_;
-                                let _e1033 = (_e1030.x - _e164.origin.x);
-                                let _e1036 = (_e1030.y - _e164.origin.y);
-                                let _e1039 = (_e1030.z - _e164.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1610_ = vec3<f32>(_e1036, _e1039, _e1033);
+                                let _e1048 = triangles.member[(0u + _e1041)].v0_;
+                                let _e1051 = (_e1048.x - _e182.origin.x);
+                                let _e1054 = (_e1048.y - _e182.origin.y);
+                                let _e1057 = (_e1048.z - _e182.origin.z);
+                                if (_e416 == 0u) {
+                                    phi_1629_ = vec3<f32>(_e1054, _e1057, _e1051);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1609_ = vec3<f32>(_e1039, _e1033, _e1036);
+                                    if (_e416 == 1u) {
+                                        phi_1628_ = vec3<f32>(_e1057, _e1051, _e1054);
                                     } else {
-                                        phi_1609_ = (_e1030 - _e164.origin);
+                                        phi_1628_ = (_e1048 - _e182.origin);
                                     }
-                                    let _e1046 = phi_1609_;
-                                    phi_1610_ = _e1046;
+                                    let _e1064 = phi_1628_;
+                                    phi_1629_ = _e1064;
                                 }
-                                let _e1048 = phi_1610_;
-                                let _e1052 = (_e1048.x - (_e415 * _e1048.z));
-                                let _e1056 = (_e1048.y - (_e418 * _e1048.z));
-                                let _e1058 = triangles.member[(0u + _e1023)].v1_;
-                                let _e1061 = (_e1058.x - _e164.origin.x);
-                                let _e1064 = (_e1058.y - _e164.origin.y);
-                                let _e1067 = (_e1058.z - _e164.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1642_ = vec3<f32>(_e1064, _e1067, _e1061);
+                                let _e1066 = phi_1629_;
+                                let _e1070 = (_e1066.x - (_e433 * _e1066.z));
+                                let _e1074 = (_e1066.y - (_e436 * _e1066.z));
+                                let _e1076 = triangles.member[(0u + _e1041)].v1_;
+                                let _e1079 = (_e1076.x - _e182.origin.x);
+                                let _e1082 = (_e1076.y - _e182.origin.y);
+                                let _e1085 = (_e1076.z - _e182.origin.z);
+                                if (_e416 == 0u) {
+                                    phi_1661_ = vec3<f32>(_e1082, _e1085, _e1079);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1641_ = vec3<f32>(_e1067, _e1061, _e1064);
+                                    if (_e416 == 1u) {
+                                        phi_1660_ = vec3<f32>(_e1085, _e1079, _e1082);
                                     } else {
-                                        phi_1641_ = (_e1058 - _e164.origin);
+                                        phi_1660_ = (_e1076 - _e182.origin);
                                     }
-                                    let _e1074 = phi_1641_;
-                                    phi_1642_ = _e1074;
+                                    let _e1092 = phi_1660_;
+                                    phi_1661_ = _e1092;
                                 }
-                                let _e1076 = phi_1642_;
-                                let _e1080 = (_e1076.x - (_e415 * _e1076.z));
-                                let _e1084 = (_e1076.y - (_e418 * _e1076.z));
-                                let _e1086 = triangles.member[(0u + _e1023)].v2_;
-                                let _e1089 = (_e1086.x - _e164.origin.x);
-                                let _e1092 = (_e1086.y - _e164.origin.y);
-                                let _e1095 = (_e1086.z - _e164.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1674_ = vec3<f32>(_e1092, _e1095, _e1089);
+                                let _e1094 = phi_1661_;
+                                let _e1098 = (_e1094.x - (_e433 * _e1094.z));
+                                let _e1102 = (_e1094.y - (_e436 * _e1094.z));
+                                let _e1104 = triangles.member[(0u + _e1041)].v2_;
+                                let _e1107 = (_e1104.x - _e182.origin.x);
+                                let _e1110 = (_e1104.y - _e182.origin.y);
+                                let _e1113 = (_e1104.z - _e182.origin.z);
+                                if (_e416 == 0u) {
+                                    phi_1693_ = vec3<f32>(_e1110, _e1113, _e1107);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1673_ = vec3<f32>(_e1095, _e1089, _e1092);
+                                    if (_e416 == 1u) {
+                                        phi_1692_ = vec3<f32>(_e1113, _e1107, _e1110);
                                     } else {
-                                        phi_1673_ = (_e1086 - _e164.origin);
+                                        phi_1692_ = (_e1104 - _e182.origin);
                                     }
-                                    let _e1102 = phi_1673_;
-                                    phi_1674_ = _e1102;
+                                    let _e1120 = phi_1692_;
+                                    phi_1693_ = _e1120;
                                 }
-                                let _e1104 = phi_1674_;
-                                let _e1108 = (_e1104.x - (_e415 * _e1104.z));
-                                let _e1112 = (_e1104.y - (_e418 * _e1104.z));
-                                if (_e1080 < _e1108) {
-                                    phi_1693_ = true;
+                                let _e1122 = phi_1693_;
+                                let _e1126 = (_e1122.x - (_e433 * _e1122.z));
+                                let _e1130 = (_e1122.y - (_e436 * _e1122.z));
+                                if (_e1098 < _e1126) {
+                                    phi_1712_ = true;
                                 } else {
-                                    if (_e1080 == _e1108) {
-                                        phi_1692_ = (_e1084 < _e1112);
+                                    if (_e1098 == _e1126) {
+                                        phi_1711_ = (_e1102 < _e1130);
                                     } else {
-                                        phi_1692_ = false;
+                                        phi_1711_ = false;
                                     }
-                                    let _e1117 = phi_1692_;
-                                    phi_1693_ = _e1117;
+                                    let _e1135 = phi_1711_;
+                                    phi_1712_ = _e1135;
                                 }
-                                let _e1119 = phi_1693_;
-                                if _e1119 {
-                                    phi_1697_ = _e1112;
-                                    phi_1698_ = _e1108;
-                                    phi_1699_ = _e1084;
-                                    phi_1700_ = _e1080;
+                                let _e1137 = phi_1712_;
+                                if _e1137 {
+                                    phi_1716_ = _e1130;
+                                    phi_1717_ = _e1126;
+                                    phi_1718_ = _e1102;
+                                    phi_1719_ = _e1098;
                                 } else {
-                                    phi_1697_ = _e1084;
-                                    phi_1698_ = _e1080;
-                                    phi_1699_ = _e1112;
-                                    phi_1700_ = _e1108;
+                                    phi_1716_ = _e1102;
+                                    phi_1717_ = _e1098;
+                                    phi_1718_ = _e1130;
+                                    phi_1719_ = _e1126;
                                 }
-                                let _e1121 = phi_1697_;
-                                let _e1123 = phi_1698_;
-                                let _e1125 = phi_1699_;
-                                let _e1127 = phi_1700_;
-                                let _e1130 = ((_e1127 * _e1121) - (_e1125 * _e1123));
-                                if _e1119 {
-                                    phi_1708_ = -(_e1130);
+                                let _e1139 = phi_1716_;
+                                let _e1141 = phi_1717_;
+                                let _e1143 = phi_1718_;
+                                let _e1145 = phi_1719_;
+                                let _e1148 = ((_e1145 * _e1139) - (_e1143 * _e1141));
+                                if _e1137 {
+                                    phi_1727_ = -(_e1148);
                                 } else {
-                                    phi_1708_ = _e1130;
+                                    phi_1727_ = _e1148;
                                 }
-                                let _e1133 = phi_1708_;
-                                if (_e1108 < _e1052) {
-                                    phi_1719_ = true;
+                                let _e1151 = phi_1727_;
+                                if (_e1126 < _e1070) {
+                                    phi_1738_ = true;
                                 } else {
-                                    if (_e1108 == _e1052) {
-                                        phi_1718_ = (_e1112 < _e1056);
+                                    if (_e1126 == _e1070) {
+                                        phi_1737_ = (_e1130 < _e1074);
                                     } else {
-                                        phi_1718_ = false;
+                                        phi_1737_ = false;
                                     }
-                                    let _e1138 = phi_1718_;
-                                    phi_1719_ = _e1138;
+                                    let _e1156 = phi_1737_;
+                                    phi_1738_ = _e1156;
                                 }
-                                let _e1140 = phi_1719_;
-                                if _e1140 {
-                                    phi_1723_ = _e1056;
-                                    phi_1724_ = _e1052;
-                                    phi_1725_ = _e1112;
-                                    phi_1726_ = _e1108;
+                                let _e1158 = phi_1738_;
+                                if _e1158 {
+                                    phi_1742_ = _e1074;
+                                    phi_1743_ = _e1070;
+                                    phi_1744_ = _e1130;
+                                    phi_1745_ = _e1126;
                                 } else {
-                                    phi_1723_ = _e1112;
-                                    phi_1724_ = _e1108;
-                                    phi_1725_ = _e1056;
-                                    phi_1726_ = _e1052;
+                                    phi_1742_ = _e1130;
+                                    phi_1743_ = _e1126;
+                                    phi_1744_ = _e1074;
+                                    phi_1745_ = _e1070;
                                 }
-                                let _e1142 = phi_1723_;
-                                let _e1144 = phi_1724_;
-                                let _e1146 = phi_1725_;
-                                let _e1148 = phi_1726_;
-                                let _e1151 = ((_e1148 * _e1142) - (_e1146 * _e1144));
-                                if _e1140 {
-                                    phi_1734_ = -(_e1151);
+                                let _e1160 = phi_1742_;
+                                let _e1162 = phi_1743_;
+                                let _e1164 = phi_1744_;
+                                let _e1166 = phi_1745_;
+                                let _e1169 = ((_e1166 * _e1160) - (_e1164 * _e1162));
+                                if _e1158 {
+                                    phi_1753_ = -(_e1169);
                                 } else {
-                                    phi_1734_ = _e1151;
+                                    phi_1753_ = _e1169;
                                 }
-                                let _e1154 = phi_1734_;
-                                if (_e1052 < _e1080) {
-                                    phi_1745_ = true;
+                                let _e1172 = phi_1753_;
+                                if (_e1070 < _e1098) {
+                                    phi_1764_ = true;
                                 } else {
-                                    if (_e1052 == _e1080) {
-                                        phi_1744_ = (_e1056 < _e1084);
+                                    if (_e1070 == _e1098) {
+                                        phi_1763_ = (_e1074 < _e1102);
                                     } else {
-                                        phi_1744_ = false;
+                                        phi_1763_ = false;
                                     }
-                                    let _e1159 = phi_1744_;
-                                    phi_1745_ = _e1159;
+                                    let _e1177 = phi_1763_;
+                                    phi_1764_ = _e1177;
                                 }
-                                let _e1161 = phi_1745_;
-                                if _e1161 {
-                                    phi_1749_ = _e1084;
-                                    phi_1750_ = _e1080;
-                                    phi_1751_ = _e1056;
-                                    phi_1752_ = _e1052;
+                                let _e1179 = phi_1764_;
+                                if _e1179 {
+                                    phi_1768_ = _e1102;
+                                    phi_1769_ = _e1098;
+                                    phi_1770_ = _e1074;
+                                    phi_1771_ = _e1070;
                                 } else {
-                                    phi_1749_ = _e1056;
-                                    phi_1750_ = _e1052;
-                                    phi_1751_ = _e1084;
-                                    phi_1752_ = _e1080;
+                                    phi_1768_ = _e1074;
+                                    phi_1769_ = _e1070;
+                                    phi_1770_ = _e1102;
+                                    phi_1771_ = _e1098;
                                 }
-                                let _e1163 = phi_1749_;
-                                let _e1165 = phi_1750_;
-                                let _e1167 = phi_1751_;
-                                let _e1169 = phi_1752_;
-                                let _e1172 = ((_e1169 * _e1163) - (_e1167 * _e1165));
-                                if _e1161 {
-                                    phi_1760_ = -(_e1172);
+                                let _e1181 = phi_1768_;
+                                let _e1183 = phi_1769_;
+                                let _e1185 = phi_1770_;
+                                let _e1187 = phi_1771_;
+                                let _e1190 = ((_e1187 * _e1181) - (_e1185 * _e1183));
+                                if _e1179 {
+                                    phi_1779_ = -(_e1190);
                                 } else {
-                                    phi_1760_ = _e1172;
+                                    phi_1779_ = _e1190;
                                 }
-                                let _e1175 = phi_1760_;
-                                if (_e1133 >= 0f) {
-                                    if (_e1154 >= 0f) {
-                                        if (_e1175 >= 0f) {
-                                            phi_1775_ = ((_e1133 + _e1154) + _e1175);
-                                            phi_1776_ = false;
+                                let _e1193 = phi_1779_;
+                                if (_e1151 >= 0f) {
+                                    if (_e1172 >= 0f) {
+                                        if (_e1193 >= 0f) {
+                                            phi_1794_ = ((_e1151 + _e1172) + _e1193);
+                                            phi_1795_ = false;
                                         } else {
-                                            phi_1775_ = f32();
-                                            phi_1776_ = true;
+                                            phi_1794_ = f32();
+                                            phi_1795_ = true;
                                         }
-                                        let _e1182 = phi_1775_;
-                                        let _e1184 = phi_1776_;
-                                        phi_1777_ = _e1182;
-                                        phi_1778_ = _e1184;
+                                        let _e1200 = phi_1794_;
+                                        let _e1202 = phi_1795_;
+                                        phi_1796_ = _e1200;
+                                        phi_1797_ = _e1202;
                                     } else {
-                                        phi_1777_ = f32();
-                                        phi_1778_ = true;
+                                        phi_1796_ = f32();
+                                        phi_1797_ = true;
                                     }
-                                    let _e1186 = phi_1777_;
-                                    let _e1188 = phi_1778_;
-                                    phi_1779_ = _e1186;
-                                    phi_1780_ = _e1188;
+                                    let _e1204 = phi_1796_;
+                                    let _e1206 = phi_1797_;
+                                    phi_1798_ = _e1204;
+                                    phi_1799_ = _e1206;
                                 } else {
-                                    phi_1779_ = f32();
-                                    phi_1780_ = true;
+                                    phi_1798_ = f32();
+                                    phi_1799_ = true;
                                 }
-                                let _e1190 = phi_1779_;
-                                let _e1192 = phi_1780_;
-                                if _e1192 {
-                                    if (_e1133 <= 0f) {
-                                        if (_e1154 <= 0f) {
-                                            let _e1195 = (_e1175 <= 0f);
-                                            if _e1195 {
+                                let _e1208 = phi_1798_;
+                                let _e1210 = phi_1799_;
+                                if _e1210 {
+                                    if (_e1151 <= 0f) {
+                                        if (_e1172 <= 0f) {
+                                            let _e1213 = (_e1193 <= 0f);
+                                            if _e1213 {
                                             }
-                                            phi_1798_ = ((_e1133 + _e1154) + _e1175);
-                                            phi_1799_ = false;
-                                            phi_1800_ = _e1195;
+                                            phi_1817_ = ((_e1151 + _e1172) + _e1193);
+                                            phi_1818_ = false;
+                                            phi_1819_ = _e1213;
                                         } else {
-                                            phi_1798_ = f32();
-                                            phi_1799_ = true;
-                                            phi_1800_ = false;
+                                            phi_1817_ = f32();
+                                            phi_1818_ = true;
+                                            phi_1819_ = false;
                                         }
-                                        let _e1199 = phi_1798_;
-                                        let _e1201 = phi_1799_;
-                                        let _e1203 = phi_1800_;
-                                        phi_1801_ = _e1199;
-                                        phi_1802_ = _e1201;
-                                        phi_1803_ = _e1203;
+                                        let _e1217 = phi_1817_;
+                                        let _e1219 = phi_1818_;
+                                        let _e1221 = phi_1819_;
+                                        phi_1820_ = _e1217;
+                                        phi_1821_ = _e1219;
+                                        phi_1822_ = _e1221;
                                     } else {
-                                        phi_1801_ = f32();
-                                        phi_1802_ = true;
-                                        phi_1803_ = false;
+                                        phi_1820_ = f32();
+                                        phi_1821_ = true;
+                                        phi_1822_ = false;
                                     }
-                                    let _e1205 = phi_1801_;
-                                    let _e1207 = phi_1802_;
-                                    let _e1209 = phi_1803_;
-                                    if _e1207 {
-                                        phi_1807_ = false;
+                                    let _e1223 = phi_1820_;
+                                    let _e1225 = phi_1821_;
+                                    let _e1227 = phi_1822_;
+                                    if _e1225 {
+                                        phi_1826_ = false;
                                     } else {
-                                        phi_1807_ = _e1209;
+                                        phi_1826_ = _e1227;
                                     }
-                                    let _e1211 = phi_1807_;
-                                    phi_1808_ = _e1205;
-                                    phi_1809_ = _e1211;
+                                    let _e1229 = phi_1826_;
+                                    phi_1827_ = _e1223;
+                                    phi_1828_ = _e1229;
                                 } else {
-                                    phi_1808_ = _e1190;
-                                    phi_1809_ = true;
+                                    phi_1827_ = _e1208;
+                                    phi_1828_ = true;
                                 }
-                                let _e1213 = phi_1808_;
-                                let _e1215 = phi_1809_;
-                                if _e1215 {
-                                    let _e1216 = (_e1213 == 0f);
-                                    if _e1216 {
-                                        phi_2135_ = lt_bvh_triangle_Intersection();
-                                        phi_2136_ = false;
+                                let _e1231 = phi_1827_;
+                                let _e1233 = phi_1828_;
+                                if _e1233 {
+                                    let _e1234 = (_e1231 == 0f);
+                                    if _e1234 {
+                                        phi_2154_ = lt_bvh_triangle_Intersection();
+                                        phi_2155_ = false;
                                     } else {
-                                        let _e1218 = triangles.member[(0u + _e1023)].v0_;
-                                        let _e1221 = (_e1218.x - _e164.origin.x);
-                                        let _e1224 = (_e1218.y - _e164.origin.y);
-                                        let _e1227 = (_e1218.z - _e164.origin.z);
-                                        if (_e398 == 0u) {
-                                            phi_1840_ = vec3<f32>(_e1224, _e1227, _e1221);
+                                        let _e1236 = triangles.member[(0u + _e1041)].v0_;
+                                        let _e1239 = (_e1236.x - _e182.origin.x);
+                                        let _e1242 = (_e1236.y - _e182.origin.y);
+                                        let _e1245 = (_e1236.z - _e182.origin.z);
+                                        if (_e416 == 0u) {
+                                            phi_1859_ = vec3<f32>(_e1242, _e1245, _e1239);
                                         } else {
-                                            if (_e398 == 1u) {
-                                                phi_1839_ = vec3<f32>(_e1227, _e1221, _e1224);
+                                            if (_e416 == 1u) {
+                                                phi_1858_ = vec3<f32>(_e1245, _e1239, _e1242);
                                             } else {
-                                                phi_1839_ = (_e1218 - _e164.origin);
+                                                phi_1858_ = (_e1236 - _e182.origin);
                                             }
-                                            let _e1234 = phi_1839_;
-                                            phi_1840_ = _e1234;
+                                            let _e1252 = phi_1858_;
+                                            phi_1859_ = _e1252;
                                         }
-                                        let _e1236 = phi_1840_;
-                                        let _e1238 = triangles.member[(0u + _e1023)].v1_;
-                                        let _e1240 = triangles.member[(0u + _e1023)].v0_;
-                                        let _e1243 = (_e1238.x - _e1240.x);
-                                        let _e1246 = (_e1238.y - _e1240.y);
-                                        let _e1249 = (_e1238.z - _e1240.z);
-                                        if (_e398 == 0u) {
-                                            phi_1866_ = vec3<f32>(_e1246, _e1249, _e1243);
+                                        let _e1254 = phi_1859_;
+                                        let _e1256 = triangles.member[(0u + _e1041)].v1_;
+                                        let _e1258 = triangles.member[(0u + _e1041)].v0_;
+                                        let _e1261 = (_e1256.x - _e1258.x);
+                                        let _e1264 = (_e1256.y - _e1258.y);
+                                        let _e1267 = (_e1256.z - _e1258.z);
+                                        if (_e416 == 0u) {
+                                            phi_1885_ = vec3<f32>(_e1264, _e1267, _e1261);
                                         } else {
-                                            if (_e398 == 1u) {
-                                                phi_1865_ = vec3<f32>(_e1249, _e1243, _e1246);
+                                            if (_e416 == 1u) {
+                                                phi_1884_ = vec3<f32>(_e1267, _e1261, _e1264);
                                             } else {
-                                                phi_1865_ = (_e1238 - _e1240);
+                                                phi_1884_ = (_e1256 - _e1258);
                                             }
-                                            let _e1256 = phi_1865_;
-                                            phi_1866_ = _e1256;
+                                            let _e1274 = phi_1884_;
+                                            phi_1885_ = _e1274;
                                         }
-                                        let _e1258 = phi_1866_;
-                                        let _e1260 = triangles.member[(0u + _e1023)].v2_;
-                                        let _e1262 = triangles.member[(0u + _e1023)].v0_;
-                                        let _e1265 = (_e1260.x - _e1262.x);
-                                        let _e1268 = (_e1260.y - _e1262.y);
-                                        let _e1271 = (_e1260.z - _e1262.z);
-                                        if (_e398 == 0u) {
-                                            phi_1892_ = vec3<f32>(_e1268, _e1271, _e1265);
+                                        let _e1276 = phi_1885_;
+                                        let _e1278 = triangles.member[(0u + _e1041)].v2_;
+                                        let _e1280 = triangles.member[(0u + _e1041)].v0_;
+                                        let _e1283 = (_e1278.x - _e1280.x);
+                                        let _e1286 = (_e1278.y - _e1280.y);
+                                        let _e1289 = (_e1278.z - _e1280.z);
+                                        if (_e416 == 0u) {
+                                            phi_1911_ = vec3<f32>(_e1286, _e1289, _e1283);
                                         } else {
-                                            if (_e398 == 1u) {
-                                                phi_1891_ = vec3<f32>(_e1271, _e1265, _e1268);
+                                            if (_e416 == 1u) {
+                                                phi_1910_ = vec3<f32>(_e1289, _e1283, _e1286);
                                             } else {
-                                                phi_1891_ = (_e1260 - _e1262);
+                                                phi_1910_ = (_e1278 - _e1280);
                                             }
-                                            let _e1278 = phi_1891_;
-                                            phi_1892_ = _e1278;
+                                            let _e1296 = phi_1910_;
+                                            phi_1911_ = _e1296;
                                         }
-                                        let _e1280 = phi_1892_;
-                                        let _e1287 = ((_e1258.y * _e1280.z) - (_e1258.z * _e1280.y));
-                                        let _e1294 = ((_e1258.z * _e1280.x) - (_e1258.x * _e1280.z));
-                                        let _e1301 = ((_e1258.x * _e1280.y) - (_e1258.y * _e1280.x));
-                                        let _e1315 = (((1f / _e412.z) * (((_e1287 * _e1236.x) + (_e1294 * _e1236.y)) + (_e1301 * _e1236.z))) / (((_e1287 * _e415) + (_e1294 * _e418)) + _e1301));
-                                        if (_e1315 > _e164.tmin) {
-                                            if (_e1315 < _e164.tmax) {
-                                                let _e1321 = triangles.member[(0u + _e1023)].v0_;
-                                                let _e1323 = triangles.member[(0u + _e1023)].v1_;
-                                                if (_e1321.x < _e1323.x) {
-                                                    phi_1950_ = _e1321.x;
+                                        let _e1298 = phi_1911_;
+                                        let _e1305 = ((_e1276.y * _e1298.z) - (_e1276.z * _e1298.y));
+                                        let _e1312 = ((_e1276.z * _e1298.x) - (_e1276.x * _e1298.z));
+                                        let _e1319 = ((_e1276.x * _e1298.y) - (_e1276.y * _e1298.x));
+                                        let _e1333 = (((1f / _e430.z) * (((_e1305 * _e1254.x) + (_e1312 * _e1254.y)) + (_e1319 * _e1254.z))) / (((_e1305 * _e433) + (_e1312 * _e436)) + _e1319));
+                                        if (_e1333 > _e182.tmin) {
+                                            if (_e1333 < _e182.tmax) {
+                                                let _e1339 = triangles.member[(0u + _e1041)].v0_;
+                                                let _e1341 = triangles.member[(0u + _e1041)].v1_;
+                                                if (_e1339.x < _e1341.x) {
+                                                    phi_1969_ = _e1339.x;
                                                 } else {
-                                                    phi_1950_ = _e1323.x;
+                                                    phi_1969_ = _e1341.x;
                                                 }
-                                                let _e1330 = phi_1950_;
-                                                if (_e1321.y < _e1323.y) {
-                                                    phi_1959_ = _e1321.y;
+                                                let _e1348 = phi_1969_;
+                                                if (_e1339.y < _e1341.y) {
+                                                    phi_1978_ = _e1339.y;
                                                 } else {
-                                                    phi_1959_ = _e1323.y;
+                                                    phi_1978_ = _e1341.y;
                                                 }
-                                                let _e1337 = phi_1959_;
-                                                if (_e1321.z < _e1323.z) {
-                                                    phi_1968_ = _e1321.z;
+                                                let _e1355 = phi_1978_;
+                                                if (_e1339.z < _e1341.z) {
+                                                    phi_1987_ = _e1339.z;
                                                 } else {
-                                                    phi_1968_ = _e1323.z;
+                                                    phi_1987_ = _e1341.z;
                                                 }
-                                                let _e1344 = phi_1968_;
-                                                let _e1346 = triangles.member[(0u + _e1023)].v2_;
-                                                if (_e1330 < _e1346.x) {
-                                                    phi_1977_ = _e1330;
+                                                let _e1362 = phi_1987_;
+                                                let _e1364 = triangles.member[(0u + _e1041)].v2_;
+                                                if (_e1348 < _e1364.x) {
+                                                    phi_1996_ = _e1348;
                                                 } else {
-                                                    phi_1977_ = _e1346.x;
+                                                    phi_1996_ = _e1364.x;
                                                 }
-                                                let _e1351 = phi_1977_;
-                                                if (_e1337 < _e1346.y) {
-                                                    phi_1984_ = _e1337;
+                                                let _e1369 = phi_1996_;
+                                                if (_e1355 < _e1364.y) {
+                                                    phi_2003_ = _e1355;
                                                 } else {
-                                                    phi_1984_ = _e1346.y;
+                                                    phi_2003_ = _e1364.y;
                                                 }
-                                                let _e1356 = phi_1984_;
-                                                if (_e1344 < _e1346.z) {
-                                                    phi_1991_ = _e1344;
+                                                let _e1374 = phi_2003_;
+                                                if (_e1362 < _e1364.z) {
+                                                    phi_2010_ = _e1362;
                                                 } else {
-                                                    phi_1991_ = _e1346.z;
+                                                    phi_2010_ = _e1364.z;
                                                 }
-                                                let _e1361 = phi_1991_;
-                                                let _e1363 = triangles.member[(0u + _e1023)].v0_;
-                                                let _e1365 = triangles.member[(0u + _e1023)].v1_;
-                                                if (_e1363.x > _e1365.x) {
-                                                    phi_2004_ = _e1363.x;
+                                                let _e1379 = phi_2010_;
+                                                let _e1381 = triangles.member[(0u + _e1041)].v0_;
+                                                let _e1383 = triangles.member[(0u + _e1041)].v1_;
+                                                if (_e1381.x > _e1383.x) {
+                                                    phi_2023_ = _e1381.x;
                                                 } else {
-                                                    phi_2004_ = _e1365.x;
+                                                    phi_2023_ = _e1383.x;
                                                 }
-                                                let _e1372 = phi_2004_;
-                                                if (_e1363.y > _e1365.y) {
-                                                    phi_2013_ = _e1363.y;
+                                                let _e1390 = phi_2023_;
+                                                if (_e1381.y > _e1383.y) {
+                                                    phi_2032_ = _e1381.y;
                                                 } else {
-                                                    phi_2013_ = _e1365.y;
+                                                    phi_2032_ = _e1383.y;
                                                 }
-                                                let _e1379 = phi_2013_;
-                                                if (_e1363.z > _e1365.z) {
-                                                    phi_2022_ = _e1363.z;
+                                                let _e1397 = phi_2032_;
+                                                if (_e1381.z > _e1383.z) {
+                                                    phi_2041_ = _e1381.z;
                                                 } else {
-                                                    phi_2022_ = _e1365.z;
+                                                    phi_2041_ = _e1383.z;
                                                 }
-                                                let _e1386 = phi_2022_;
-                                                let _e1388 = triangles.member[(0u + _e1023)].v2_;
-                                                if (_e1372 > _e1388.x) {
-                                                    phi_2031_ = _e1372;
+                                                let _e1404 = phi_2041_;
+                                                let _e1406 = triangles.member[(0u + _e1041)].v2_;
+                                                if (_e1390 > _e1406.x) {
+                                                    phi_2050_ = _e1390;
                                                 } else {
-                                                    phi_2031_ = _e1388.x;
+                                                    phi_2050_ = _e1406.x;
                                                 }
-                                                let _e1393 = phi_2031_;
-                                                if (_e1379 > _e1388.y) {
-                                                    phi_2038_ = _e1379;
+                                                let _e1411 = phi_2050_;
+                                                if (_e1397 > _e1406.y) {
+                                                    phi_2057_ = _e1397;
                                                 } else {
-                                                    phi_2038_ = _e1388.y;
+                                                    phi_2057_ = _e1406.y;
                                                 }
-                                                let _e1398 = phi_2038_;
-                                                if (_e1386 > _e1388.z) {
-                                                    phi_2045_ = _e1386;
+                                                let _e1416 = phi_2057_;
+                                                if (_e1404 > _e1406.z) {
+                                                    phi_2064_ = _e1404;
                                                 } else {
-                                                    phi_2045_ = _e1388.z;
+                                                    phi_2064_ = _e1406.z;
                                                 }
-                                                let _e1403 = phi_2045_;
-                                                let _e1410 = ((_e1351 - _e164.origin.x) * _e310);
-                                                let _e1411 = ((_e1356 - _e164.origin.y) * _e321);
-                                                let _e1412 = ((_e1361 - _e164.origin.z) * _e332);
-                                                let _e1419 = ((_e1393 - _e164.origin.x) * _e310);
-                                                let _e1420 = ((_e1398 - _e164.origin.y) * _e321);
-                                                let _e1421 = ((_e1403 - _e164.origin.z) * _e332);
-                                                if (_e1410 < _e1419) {
-                                                    phi_2068_ = _e1410;
+                                                let _e1421 = phi_2064_;
+                                                let _e1428 = ((_e1369 - _e182.origin.x) * _e328);
+                                                let _e1429 = ((_e1374 - _e182.origin.y) * _e339);
+                                                let _e1430 = ((_e1379 - _e182.origin.z) * _e350);
+                                                let _e1437 = ((_e1411 - _e182.origin.x) * _e328);
+                                                let _e1438 = ((_e1416 - _e182.origin.y) * _e339);
+                                                let _e1439 = ((_e1421 - _e182.origin.z) * _e350);
+                                                if (_e1428 < _e1437) {
+                                                    phi_2087_ = _e1428;
                                                 } else {
-                                                    phi_2068_ = _e1419;
+                                                    phi_2087_ = _e1437;
                                                 }
-                                                let _e1424 = phi_2068_;
-                                                if (_e1411 < _e1420) {
-                                                    phi_2073_ = _e1411;
+                                                let _e1442 = phi_2087_;
+                                                if (_e1429 < _e1438) {
+                                                    phi_2092_ = _e1429;
                                                 } else {
-                                                    phi_2073_ = _e1420;
+                                                    phi_2092_ = _e1438;
                                                 }
-                                                let _e1427 = phi_2073_;
-                                                if (_e1412 < _e1421) {
-                                                    phi_2078_ = _e1412;
+                                                let _e1445 = phi_2092_;
+                                                if (_e1430 < _e1439) {
+                                                    phi_2097_ = _e1430;
                                                 } else {
-                                                    phi_2078_ = _e1421;
+                                                    phi_2097_ = _e1439;
                                                 }
-                                                let _e1430 = phi_2078_;
-                                                if (_e1410 > _e1419) {
-                                                    phi_2086_ = _e1410;
+                                                let _e1448 = phi_2097_;
+                                                if (_e1428 > _e1437) {
+                                                    phi_2105_ = _e1428;
                                                 } else {
-                                                    phi_2086_ = _e1419;
+                                                    phi_2105_ = _e1437;
                                                 }
-                                                let _e1436 = phi_2086_;
-                                                if (_e1411 > _e1420) {
-                                                    phi_2091_ = _e1411;
+                                                let _e1454 = phi_2105_;
+                                                if (_e1429 > _e1438) {
+                                                    phi_2110_ = _e1429;
                                                 } else {
-                                                    phi_2091_ = _e1420;
+                                                    phi_2110_ = _e1438;
                                                 }
-                                                let _e1439 = phi_2091_;
-                                                if (_e1412 > _e1421) {
-                                                    phi_2096_ = _e1412;
+                                                let _e1457 = phi_2110_;
+                                                if (_e1430 > _e1439) {
+                                                    phi_2115_ = _e1430;
                                                 } else {
-                                                    phi_2096_ = _e1421;
+                                                    phi_2115_ = _e1439;
                                                 }
-                                                let _e1442 = phi_2096_;
-                                                let _e1446 = core_intrinsics_maximum_number_nsz_f32_((_e1424 - _e377), (_e1427 - _e378));
-                                                let _e1447 = core_intrinsics_maximum_number_nsz_f32_(_e1446, (_e1430 - _e379));
-                                                let _e1448 = core_intrinsics_minimum_number_nsz_f32_((_e1436 + _e377), (_e1439 + _e378));
-                                                let _e1449 = core_intrinsics_minimum_number_nsz_f32_(_e1448, (_e1442 + _e379));
-                                                if (_e1447 > -300000000000000000000000000000000000000f) {
-                                                    phi_2108_ = _e1447;
+                                                let _e1460 = phi_2115_;
+                                                let _e1464 = core_intrinsics_maximum_number_nsz_f32_((_e1442 - _e395), (_e1445 - _e396));
+                                                let _e1465 = core_intrinsics_maximum_number_nsz_f32_(_e1464, (_e1448 - _e397));
+                                                let _e1466 = core_intrinsics_minimum_number_nsz_f32_((_e1454 + _e395), (_e1457 + _e396));
+                                                let _e1467 = core_intrinsics_minimum_number_nsz_f32_(_e1466, (_e1460 + _e397));
+                                                if (_e1465 > -300000000000000000000000000000000000000f) {
+                                                    phi_2127_ = _e1465;
                                                 } else {
-                                                    phi_2108_ = -300000000000000000000000000000000000000f;
+                                                    phi_2127_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1452 = phi_2108_;
-                                                if (_e1449 < 300000000000000000000000000000000000000f) {
-                                                    phi_2113_ = _e1449;
+                                                let _e1470 = phi_2127_;
+                                                if (_e1467 < 300000000000000000000000000000000000000f) {
+                                                    phi_2132_ = _e1467;
                                                 } else {
-                                                    phi_2113_ = 300000000000000000000000000000000000000f;
+                                                    phi_2132_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1455 = phi_2113_;
-                                                if (_e1315 < _e1452) {
-                                                    phi_2118_ = _e1452;
+                                                let _e1473 = phi_2132_;
+                                                if (_e1333 < _e1470) {
+                                                    phi_2137_ = _e1470;
                                                 } else {
-                                                    phi_2118_ = _e1315;
+                                                    phi_2137_ = _e1333;
                                                 }
-                                                let _e1458 = phi_2118_;
-                                                if (_e1458 > _e1455) {
-                                                    phi_2123_ = _e1455;
+                                                let _e1476 = phi_2137_;
+                                                if (_e1476 > _e1473) {
+                                                    phi_2142_ = _e1473;
                                                 } else {
-                                                    phi_2123_ = _e1458;
+                                                    phi_2142_ = _e1476;
                                                 }
-                                                let _e1461 = phi_2123_;
-                                                phi_2128_ = lt_bvh_triangle_Intersection(_e1461, (_e1154 / _e1213), (_e1175 / _e1213), (_e1452 <= _e1455));
-                                                phi_2129_ = false;
+                                                let _e1479 = phi_2142_;
+                                                phi_2147_ = lt_bvh_triangle_Intersection(_e1479, (_e1172 / _e1231), (_e1193 / _e1231), (_e1470 <= _e1473));
+                                                phi_2148_ = false;
                                             } else {
-                                                phi_2128_ = lt_bvh_triangle_Intersection();
-                                                phi_2129_ = true;
+                                                phi_2147_ = lt_bvh_triangle_Intersection();
+                                                phi_2148_ = true;
                                             }
-                                            let _e1467 = phi_2128_;
-                                            let _e1469 = phi_2129_;
-                                            phi_2130_ = _e1467;
-                                            phi_2131_ = _e1469;
+                                            let _e1485 = phi_2147_;
+                                            let _e1487 = phi_2148_;
+                                            phi_2149_ = _e1485;
+                                            phi_2150_ = _e1487;
                                         } else {
-                                            phi_2130_ = lt_bvh_triangle_Intersection();
-                                            phi_2131_ = true;
+                                            phi_2149_ = lt_bvh_triangle_Intersection();
+                                            phi_2150_ = true;
                                         }
-                                        let _e1471 = phi_2130_;
-                                        let _e1473 = phi_2131_;
-                                        if _e1473 {
+                                        let _e1489 = phi_2149_;
+                                        let _e1491 = phi_2150_;
+                                        if _e1491 {
                                         }
-                                        phi_2135_ = _e1471;
-                                        phi_2136_ = _e1473;
+                                        phi_2154_ = _e1489;
+                                        phi_2155_ = _e1491;
                                     }
-                                    let _e1475 = phi_2135_;
-                                    let _e1477 = phi_2136_;
-                                    phi_2137_ = _e1475;
-                                    phi_2138_ = _e1216;
-                                    phi_2139_ = _e1477;
+                                    let _e1493 = phi_2154_;
+                                    let _e1495 = phi_2155_;
+                                    phi_2156_ = _e1493;
+                                    phi_2157_ = _e1234;
+                                    phi_2158_ = _e1495;
                                 } else {
-                                    phi_2137_ = lt_bvh_triangle_Intersection();
-                                    phi_2138_ = true;
-                                    phi_2139_ = false;
+                                    phi_2156_ = lt_bvh_triangle_Intersection();
+                                    phi_2157_ = true;
+                                    phi_2158_ = false;
                                 }
-                                let _e1479 = phi_2137_;
-                                let _e1481 = phi_2138_;
-                                let _e1483 = phi_2139_;
-                                if _e1481 {
-                                    phi_2143_ = true;
+                                let _e1497 = phi_2156_;
+                                let _e1499 = phi_2157_;
+                                let _e1501 = phi_2158_;
+                                if _e1499 {
+                                    phi_2162_ = true;
                                 } else {
-                                    phi_2143_ = _e1483;
+                                    phi_2162_ = _e1501;
                                 }
-                                let _e1485 = phi_2143_;
-                                if _e1485 {
-                                    phi_2147_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1503 = phi_2162_;
+                                if _e1503 {
+                                    phi_2166_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2147_ = _e1479;
+                                    phi_2166_ = _e1497;
                                 }
-                                let _e1487 = phi_2147_;
-                                if _e1487.is_hit {
-                                    if (_e1487.t > _e164.tmin) {
-                                        if (_e1487.t < _e1012.t) {
-                                            phi_2196_ = true;
+                                let _e1505 = phi_2166_;
+                                if _e1505.is_hit {
+                                    if (_e1505.t > _e182.tmin) {
+                                        if (_e1505.t < _e1030.t) {
+                                            phi_2215_ = true;
                                         } else {
-                                            if (_e1487.t == _e1012.t) {
-                                                if (_e1012.triangle != 4294967295u) {
-                                                    if (_e1023 < _e1012.triangle) {
-                                                        phi_2187_ = true;
+                                            if (_e1505.t == _e1030.t) {
+                                                if (_e1030.triangle != 4294967295u) {
+                                                    if (_e1041 < _e1030.triangle) {
+                                                        phi_2206_ = true;
                                                     } else {
-                                                        if (_e1023 == _e1012.triangle) {
-                                                            phi_2186_ = (4294967295u < _e1012.instance);
+                                                        if (_e1041 == _e1030.triangle) {
+                                                            phi_2205_ = (4294967295u < _e1030.instance);
                                                         } else {
-                                                            phi_2186_ = false;
+                                                            phi_2205_ = false;
                                                         }
-                                                        let _e1506 = phi_2186_;
-                                                        phi_2187_ = _e1506;
+                                                        let _e1524 = phi_2205_;
+                                                        phi_2206_ = _e1524;
                                                     }
-                                                    let _e1508 = phi_2187_;
-                                                    phi_2188_ = _e1508;
-                                                    phi_2189_ = false;
+                                                    let _e1526 = phi_2206_;
+                                                    phi_2207_ = _e1526;
+                                                    phi_2208_ = false;
                                                 } else {
-                                                    phi_2188_ = bool();
-                                                    phi_2189_ = true;
+                                                    phi_2207_ = bool();
+                                                    phi_2208_ = true;
                                                 }
-                                                let _e1510 = phi_2188_;
-                                                let _e1512 = phi_2189_;
-                                                phi_2190_ = _e1510;
-                                                phi_2191_ = _e1512;
+                                                let _e1528 = phi_2207_;
+                                                let _e1530 = phi_2208_;
+                                                phi_2209_ = _e1528;
+                                                phi_2210_ = _e1530;
                                             } else {
-                                                phi_2190_ = bool();
-                                                phi_2191_ = true;
+                                                phi_2209_ = bool();
+                                                phi_2210_ = true;
                                             }
-                                            let _e1514 = phi_2190_;
-                                            let _e1516 = phi_2191_;
-                                            if _e1516 {
-                                                phi_2195_ = false;
+                                            let _e1532 = phi_2209_;
+                                            let _e1534 = phi_2210_;
+                                            if _e1534 {
+                                                phi_2214_ = false;
                                             } else {
-                                                phi_2195_ = _e1514;
+                                                phi_2214_ = _e1532;
                                             }
-                                            let _e1518 = phi_2195_;
-                                            phi_2196_ = _e1518;
+                                            let _e1536 = phi_2214_;
+                                            phi_2215_ = _e1536;
                                         }
-                                        let _e1520 = phi_2196_;
-                                        if _e1520 {
-                                            let _e1522 = triangles.member[(0u + _e1023)].i0_;
-                                            if ((_e1522 & 2147483648u) == 0u) {
-                                                phi_2407_ = true;
+                                        let _e1538 = phi_2215_;
+                                        if _e1538 {
+                                            let _e1540 = triangles.member[(0u + _e1041)].i0_;
+                                            if ((_e1540 & 2147483648u) == 0u) {
+                                                phi_2426_ = true;
                                             } else {
-                                                if (_e1023 < _e82) {
+                                                if (_e1041 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1531 = triangles.member[(0u + _e1023)].i0_;
-                                                let _e1532 = (_e1531 & 2147483647u);
-                                                let _e1534 = triangles.member[(0u + _e1023)].i1_;
-                                                let _e1536 = triangles.member[(0u + _e1023)].i2_;
-                                                if (_e1532 < _e85) {
+                                                let _e1549 = triangles.member[(0u + _e1041)].i0_;
+                                                let _e1550 = (_e1549 & 2147483647u);
+                                                let _e1552 = triangles.member[(0u + _e1041)].i1_;
+                                                let _e1554 = triangles.member[(0u + _e1041)].i2_;
+                                                if (_e1550 < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1540 = vertices.member[(0u + _e1532)];
-                                                if (_e1534 < _e85) {
+                                                let _e1558 = vertices.member[(0u + _e1550)];
+                                                if (_e1552 < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1544 = vertices.member[(0u + _e1534)];
-                                                if (_e1536 < _e85) {
+                                                let _e1562 = vertices.member[(0u + _e1552)];
+                                                if (_e1554 < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1548 = vertices.member[(0u + _e1536)];
-                                                let _e1549 = array<abi_Vertex, 3>(_e1540, _e1544, _e1548);
-                                                if (_e1549[0].material < _e88) {
+                                                let _e1566 = vertices.member[(0u + _e1554)];
+                                                let _e1567 = array<abi_Vertex, 3>(_e1558, _e1562, _e1566);
+                                                if (_e1567[0].material < _e89) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1555 = materials.member[(0u + _e1549[0].material)];
-                                                if ((_e1555.flags & 0u) == 0u) {
-                                                    let _e1560 = ((1f - _e1487.u) - _e1487.v);
-                                                    if (_e1555.cutoff <= 0f) {
-                                                        phi_2402_ = true;
+                                                let _e1573 = materials.member[(0u + _e1567[0].material)];
+                                                if ((_e1573.flags & 0u) == 0u) {
+                                                    let _e1578 = ((1f - _e1505.u) - _e1505.v);
+                                                    if (_e1573.cutoff <= 0f) {
+                                                        phi_2421_ = true;
                                                     } else {
-                                                        let _e1587 = (_e1555.base_color.w * ((((f32((_e1549[0].color >> bitcast<u32>(24i))) * _e1560) + (f32((_e1549[1].color >> bitcast<u32>(24i))) * _e1487.u)) + (f32((_e1549[2].color >> bitcast<u32>(24i))) * _e1487.v)) * (1f / 255f)));
-                                                        if (_e1555.alpha_size == 0u) {
-                                                            phi_2399_ = _e1587;
+                                                        let _e1605 = (_e1573.base_color.w * ((((f32((_e1567[0].color >> bitcast<u32>(24i))) * _e1578) + (f32((_e1567[1].color >> bitcast<u32>(24i))) * _e1505.u)) + (f32((_e1567[2].color >> bitcast<u32>(24i))) * _e1505.v)) * (1f / 255f)));
+                                                        if (_e1573.alpha_size == 0u) {
+                                                            phi_2418_ = _e1605;
                                                         } else {
-                                                            local_1.offset = _e1555.alpha_offset;
-                                                            local_1.size = _e1555.alpha_size;
-                                                            local_1.flags = _e1555.flags;
-                                                            let _e1618 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1549[0].u * _e1560) + (_e1549[1].u * _e1487.u)) + (_e1549[2].u * _e1487.v)), (((_e1549[0].v * _e1560) + (_e1549[1].v * _e1487.u)) + (_e1549[2].v * _e1487.v)));
-                                                            let _e1622 = (_e1618.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1622 < _e94) {
+                                                            local_1.offset = _e1573.alpha_offset;
+                                                            local_1.size = _e1573.alpha_size;
+                                                            local_1.flags = _e1573.flags;
+                                                            let _e1636 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1567[0].u * _e1578) + (_e1567[1].u * _e1505.u)) + (_e1567[2].u * _e1505.v)), (((_e1567[0].v * _e1578) + (_e1567[1].v * _e1505.u)) + (_e1567[2].v * _e1505.v)));
+                                                            let _e1640 = (_e1636.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1640 < _e95) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1626 = alpha_texels.member[(0u + _e1622)];
-                                                            let _e1642 = (_e1618.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1642 < _e94) {
+                                                            let _e1644 = alpha_texels.member[(0u + _e1640)];
+                                                            let _e1660 = (_e1636.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1660 < _e95) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1646 = alpha_texels.member[(0u + _e1642)];
-                                                            let _e1663 = (_e1618.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1663 < _e94) {
+                                                            let _e1664 = alpha_texels.member[(0u + _e1660)];
+                                                            let _e1681 = (_e1636.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1681 < _e95) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1667 = alpha_texels.member[(0u + _e1663)];
-                                                            let _e1684 = (_e1618.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1684 < _e94) {
+                                                            let _e1685 = alpha_texels.member[(0u + _e1681)];
+                                                            let _e1702 = (_e1636.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1702 < _e95) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1688 = alpha_texels.member[(0u + _e1684)];
-                                                            phi_2399_ = (_e1587 * (((((f32(((_e1626 >> bitcast<u32>((((_e1618.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.x) + ((f32(((_e1646 >> bitcast<u32>((((_e1618.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.y)) + ((f32(((_e1667 >> bitcast<u32>((((_e1618.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.z)) + ((f32(((_e1688 >> bitcast<u32>((((_e1618.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.w)));
+                                                            let _e1706 = alpha_texels.member[(0u + _e1702)];
+                                                            phi_2418_ = (_e1605 * (((((f32(((_e1644 >> bitcast<u32>((((_e1636.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1636.weights.x) + ((f32(((_e1664 >> bitcast<u32>((((_e1636.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1636.weights.y)) + ((f32(((_e1685 >> bitcast<u32>((((_e1636.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1636.weights.z)) + ((f32(((_e1706 >> bitcast<u32>((((_e1636.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1636.weights.w)));
                                                         }
-                                                        let _e1704 = phi_2399_;
-                                                        phi_2402_ = (_e1704 >= _e1555.cutoff);
+                                                        let _e1722 = phi_2418_;
+                                                        phi_2421_ = (_e1722 >= _e1573.cutoff);
                                                     }
-                                                    let _e1708 = phi_2402_;
-                                                    phi_2403_ = _e1708;
+                                                    let _e1726 = phi_2421_;
+                                                    phi_2422_ = _e1726;
                                                 } else {
-                                                    phi_2403_ = false;
+                                                    phi_2422_ = false;
                                                 }
-                                                let _e1710 = phi_2403_;
-                                                if _e1710 {
+                                                let _e1728 = phi_2422_;
+                                                if _e1728 {
                                                 }
-                                                phi_2407_ = _e1710;
+                                                phi_2426_ = _e1728;
                                             }
-                                            let _e1712 = phi_2407_;
-                                            if _e1712 {
-                                                phi_2415_ = lt_bvh_Hit(_e1487.t, _e1487.u, _e1487.v, _e1023, 4294967295u);
+                                            let _e1730 = phi_2426_;
+                                            if _e1730 {
+                                                phi_2434_ = lt_bvh_Hit(_e1505.t, _e1505.u, _e1505.v, _e1041, 4294967295u);
                                             } else {
-                                                phi_2415_ = _e1012;
+                                                phi_2434_ = _e1030;
                                             }
-                                            let _e1718 = phi_2415_;
-                                            phi_2416_ = _e1718;
+                                            let _e1736 = phi_2434_;
+                                            phi_2435_ = _e1736;
                                         } else {
-                                            phi_2416_ = _e1012;
+                                            phi_2435_ = _e1030;
                                         }
-                                        let _e1720 = phi_2416_;
-                                        phi_2417_ = _e1720;
+                                        let _e1738 = phi_2435_;
+                                        phi_2436_ = _e1738;
                                     } else {
-                                        phi_2417_ = _e1012;
+                                        phi_2436_ = _e1030;
                                     }
-                                    let _e1722 = phi_2417_;
-                                    phi_2418_ = _e1722;
+                                    let _e1740 = phi_2436_;
+                                    phi_2437_ = _e1740;
                                 } else {
-                                    phi_2418_ = _e1012;
+                                    phi_2437_ = _e1030;
                                 }
-                                let _e1724 = phi_2418_;
-                                phi_1561_ = _e1724;
-                                phi_1564_ = (_e1014 & (_e1014 - 1u));
-                                phi_2419_ = true;
+                                let _e1742 = phi_2437_;
+                                phi_1580_ = _e1742;
+                                phi_1583_ = (_e1032 & (_e1032 - 1u));
+                                phi_2438_ = true;
                             }
-                            let _e1726 = phi_1561_;
-                            let _e1728 = phi_1564_;
-                            let _e1730 = phi_2419_;
+                            let _e1744 = phi_1580_;
+                            let _e1746 = phi_1583_;
+                            let _e1748 = phi_2438_;
                             continue;
                             continuing {
-                                phi_1560_ = _e1726;
-                                phi_1563_ = _e1728;
-                                break if !(_e1730);
+                                phi_1579_ = _e1744;
+                                phi_1582_ = _e1746;
+                                break if !(_e1748);
                             }
                         }
-                        let _e1733 = local_2.group_mask;
-                        if ((_e1733 & 4278190080u) == 0u) {
-                            let _e1737 = local_2.len;
-                            if (_e1737 == 0u) {
-                                phi_2458_ = false;
+                        let _e1751 = local_2.group_mask;
+                        if ((_e1751 & 4278190080u) == 0u) {
+                            let _e1755 = local_2.len;
+                            if (_e1755 == 0u) {
+                                phi_2477_ = false;
                             } else {
-                                let _e1741 = local_2.len;
-                                local_2.len = (_e1741 - 1u);
-                                let _e1744 = local_2.len;
-                                if (_e1744 < 32u) {
+                                let _e1759 = local_2.len;
+                                local_2.len = (_e1759 - 1u);
+                                let _e1762 = local_2.len;
+                                if (_e1762 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1749 = local_2.first[(0u + _e1744)];
-                                local_2.group = _e1749;
-                                let _e1752 = local_2.len;
-                                if (_e1752 < 32u) {
+                                let _e1767 = local_2.first[(0u + _e1762)];
+                                local_2.group = _e1767;
+                                let _e1770 = local_2.len;
+                                if (_e1770 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1757 = local_2.mask[(0u + _e1752)];
-                                local_2.group_mask = _e1757;
-                                phi_2458_ = true;
+                                let _e1775 = local_2.mask[(0u + _e1770)];
+                                local_2.group_mask = _e1775;
+                                phi_2477_ = true;
                             }
-                            let _e1760 = phi_2458_;
-                            phi_2459_ = _e1760;
+                            let _e1778 = phi_2477_;
+                            phi_2478_ = _e1778;
                         } else {
-                            phi_2459_ = true;
+                            phi_2478_ = true;
                         }
-                        let _e1762 = phi_2459_;
-                        if _e1762 {
-                            let _e1764 = local_2.group_mask;
-                            let _e1770 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1764)), 32u, (_e1764 == 0u)));
-                            let _e1774 = local_2.group_mask;
-                            let _e1788 = local_2.group_mask;
-                            local_2.group_mask = (_e1788 & ~((1u << bitcast<u32>((_e1770 & 31u)))));
-                            let _e1791 = local_2.group;
-                            phi_2490_ = (_e1791 + countOneBits(((_e1774 & ~((4294967295u << bitcast<u32>((((_e1770 - 24u) ^ _e431) & 31u))))) & 255u)));
+                        let _e1780 = phi_2478_;
+                        if _e1780 {
+                            let _e1782 = local_2.group_mask;
+                            let _e1788 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1782)), 32u, (_e1782 == 0u)));
+                            let _e1792 = local_2.group_mask;
+                            let _e1806 = local_2.group_mask;
+                            local_2.group_mask = (_e1806 & ~((1u << bitcast<u32>((_e1788 & 31u)))));
+                            let _e1809 = local_2.group;
+                            phi_2509_ = (_e1809 + countOneBits(((_e1792 & ~((4294967295u << bitcast<u32>((((_e1788 - 24u) ^ _e449) & 31u))))) & 255u)));
                         } else {
-                            phi_2490_ = 4294967295u;
+                            phi_2509_ = 4294967295u;
                         }
-                        let _e1794 = phi_2490_;
-                        let _e2715 = local_6;
-                        phi_1224_ = _e2715;
-                        phi_1227_ = _e1794;
+                        let _e1812 = phi_2509_;
+                        let _e2733 = local_6;
+                        phi_1243_ = _e2733;
+                        phi_1246_ = _e1812;
                     } else {
-                        phi_1224_ = lt_bvh_Hit();
-                        phi_1227_ = u32();
+                        phi_1243_ = lt_bvh_Hit();
+                        phi_1246_ = u32();
                     }
-                    let _e1796 = phi_1224_;
-                    let _e1798 = phi_1227_;
+                    let _e1814 = phi_1243_;
+                    let _e1816 = phi_1246_;
                     continue;
                     continuing {
-                        phi_1223_ = _e1796;
-                        phi_1226_ = _e1798;
-                        break if !(_e572);
+                        phi_1242_ = _e1814;
+                        phi_1245_ = _e1816;
+                        break if !(_e590);
                     }
                 }
-                let _e2719 = local_7;
-                phi_2491_ = _e2719;
+                let _e2737 = local_7;
+                phi_2510_ = _e2737;
             }
-            let _e1801 = phi_2491_;
-            phi_2492_ = _e1801;
-            phi_2493_ = _e228;
+            let _e1819 = phi_2510_;
+            phi_2511_ = _e1819;
+            phi_2512_ = _e246;
         } else {
-            phi_2492_ = lt_bvh_Hit();
-            phi_2493_ = true;
+            phi_2511_ = lt_bvh_Hit();
+            phi_2512_ = true;
         }
-        let _e1803 = phi_2492_;
-        let _e1805 = phi_2493_;
-        if _e1805 {
-            phi_2497_ = _e166;
+        let _e1821 = phi_2511_;
+        let _e1823 = phi_2512_;
+        if _e1823 {
+            phi_2516_ = _e184;
         } else {
-            phi_2497_ = _e1803;
+            phi_2516_ = _e1821;
         }
-        let _e1807 = phi_2497_;
-        if (_e1807.triangle != 4294967295u) {
-            let _e1813 = ((1f - _e1807.u) - _e1807.v);
-            if (_e1807.triangle < _e82) {
+        let _e1825 = phi_2516_;
+        if (_e1825.triangle != 4294967295u) {
+            let _e1831 = ((1f - _e1825.u) - _e1825.v);
+            if (_e1825.triangle < _e83) {
             } else {
                 return;
             }
-            let _e1818 = triangles.member[(0u + _e1807.triangle)];
-            let _e1843 = (((_e1818.v0_.x * _e1813) + (_e1818.v1_.x * _e1807.u)) + (_e1818.v2_.x * _e1807.v));
-            let _e1844 = (((_e1818.v0_.y * _e1813) + (_e1818.v1_.y * _e1807.u)) + (_e1818.v2_.y * _e1807.v));
-            let _e1845 = (((_e1818.v0_.z * _e1813) + (_e1818.v1_.z * _e1807.u)) + (_e1818.v2_.z * _e1807.v));
-            let _e1848 = abs(_e1818.v0_.x);
-            let _e1850 = abs(_e1818.v0_.y);
-            let _e1852 = abs(_e1818.v0_.z);
-            let _e1854 = abs(_e1818.v1_.x);
-            let _e1856 = abs(_e1818.v1_.y);
-            let _e1858 = abs(_e1818.v1_.z);
-            if (_e1848 > _e1854) {
-                phi_2561_ = _e1848;
+            let _e1836 = triangles.member[(0u + _e1825.triangle)];
+            let _e1861 = (((_e1836.v0_.x * _e1831) + (_e1836.v1_.x * _e1825.u)) + (_e1836.v2_.x * _e1825.v));
+            let _e1862 = (((_e1836.v0_.y * _e1831) + (_e1836.v1_.y * _e1825.u)) + (_e1836.v2_.y * _e1825.v));
+            let _e1863 = (((_e1836.v0_.z * _e1831) + (_e1836.v1_.z * _e1825.u)) + (_e1836.v2_.z * _e1825.v));
+            let _e1866 = abs(_e1836.v0_.x);
+            let _e1868 = abs(_e1836.v0_.y);
+            let _e1870 = abs(_e1836.v0_.z);
+            let _e1872 = abs(_e1836.v1_.x);
+            let _e1874 = abs(_e1836.v1_.y);
+            let _e1876 = abs(_e1836.v1_.z);
+            if (_e1866 > _e1872) {
+                phi_2580_ = _e1866;
             } else {
-                phi_2561_ = _e1854;
+                phi_2580_ = _e1872;
             }
-            let _e1861 = phi_2561_;
-            if (_e1850 > _e1856) {
-                phi_2566_ = _e1850;
+            let _e1879 = phi_2580_;
+            if (_e1868 > _e1874) {
+                phi_2585_ = _e1868;
             } else {
-                phi_2566_ = _e1856;
+                phi_2585_ = _e1874;
             }
-            let _e1864 = phi_2566_;
-            if (_e1852 > _e1858) {
-                phi_2571_ = _e1852;
+            let _e1882 = phi_2585_;
+            if (_e1870 > _e1876) {
+                phi_2590_ = _e1870;
             } else {
-                phi_2571_ = _e1858;
+                phi_2590_ = _e1876;
             }
-            let _e1867 = phi_2571_;
-            let _e1869 = abs(_e1818.v2_.x);
-            let _e1871 = abs(_e1818.v2_.y);
-            let _e1873 = abs(_e1818.v2_.z);
-            if (_e1861 > _e1869) {
-                phi_2582_ = _e1861;
+            let _e1885 = phi_2590_;
+            let _e1887 = abs(_e1836.v2_.x);
+            let _e1889 = abs(_e1836.v2_.y);
+            let _e1891 = abs(_e1836.v2_.z);
+            if (_e1879 > _e1887) {
+                phi_2601_ = _e1879;
             } else {
-                phi_2582_ = _e1869;
+                phi_2601_ = _e1887;
             }
-            let _e1876 = phi_2582_;
-            if (_e1864 > _e1871) {
-                phi_2587_ = _e1864;
+            let _e1894 = phi_2601_;
+            if (_e1882 > _e1889) {
+                phi_2606_ = _e1882;
             } else {
-                phi_2587_ = _e1871;
+                phi_2606_ = _e1889;
             }
-            let _e1879 = phi_2587_;
-            if (_e1867 > _e1873) {
-                phi_2592_ = _e1867;
+            let _e1897 = phi_2606_;
+            if (_e1885 > _e1891) {
+                phi_2611_ = _e1885;
             } else {
-                phi_2592_ = _e1873;
+                phi_2611_ = _e1891;
             }
-            let _e1882 = phi_2592_;
-            let _e1885 = (_e1818.v1_.x - _e1818.v0_.x);
-            let _e1888 = (_e1818.v1_.y - _e1818.v0_.y);
-            let _e1891 = (_e1818.v1_.z - _e1818.v0_.z);
-            let _e1894 = (_e1818.v2_.x - _e1818.v0_.x);
-            let _e1897 = (_e1818.v2_.y - _e1818.v0_.y);
-            let _e1900 = (_e1818.v2_.z - _e1818.v0_.z);
-            let _e1904 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1888), abs(_e1891));
-            let _e1905 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1885), _e1904);
-            let _e1906 = (_e1885 / _e1905);
-            let _e1907 = (_e1888 / _e1905);
-            let _e1908 = (_e1891 / _e1905);
-            let _e1912 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1897), abs(_e1900));
-            let _e1913 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1894), _e1912);
-            let _e1914 = (_e1894 / _e1913);
-            let _e1915 = (_e1897 / _e1913);
-            let _e1916 = (_e1900 / _e1913);
-            let _e1919 = ((_e1907 * _e1916) - (_e1915 * _e1908));
-            let _e1922 = ((_e1908 * _e1914) - (_e1916 * _e1906));
-            let _e1925 = ((_e1906 * _e1915) - (_e1914 * _e1907));
-            let _e1927 = p.member.eye;
-            let _e1940 = (1f / sqrt((((_e1919 * _e1919) + (_e1922 * _e1922)) + (_e1925 * _e1925))));
-            let _e1941 = (_e1919 * _e1940);
-            let _e1942 = (_e1922 * _e1940);
-            let _e1943 = (_e1925 * _e1940);
-            if ((((_e1941 * (_e1927.x - _e1843)) + (_e1942 * (_e1927.y - _e1844))) + (_e1943 * (_e1927.z - _e1845))) < 0f) {
-                phi_2668_ = vec3<f32>(-(_e1941), -(_e1942), -(_e1943));
+            let _e1900 = phi_2611_;
+            let _e1903 = (_e1836.v1_.x - _e1836.v0_.x);
+            let _e1906 = (_e1836.v1_.y - _e1836.v0_.y);
+            let _e1909 = (_e1836.v1_.z - _e1836.v0_.z);
+            let _e1912 = (_e1836.v2_.x - _e1836.v0_.x);
+            let _e1915 = (_e1836.v2_.y - _e1836.v0_.y);
+            let _e1918 = (_e1836.v2_.z - _e1836.v0_.z);
+            let _e1922 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1906), abs(_e1909));
+            let _e1923 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1903), _e1922);
+            let _e1924 = (_e1903 / _e1923);
+            let _e1925 = (_e1906 / _e1923);
+            let _e1926 = (_e1909 / _e1923);
+            let _e1930 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1915), abs(_e1918));
+            let _e1931 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1912), _e1930);
+            let _e1932 = (_e1912 / _e1931);
+            let _e1933 = (_e1915 / _e1931);
+            let _e1934 = (_e1918 / _e1931);
+            let _e1937 = ((_e1925 * _e1934) - (_e1933 * _e1926));
+            let _e1940 = ((_e1926 * _e1932) - (_e1934 * _e1924));
+            let _e1943 = ((_e1924 * _e1933) - (_e1932 * _e1925));
+            let _e1945 = p.member.eye;
+            let _e1958 = (1f / sqrt((((_e1937 * _e1937) + (_e1940 * _e1940)) + (_e1943 * _e1943))));
+            let _e1959 = (_e1937 * _e1958);
+            let _e1960 = (_e1940 * _e1958);
+            let _e1961 = (_e1943 * _e1958);
+            if ((((_e1959 * (_e1945.x - _e1861)) + (_e1960 * (_e1945.y - _e1862))) + (_e1961 * (_e1945.z - _e1863))) < 0f) {
+                phi_2687_ = vec3<f32>(-(_e1959), -(_e1960), -(_e1961));
             } else {
-                phi_2668_ = vec3<f32>(_e1941, _e1942, _e1943);
+                phi_2687_ = vec3<f32>(_e1959, _e1960, _e1961);
             }
-            let _e1956 = phi_2668_;
-            if (_e1807.triangle < _e82) {
+            let _e1974 = phi_2687_;
+            if (_e1825.triangle < _e83) {
             } else {
                 return;
             }
-            let _e1961 = triangles.member[(0u + _e1807.triangle)];
-            let _e1963 = (_e1961.i0_ & 2147483647u);
-            if (_e1963 < _e85) {
+            let _e1979 = triangles.member[(0u + _e1825.triangle)];
+            let _e1981 = (_e1979.i0_ & 2147483647u);
+            if (_e1981 < _e86) {
             } else {
                 return;
             }
-            let _e1969 = vertices.member[(0u + _e1963)];
-            if (_e1961.i1_ < _e85) {
+            let _e1987 = vertices.member[(0u + _e1981)];
+            if (_e1979.i1_ < _e86) {
             } else {
                 return;
             }
-            let _e1973 = vertices.member[(0u + _e1961.i1_)];
-            if (_e1961.i2_ < _e85) {
+            let _e1991 = vertices.member[(0u + _e1979.i1_)];
+            if (_e1979.i2_ < _e86) {
             } else {
                 return;
             }
-            let _e1977 = vertices.member[(0u + _e1961.i2_)];
-            let _e1978 = array<abi_Vertex, 3>(_e1969, _e1973, _e1977);
-            if (_e1978[0].material < _e88) {
+            let _e1995 = vertices.member[(0u + _e1979.i2_)];
+            let _e1996 = array<abi_Vertex, 3>(_e1987, _e1991, _e1995);
+            if (_e1996[0].material < _e89) {
             } else {
                 return;
             }
-            let _e1984 = materials.member[(0u + _e1978[0].material)];
-            let _e2001 = (1f / 255f);
-            let _e2020 = (1f / 255f);
-            let _e2042 = (1f / 255f);
-            if (_e1984.color_size == 0u) {
-                phi_2911_ = vec3<f32>(1f, 1f, 1f);
+            let _e2002 = materials.member[(0u + _e1996[0].material)];
+            let _e2019 = (1f / 255f);
+            let _e2038 = (1f / 255f);
+            let _e2060 = (1f / 255f);
+            if (_e2002.color_size == 0u) {
+                phi_2930_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1984.color_offset;
-                local.size = _e1984.color_size;
-                local.flags = _e1984.flags;
-                let _e2085 = _lt_shaders_texture_TextureView_quad((&local), (((_e1978[0].u * _e1813) + (_e1978[1].u * _e1807.u)) + (_e1978[2].u * _e1807.v)), (((_e1978[0].v * _e1813) + (_e1978[1].v * _e1807.u)) + (_e1978[2].v * _e1807.v)));
-                if (_e2085.indices[0] < _e97) {
+                local.offset = _e2002.color_offset;
+                local.size = _e2002.color_size;
+                local.flags = _e2002.flags;
+                let _e2103 = _lt_shaders_texture_TextureView_quad((&local), (((_e1996[0].u * _e1831) + (_e1996[1].u * _e1825.u)) + (_e1996[2].u * _e1825.v)), (((_e1996[0].v * _e1831) + (_e1996[1].v * _e1825.u)) + (_e1996[2].v * _e1825.v)));
+                if (_e2103.indices[0] < _e98) {
                 } else {
                     return;
                 }
-                let _e2091 = color_texels.member[(0u + _e2085.indices[0])];
-                let _e2102 = (1f / 255f);
-                if (_e2085.indices[1] < _e97) {
+                let _e2109 = color_texels.member[(0u + _e2103.indices[0])];
+                let _e2120 = (1f / 255f);
+                if (_e2103.indices[1] < _e98) {
                 } else {
                     return;
                 }
-                let _e2116 = color_texels.member[(0u + _e2085.indices[1])];
-                let _e2127 = (1f / 255f);
-                if (_e2085.indices[2] < _e97) {
+                let _e2134 = color_texels.member[(0u + _e2103.indices[1])];
+                let _e2145 = (1f / 255f);
+                if (_e2103.indices[2] < _e98) {
                 } else {
                     return;
                 }
-                let _e2144 = color_texels.member[(0u + _e2085.indices[2])];
-                let _e2155 = (1f / 255f);
-                if (_e2085.indices[3] < _e97) {
+                let _e2162 = color_texels.member[(0u + _e2103.indices[2])];
+                let _e2173 = (1f / 255f);
+                if (_e2103.indices[3] < _e98) {
                 } else {
                     return;
                 }
-                let _e2172 = color_texels.member[(0u + _e2085.indices[3])];
-                let _e2183 = (1f / 255f);
-                let _e2192 = (((((f32((_e2091 & 255u)) * _e2102) * _e2085.weights.x) + ((f32((_e2116 & 255u)) * _e2127) * _e2085.weights.y)) + ((f32((_e2144 & 255u)) * _e2155) * _e2085.weights.z)) + ((f32((_e2172 & 255u)) * _e2183) * _e2085.weights.w));
-                let _e2193 = (((((f32(((_e2091 >> bitcast<u32>(8i)) & 255u)) * _e2102) * _e2085.weights.x) + ((f32(((_e2116 >> bitcast<u32>(8i)) & 255u)) * _e2127) * _e2085.weights.y)) + ((f32(((_e2144 >> bitcast<u32>(8i)) & 255u)) * _e2155) * _e2085.weights.z)) + ((f32(((_e2172 >> bitcast<u32>(8i)) & 255u)) * _e2183) * _e2085.weights.w));
-                let _e2194 = (((((f32(((_e2091 >> bitcast<u32>(16i)) & 255u)) * _e2102) * _e2085.weights.x) + ((f32(((_e2116 >> bitcast<u32>(16i)) & 255u)) * _e2127) * _e2085.weights.y)) + ((f32(((_e2144 >> bitcast<u32>(16i)) & 255u)) * _e2155) * _e2085.weights.z)) + ((f32(((_e2172 >> bitcast<u32>(16i)) & 255u)) * _e2183) * _e2085.weights.w));
-                phi_2911_ = vec3<f32>((_e2192 * _e2192), (_e2193 * _e2193), (_e2194 * _e2194));
+                let _e2190 = color_texels.member[(0u + _e2103.indices[3])];
+                let _e2201 = (1f / 255f);
+                let _e2210 = (((((f32((_e2109 & 255u)) * _e2120) * _e2103.weights.x) + ((f32((_e2134 & 255u)) * _e2145) * _e2103.weights.y)) + ((f32((_e2162 & 255u)) * _e2173) * _e2103.weights.z)) + ((f32((_e2190 & 255u)) * _e2201) * _e2103.weights.w));
+                let _e2211 = (((((f32(((_e2109 >> bitcast<u32>(8i)) & 255u)) * _e2120) * _e2103.weights.x) + ((f32(((_e2134 >> bitcast<u32>(8i)) & 255u)) * _e2145) * _e2103.weights.y)) + ((f32(((_e2162 >> bitcast<u32>(8i)) & 255u)) * _e2173) * _e2103.weights.z)) + ((f32(((_e2190 >> bitcast<u32>(8i)) & 255u)) * _e2201) * _e2103.weights.w));
+                let _e2212 = (((((f32(((_e2109 >> bitcast<u32>(16i)) & 255u)) * _e2120) * _e2103.weights.x) + ((f32(((_e2134 >> bitcast<u32>(16i)) & 255u)) * _e2145) * _e2103.weights.y)) + ((f32(((_e2162 >> bitcast<u32>(16i)) & 255u)) * _e2173) * _e2103.weights.z)) + ((f32(((_e2190 >> bitcast<u32>(16i)) & 255u)) * _e2201) * _e2103.weights.w));
+                phi_2930_ = vec3<f32>((_e2210 * _e2210), (_e2211 * _e2211), (_e2212 * _e2212));
             }
-            let _e2200 = phi_2911_;
-            let _e2202 = ((_e1984.base_color.x * ((((f32((_e1978[0].color & 255u)) * _e2001) * _e1813) + ((f32((_e1978[1].color & 255u)) * _e2020) * _e1807.u)) + ((f32((_e1978[2].color & 255u)) * _e2042) * _e1807.v))) * _e2200.x);
-            let _e2204 = ((_e1984.base_color.y * ((((f32(((_e1978[0].color >> bitcast<u32>(8i)) & 255u)) * _e2001) * _e1813) + ((f32(((_e1978[1].color >> bitcast<u32>(8i)) & 255u)) * _e2020) * _e1807.u)) + ((f32(((_e1978[2].color >> bitcast<u32>(8i)) & 255u)) * _e2042) * _e1807.v))) * _e2200.y);
-            let _e2206 = ((_e1984.base_color.z * ((((f32(((_e1978[0].color >> bitcast<u32>(16i)) & 255u)) * _e2001) * _e1813) + ((f32(((_e1978[1].color >> bitcast<u32>(16i)) & 255u)) * _e2020) * _e1807.u)) + ((f32(((_e1978[2].color >> bitcast<u32>(16i)) & 255u)) * _e2042) * _e1807.v))) * _e2200.z);
-            let _e2207 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1879, _e1882);
-            let _e2208 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1876, _e2207);
-            if ((_e1984.flags & 2u) == 0u) {
-                phi_2926_ = 0u;
+            let _e2218 = phi_2930_;
+            let _e2220 = ((_e2002.base_color.x * ((((f32((_e1996[0].color & 255u)) * _e2019) * _e1831) + ((f32((_e1996[1].color & 255u)) * _e2038) * _e1825.u)) + ((f32((_e1996[2].color & 255u)) * _e2060) * _e1825.v))) * _e2218.x);
+            let _e2222 = ((_e2002.base_color.y * ((((f32(((_e1996[0].color >> bitcast<u32>(8i)) & 255u)) * _e2019) * _e1831) + ((f32(((_e1996[1].color >> bitcast<u32>(8i)) & 255u)) * _e2038) * _e1825.u)) + ((f32(((_e1996[2].color >> bitcast<u32>(8i)) & 255u)) * _e2060) * _e1825.v))) * _e2218.y);
+            let _e2224 = ((_e2002.base_color.z * ((((f32(((_e1996[0].color >> bitcast<u32>(16i)) & 255u)) * _e2019) * _e1831) + ((f32(((_e1996[1].color >> bitcast<u32>(16i)) & 255u)) * _e2038) * _e1825.u)) + ((f32(((_e1996[2].color >> bitcast<u32>(16i)) & 255u)) * _e2060) * _e1825.v))) * _e2218.z);
+            let _e2225 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1897, _e1900);
+            let _e2226 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1894, _e2225);
+            if ((_e2002.flags & 2u) == 0u) {
+                phi_2945_ = 0u;
             } else {
-                phi_2926_ = 1u;
+                phi_2945_ = 1u;
             }
-            let _e2213 = phi_2926_;
-            if (_e1978[0].normal == 2147516416u) {
-                phi_3129_ = _e1956;
+            let _e2231 = phi_2945_;
+            if (_e1996[0].normal == 2147516416u) {
+                phi_3148_ = _e1974;
             } else {
-                let _e2226 = (f32((bitcast<i32>((_e1978[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2232 = (f32((bitcast<i32>(_e1978[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2236 = ((1f - abs(_e2226)) - abs(_e2232));
-                if (_e2236 < 0f) {
-                    phi_2953_ = -(_e2236);
+                let _e2244 = (f32((bitcast<i32>((_e1996[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2250 = (f32((bitcast<i32>(_e1996[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2254 = ((1f - abs(_e2244)) - abs(_e2250));
+                if (_e2254 < 0f) {
+                    phi_2972_ = -(_e2254);
                 } else {
-                    phi_2953_ = 0f;
+                    phi_2972_ = 0f;
                 }
-                let _e2240 = phi_2953_;
-                if (_e2226 < 0f) {
-                    phi_2960_ = (_e2226 + _e2240);
+                let _e2258 = phi_2972_;
+                if (_e2244 < 0f) {
+                    phi_2979_ = (_e2244 + _e2258);
                 } else {
-                    phi_2960_ = (_e2226 - _e2240);
+                    phi_2979_ = (_e2244 - _e2258);
                 }
-                let _e2245 = phi_2960_;
-                if (_e2232 < 0f) {
-                    phi_2967_ = (_e2232 + _e2240);
+                let _e2263 = phi_2979_;
+                if (_e2250 < 0f) {
+                    phi_2986_ = (_e2250 + _e2258);
                 } else {
-                    phi_2967_ = (_e2232 - _e2240);
+                    phi_2986_ = (_e2250 - _e2258);
                 }
-                let _e2250 = phi_2967_;
-                let _e2257 = (1f / sqrt((((_e2245 * _e2245) + (_e2250 * _e2250)) + (_e2236 * _e2236))));
-                let _e2273 = (f32((bitcast<i32>((_e1978[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2279 = (f32((bitcast<i32>(_e1978[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2283 = ((1f - abs(_e2273)) - abs(_e2279));
-                if (_e2283 < 0f) {
-                    phi_3002_ = -(_e2283);
+                let _e2268 = phi_2986_;
+                let _e2275 = (1f / sqrt((((_e2263 * _e2263) + (_e2268 * _e2268)) + (_e2254 * _e2254))));
+                let _e2291 = (f32((bitcast<i32>((_e1996[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2297 = (f32((bitcast<i32>(_e1996[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2301 = ((1f - abs(_e2291)) - abs(_e2297));
+                if (_e2301 < 0f) {
+                    phi_3021_ = -(_e2301);
                 } else {
-                    phi_3002_ = 0f;
+                    phi_3021_ = 0f;
                 }
-                let _e2287 = phi_3002_;
-                if (_e2273 < 0f) {
-                    phi_3009_ = (_e2273 + _e2287);
+                let _e2305 = phi_3021_;
+                if (_e2291 < 0f) {
+                    phi_3028_ = (_e2291 + _e2305);
                 } else {
-                    phi_3009_ = (_e2273 - _e2287);
+                    phi_3028_ = (_e2291 - _e2305);
                 }
-                let _e2292 = phi_3009_;
-                if (_e2279 < 0f) {
-                    phi_3016_ = (_e2279 + _e2287);
+                let _e2310 = phi_3028_;
+                if (_e2297 < 0f) {
+                    phi_3035_ = (_e2297 + _e2305);
                 } else {
-                    phi_3016_ = (_e2279 - _e2287);
+                    phi_3035_ = (_e2297 - _e2305);
                 }
-                let _e2297 = phi_3016_;
-                let _e2304 = (1f / sqrt((((_e2292 * _e2292) + (_e2297 * _e2297)) + (_e2283 * _e2283))));
-                let _e2323 = (f32((bitcast<i32>((_e1978[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2329 = (f32((bitcast<i32>(_e1978[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2333 = ((1f - abs(_e2323)) - abs(_e2329));
-                if (_e2333 < 0f) {
-                    phi_3054_ = -(_e2333);
+                let _e2315 = phi_3035_;
+                let _e2322 = (1f / sqrt((((_e2310 * _e2310) + (_e2315 * _e2315)) + (_e2301 * _e2301))));
+                let _e2341 = (f32((bitcast<i32>((_e1996[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2347 = (f32((bitcast<i32>(_e1996[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2351 = ((1f - abs(_e2341)) - abs(_e2347));
+                if (_e2351 < 0f) {
+                    phi_3073_ = -(_e2351);
                 } else {
-                    phi_3054_ = 0f;
+                    phi_3073_ = 0f;
                 }
-                let _e2337 = phi_3054_;
-                if (_e2323 < 0f) {
-                    phi_3061_ = (_e2323 + _e2337);
+                let _e2355 = phi_3073_;
+                if (_e2341 < 0f) {
+                    phi_3080_ = (_e2341 + _e2355);
                 } else {
-                    phi_3061_ = (_e2323 - _e2337);
+                    phi_3080_ = (_e2341 - _e2355);
                 }
-                let _e2342 = phi_3061_;
-                if (_e2329 < 0f) {
-                    phi_3068_ = (_e2329 + _e2337);
+                let _e2360 = phi_3080_;
+                if (_e2347 < 0f) {
+                    phi_3087_ = (_e2347 + _e2355);
                 } else {
-                    phi_3068_ = (_e2329 - _e2337);
+                    phi_3087_ = (_e2347 - _e2355);
                 }
-                let _e2347 = phi_3068_;
-                let _e2354 = (1f / sqrt((((_e2342 * _e2342) + (_e2347 * _e2347)) + (_e2333 * _e2333))));
-                let _e2365 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2245 * _e2257) * _e1813) + ((_e2292 * _e2304) * _e1807.u)) + ((_e2342 * _e2354) * _e1807.v)), ((((_e2250 * _e2257) * _e1813) + ((_e2297 * _e2304) * _e1807.u)) + ((_e2347 * _e2354) * _e1807.v)), ((((_e2236 * _e2257) * _e1813) + ((_e2283 * _e2304) * _e1807.u)) + ((_e2333 * _e2354) * _e1807.v))));
-                let _e2377 = sqrt((((_e2365.x * _e2365.x) + (_e2365.y * _e2365.y)) + (_e2365.z * _e2365.z)));
-                if (_e2377 > 0f) {
-                    let _e2380 = (_e2365.x / _e2377);
-                    let _e2382 = (_e2365.y / _e2377);
-                    let _e2384 = (_e2365.z / _e2377);
-                    if ((((_e2380 * _e1956.x) + (_e2382 * _e1956.y)) + (_e2384 * _e1956.z)) < 0f) {
-                        phi_3127_ = vec3<f32>(-(_e2380), -(_e2382), -(_e2384));
+                let _e2365 = phi_3087_;
+                let _e2372 = (1f / sqrt((((_e2360 * _e2360) + (_e2365 * _e2365)) + (_e2351 * _e2351))));
+                let _e2383 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2263 * _e2275) * _e1831) + ((_e2310 * _e2322) * _e1825.u)) + ((_e2360 * _e2372) * _e1825.v)), ((((_e2268 * _e2275) * _e1831) + ((_e2315 * _e2322) * _e1825.u)) + ((_e2365 * _e2372) * _e1825.v)), ((((_e2254 * _e2275) * _e1831) + ((_e2301 * _e2322) * _e1825.u)) + ((_e2351 * _e2372) * _e1825.v))));
+                let _e2395 = sqrt((((_e2383.x * _e2383.x) + (_e2383.y * _e2383.y)) + (_e2383.z * _e2383.z)));
+                if (_e2395 > 0f) {
+                    let _e2398 = (_e2383.x / _e2395);
+                    let _e2400 = (_e2383.y / _e2395);
+                    let _e2402 = (_e2383.z / _e2395);
+                    if ((((_e2398 * _e1974.x) + (_e2400 * _e1974.y)) + (_e2402 * _e1974.z)) < 0f) {
+                        phi_3146_ = vec3<f32>(-(_e2398), -(_e2400), -(_e2402));
                     } else {
-                        phi_3127_ = (_e2365 / vec3(_e2377));
+                        phi_3146_ = (_e2383 / vec3(_e2395));
                     }
-                    let _e2401 = phi_3127_;
-                    phi_3128_ = _e2401;
+                    let _e2419 = phi_3146_;
+                    phi_3147_ = _e2419;
                 } else {
-                    phi_3128_ = _e1956;
+                    phi_3147_ = _e1974;
                 }
-                let _e2403 = phi_3128_;
-                phi_3129_ = _e2403;
+                let _e2421 = phi_3147_;
+                phi_3148_ = _e2421;
             }
-            let _e2405 = phi_3129_;
-            if (_e2202 > 0f) {
-                if (_e2202 < 1f) {
-                    phi_3138_ = _e2202;
+            let _e2423 = phi_3148_;
+            if (_e2220 > 0f) {
+                if (_e2220 < 1f) {
+                    phi_3157_ = _e2220;
                 } else {
-                    phi_3138_ = 1f;
+                    phi_3157_ = 1f;
                 }
-                let _e2409 = phi_3138_;
-                phi_3139_ = _e2409;
+                let _e2427 = phi_3157_;
+                phi_3158_ = _e2427;
             } else {
-                phi_3139_ = 0f;
+                phi_3158_ = 0f;
             }
-            let _e2411 = phi_3139_;
-            if (_e2204 > 0f) {
-                if (_e2204 < 1f) {
-                    phi_3149_ = _e2204;
+            let _e2429 = phi_3158_;
+            if (_e2222 > 0f) {
+                if (_e2222 < 1f) {
+                    phi_3168_ = _e2222;
                 } else {
-                    phi_3149_ = 1f;
+                    phi_3168_ = 1f;
                 }
-                let _e2416 = phi_3149_;
-                phi_3150_ = _e2416;
+                let _e2434 = phi_3168_;
+                phi_3169_ = _e2434;
             } else {
-                phi_3150_ = 0f;
+                phi_3169_ = 0f;
             }
-            let _e2418 = phi_3150_;
-            if (_e2206 > 0f) {
-                if (_e2206 < 1f) {
-                    phi_3160_ = _e2206;
+            let _e2436 = phi_3169_;
+            if (_e2224 > 0f) {
+                if (_e2224 < 1f) {
+                    phi_3179_ = _e2224;
                 } else {
-                    phi_3160_ = 1f;
+                    phi_3179_ = 1f;
                 }
-                let _e2423 = phi_3160_;
-                phi_3161_ = _e2423;
+                let _e2441 = phi_3179_;
+                phi_3180_ = _e2441;
             } else {
-                phi_3161_ = 0f;
+                phi_3180_ = 0f;
             }
-            let _e2425 = phi_3161_;
-            let _e2428 = ((sqrt(_e2411) * 255f) + 0.5f);
-            let _e2437 = ((sqrt(_e2418) * 255f) + 0.5f);
-            let _e2449 = ((sqrt(_e2425) * 255f) + 0.5f);
-            phi_3196_ = abi_Sample(vec3<f32>(_e1843, _e1844, _e1845), _e2208, _e1956, _e2213, _e2405, ((select(select(u32(_e2428), 0u, (_e2428 < bitcast<f32>(0u))), 4294967295u, (_e2428 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2437), 0u, (_e2437 < bitcast<f32>(0u))), 4294967295u, (_e2437 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2449), 0u, (_e2449 < bitcast<f32>(0u))), 4294967295u, (_e2449 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2443 = phi_3180_;
+            let _e2446 = ((sqrt(_e2429) * 255f) + 0.5f);
+            let _e2455 = ((sqrt(_e2436) * 255f) + 0.5f);
+            let _e2467 = ((sqrt(_e2443) * 255f) + 0.5f);
+            phi_3215_ = abi_Sample(vec3<f32>(_e1861, _e1862, _e1863), _e2226, _e1974, _e2231, _e2423, ((select(select(u32(_e2446), 0u, (_e2446 < bitcast<f32>(0u))), 4294967295u, (_e2446 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2455), 0u, (_e2455 < bitcast<f32>(0u))), 4294967295u, (_e2455 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2467), 0u, (_e2467 < bitcast<f32>(0u))), 4294967295u, (_e2467 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3196_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3215_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2463 = phi_3196_;
-        if (_e109.shift < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e109.shift)] = _e2463;
-        if (_e1807.triangle != 4294967295u) {
-            let _e2472 = ((1f - _e1807.u) - _e1807.v);
-            if (_e1807.triangle < _e82) {
-            } else {
-                return;
-            }
-            let _e2477 = triangles.member[(0u + _e1807.triangle)];
-            let _e2479 = (_e2477.i0_ & 2147483647u);
-            if (_e2479 < _e100) {
-            } else {
-                return;
-            }
-            let _e2485 = before.member[(0u + _e2479)];
-            if (_e2477.i1_ < _e100) {
-            } else {
-                return;
-            }
-            let _e2489 = before.member[(0u + _e2477.i1_)];
-            if (_e2477.i2_ < _e100) {
-            } else {
-                return;
-            }
-            let _e2493 = before.member[(0u + _e2477.i2_)];
-            let _e2498 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2485.x, _e2485.y, _e2485.z));
-            let _e2509 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2489.x, _e2489.y, _e2489.z));
-            let _e2523 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2493.x, _e2493.y, _e2493.z));
-            phi_3287_ = vec3<f32>((((_e2498.x * _e2472) + (_e2509.x * _e1807.u)) + (_e2523.x * _e1807.v)), (((_e2498.y * _e2472) + (_e2509.y * _e1807.u)) + (_e2523.y * _e1807.v)), (((_e2498.z * _e2472) + (_e2509.z * _e1807.u)) + (_e2523.z * _e1807.v)));
-        } else {
-            phi_3287_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e2535 = phi_3287_;
-        if (_e109.shift < arrayLength((&past.member))) {
+        let _e2481 = phi_3215_;
+        if (_e110.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e109.shift)] = vec4<f32>(_e2535.x, _e2535.y, _e2535.z, 1f);
+        samples.member[(0u + _e110.shift)] = _e2481;
+        if (_e1825.triangle != 4294967295u) {
+            let _e2490 = ((1f - _e1825.u) - _e1825.v);
+            if (_e1825.triangle < _e83) {
+            } else {
+                return;
+            }
+            let _e2495 = triangles.member[(0u + _e1825.triangle)];
+            let _e2497 = (_e2495.i0_ & 2147483647u);
+            if (_e2497 < _e101) {
+            } else {
+                return;
+            }
+            let _e2503 = before.member[(0u + _e2497)];
+            if (_e2495.i1_ < _e101) {
+            } else {
+                return;
+            }
+            let _e2507 = before.member[(0u + _e2495.i1_)];
+            if (_e2495.i2_ < _e101) {
+            } else {
+                return;
+            }
+            let _e2511 = before.member[(0u + _e2495.i2_)];
+            let _e2516 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2503.x, _e2503.y, _e2503.z));
+            let _e2527 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2507.x, _e2507.y, _e2507.z));
+            let _e2541 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2511.x, _e2511.y, _e2511.z));
+            phi_3306_ = vec3<f32>((((_e2516.x * _e2490) + (_e2527.x * _e1825.u)) + (_e2541.x * _e1825.v)), (((_e2516.y * _e2490) + (_e2527.y * _e1825.u)) + (_e2541.y * _e1825.v)), (((_e2516.z * _e2490) + (_e2527.z * _e1825.u)) + (_e2541.z * _e1825.v)));
+        } else {
+            phi_3306_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e2553 = phi_3306_;
+        if (_e110.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e110.shift)] = vec4<f32>(_e2553.x, _e2553.y, _e2553.z, 1f);
     }
     return;
 }

@@ -2,13 +2,13 @@ struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
     right: vec3<f32>,
-    pad0_: u32,
+    layers_behind: u32,
     up: vec3<f32>,
     pad1_: u32,
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -159,430 +159,430 @@ var<storage, read_write> samples: type_9;
 var<storage> alpha_texels: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_214_: lt_mask_LightPlace;
-    var phi_215_: bool;
     var phi_216_: lt_mask_LightPlace;
     var phi_217_: bool;
-    var phi_222_: lt_mask_LightPlace;
+    var phi_218_: lt_mask_LightPlace;
+    var phi_219_: bool;
+    var phi_224_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_214_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_215_ = false;
+            phi_216_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_217_ = false;
         } else {
-            phi_214_ = lt_mask_LightPlace();
-            phi_215_ = true;
+            phi_216_ = lt_mask_LightPlace();
+            phi_217_ = true;
         }
-        let _e82 = phi_214_;
-        let _e84 = phi_215_;
-        phi_216_ = _e82;
-        phi_217_ = _e84;
+        let _e83 = phi_216_;
+        let _e85 = phi_217_;
+        phi_218_ = _e83;
+        phi_219_ = _e85;
     } else {
-        phi_216_ = lt_mask_LightPlace();
-        phi_217_ = true;
+        phi_218_ = lt_mask_LightPlace();
+        phi_219_ = true;
     }
-    let _e86 = phi_216_;
-    let _e88 = phi_217_;
-    if _e88 {
-        phi_222_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e87 = phi_218_;
+    let _e89 = phi_219_;
+    if _e89 {
+        phi_224_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_222_ = _e86;
+        phi_224_ = _e87;
     }
-    let _e93 = phi_222_;
-    return lt_mask_LightPlace(_e93.word, _e93.shift);
+    let _e94 = phi_224_;
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_237_: bool;
-    var phi_241_: f32;
+    var phi_239_: bool;
+    var phi_243_: f32;
 
     if (param_3 != param_3) {
-        phi_237_ = true;
+        phi_239_ = true;
     } else {
-        let _e72 = (param_4 >= param_3);
-        if _e72 {
+        let _e73 = (param_4 >= param_3);
+        if _e73 {
         }
-        phi_237_ = _e72;
+        phi_239_ = _e73;
     }
-    let _e74 = phi_237_;
-    if _e74 {
-        phi_241_ = param_4;
+    let _e75 = phi_239_;
+    if _e75 {
+        phi_243_ = param_4;
     } else {
-        phi_241_ = param_3;
+        phi_243_ = param_3;
     }
-    let _e76 = phi_241_;
-    return _e76;
+    let _e77 = phi_243_;
+    return _e77;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_253_: bool;
-    var phi_257_: f32;
+    var phi_255_: bool;
+    var phi_259_: f32;
 
     if (param_5 != param_5) {
-        phi_253_ = true;
+        phi_255_ = true;
     } else {
-        let _e72 = (param_6 <= param_5);
-        if _e72 {
+        let _e73 = (param_6 <= param_5);
+        if _e73 {
         }
-        phi_253_ = _e72;
+        phi_255_ = _e73;
     }
-    let _e74 = phi_253_;
-    if _e74 {
-        phi_257_ = param_6;
+    let _e75 = phi_255_;
+    if _e75 {
+        phi_259_ = param_6;
     } else {
-        phi_257_ = param_5;
+        phi_259_ = param_5;
     }
-    let _e76 = phi_257_;
-    return _e76;
+    let _e77 = phi_259_;
+    return _e77;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_299_: f32;
-    var phi_304_: f32;
-    var phi_305_: bool;
+    var phi_301_: f32;
     var phi_306_: f32;
     var phi_307_: bool;
-    var phi_311_: f32;
-    var phi_337_: f32;
-    var phi_342_: f32;
-    var phi_343_: bool;
+    var phi_308_: f32;
+    var phi_309_: bool;
+    var phi_313_: f32;
+    var phi_339_: f32;
     var phi_344_: f32;
     var phi_345_: bool;
-    var phi_349_: f32;
-    var phi_357_: f32;
-    var phi_358_: f32;
+    var phi_346_: f32;
+    var phi_347_: bool;
+    var phi_351_: f32;
     var phi_359_: f32;
-    var phi_368_: f32;
-    var phi_369_: f32;
-    var phi_387_: u32;
-    var phi_401_: u32;
-    var phi_408_: u32;
-    var phi_413_: u32;
-    var phi_419_: u32;
-    var phi_424_: u32;
-    var phi_426_: texture_Axis;
-    var phi_454_: f32;
-    var phi_459_: f32;
-    var phi_460_: bool;
+    var phi_360_: f32;
+    var phi_361_: f32;
+    var phi_370_: f32;
+    var phi_371_: f32;
+    var phi_389_: u32;
+    var phi_403_: u32;
+    var phi_410_: u32;
+    var phi_415_: u32;
+    var phi_421_: u32;
+    var phi_426_: u32;
+    var phi_428_: texture_Axis;
+    var phi_456_: f32;
     var phi_461_: f32;
     var phi_462_: bool;
-    var phi_466_: f32;
-    var phi_492_: f32;
-    var phi_497_: f32;
-    var phi_498_: bool;
+    var phi_463_: f32;
+    var phi_464_: bool;
+    var phi_468_: f32;
+    var phi_494_: f32;
     var phi_499_: f32;
     var phi_500_: bool;
-    var phi_504_: f32;
-    var phi_512_: f32;
-    var phi_513_: f32;
+    var phi_501_: f32;
+    var phi_502_: bool;
+    var phi_506_: f32;
     var phi_514_: f32;
-    var phi_523_: f32;
-    var phi_524_: f32;
-    var phi_542_: u32;
-    var phi_556_: u32;
-    var phi_563_: u32;
-    var phi_568_: u32;
-    var phi_574_: u32;
-    var phi_579_: u32;
-    var phi_581_: texture_Axis;
+    var phi_515_: f32;
+    var phi_516_: f32;
+    var phi_525_: f32;
+    var phi_526_: f32;
+    var phi_544_: u32;
+    var phi_558_: u32;
+    var phi_565_: u32;
+    var phi_570_: u32;
+    var phi_576_: u32;
+    var phi_581_: u32;
+    var phi_583_: texture_Axis;
 
-    let _e73 = (*param_7).size;
-    let _e74 = (_e73 & 65535u);
-    let _e76 = (*param_7).size;
-    let _e78 = (_e76 >> bitcast<u32>(16i));
-    let _e80 = (*param_7).flags;
-    let _e82 = ((_e80 & 4u) != 0u);
-    let _e84 = (*param_7).flags;
-    let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
-    if (_e87 == 0u) {
+    let _e74 = (*param_7).size;
+    let _e75 = (_e74 & 65535u);
+    let _e77 = (*param_7).size;
+    let _e79 = (_e77 >> bitcast<u32>(16i));
+    let _e81 = (*param_7).flags;
+    let _e83 = ((_e81 & 4u) != 0u);
+    let _e85 = (*param_7).flags;
+    let _e88 = ((_e85 >> bitcast<u32>(4u)) & 3u);
+    if (_e88 == 0u) {
         if (param_8 > -8388608f) {
-            let _e100 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
-            if (_e100 > param_8) {
-                phi_299_ = 1f;
+            let _e101 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e101 > param_8) {
+                phi_301_ = 1f;
             } else {
-                phi_299_ = 0f;
+                phi_301_ = 0f;
             }
-            let _e103 = phi_299_;
+            let _e104 = phi_301_;
             if (param_8 < 8388608f) {
-                phi_304_ = (_e100 - _e103);
-                phi_305_ = false;
+                phi_306_ = (_e101 - _e104);
+                phi_307_ = false;
             } else {
-                phi_304_ = f32();
-                phi_305_ = true;
+                phi_306_ = f32();
+                phi_307_ = true;
             }
-            let _e106 = phi_304_;
-            let _e108 = phi_305_;
-            phi_306_ = _e106;
-            phi_307_ = _e108;
+            let _e107 = phi_306_;
+            let _e109 = phi_307_;
+            phi_308_ = _e107;
+            phi_309_ = _e109;
         } else {
-            phi_306_ = f32();
-            phi_307_ = true;
+            phi_308_ = f32();
+            phi_309_ = true;
         }
-        let _e110 = phi_306_;
-        let _e112 = phi_307_;
-        if _e112 {
-            phi_311_ = param_8;
+        let _e111 = phi_308_;
+        let _e113 = phi_309_;
+        if _e113 {
+            phi_313_ = param_8;
         } else {
-            phi_311_ = _e110;
+            phi_313_ = _e111;
         }
-        let _e114 = phi_311_;
-        phi_359_ = (param_8 - _e114);
+        let _e115 = phi_313_;
+        phi_361_ = (param_8 - _e115);
     } else {
-        if (_e87 == 1u) {
-            let _e117 = (param_8 * 0.5f);
-            if (_e117 > -8388608f) {
-                let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
-                if (_e129 > _e117) {
-                    phi_337_ = 1f;
+        if (_e88 == 1u) {
+            let _e118 = (param_8 * 0.5f);
+            if (_e118 > -8388608f) {
+                let _e130 = f32(select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)));
+                if (_e130 > _e118) {
+                    phi_339_ = 1f;
                 } else {
-                    phi_337_ = 0f;
+                    phi_339_ = 0f;
                 }
-                let _e132 = phi_337_;
-                if (_e117 < 8388608f) {
-                    phi_342_ = (_e129 - _e132);
-                    phi_343_ = false;
+                let _e133 = phi_339_;
+                if (_e118 < 8388608f) {
+                    phi_344_ = (_e130 - _e133);
+                    phi_345_ = false;
                 } else {
-                    phi_342_ = f32();
-                    phi_343_ = true;
+                    phi_344_ = f32();
+                    phi_345_ = true;
                 }
-                let _e135 = phi_342_;
-                let _e137 = phi_343_;
-                phi_344_ = _e135;
-                phi_345_ = _e137;
+                let _e136 = phi_344_;
+                let _e138 = phi_345_;
+                phi_346_ = _e136;
+                phi_347_ = _e138;
             } else {
-                phi_344_ = f32();
-                phi_345_ = true;
+                phi_346_ = f32();
+                phi_347_ = true;
             }
-            let _e139 = phi_344_;
-            let _e141 = phi_345_;
-            if _e141 {
-                phi_349_ = _e117;
+            let _e140 = phi_346_;
+            let _e142 = phi_347_;
+            if _e142 {
+                phi_351_ = _e118;
             } else {
-                phi_349_ = _e139;
+                phi_351_ = _e140;
             }
-            let _e143 = phi_349_;
-            let _e145 = (param_8 - (2f * _e143));
-            if (_e145 > 1f) {
-                phi_357_ = (2f - _e145);
+            let _e144 = phi_351_;
+            let _e146 = (param_8 - (2f * _e144));
+            if (_e146 > 1f) {
+                phi_359_ = (2f - _e146);
             } else {
-                phi_357_ = _e145;
+                phi_359_ = _e146;
             }
-            let _e149 = phi_357_;
-            phi_358_ = _e149;
+            let _e150 = phi_359_;
+            phi_360_ = _e150;
         } else {
-            phi_358_ = param_8;
+            phi_360_ = param_8;
         }
-        let _e151 = phi_358_;
-        phi_359_ = _e151;
+        let _e152 = phi_360_;
+        phi_361_ = _e152;
     }
-    let _e153 = phi_359_;
-    if (_e153 > 0f) {
-        if (_e153 < 1f) {
-            phi_368_ = _e153;
+    let _e154 = phi_361_;
+    if (_e154 > 0f) {
+        if (_e154 < 1f) {
+            phi_370_ = _e154;
         } else {
-            phi_368_ = 1f;
+            phi_370_ = 1f;
         }
-        let _e157 = phi_368_;
-        phi_369_ = _e157;
+        let _e158 = phi_370_;
+        phi_371_ = _e158;
     } else {
-        phi_369_ = 0f;
+        phi_371_ = 0f;
     }
-    let _e159 = phi_369_;
-    let _e160 = (_e74 - 1u);
-    let _e162 = (_e159 * f32(_e74));
-    if _e82 {
-        let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
-        if (_e160 < _e169) {
-            phi_387_ = _e160;
+    let _e160 = phi_371_;
+    let _e161 = (_e75 - 1u);
+    let _e163 = (_e160 * f32(_e75));
+    if _e83 {
+        let _e170 = select(select(u32(_e163), 0u, (_e163 < bitcast<f32>(0u))), 4294967295u, (_e163 > bitcast<f32>(1333788671u)));
+        if (_e161 < _e170) {
+            phi_389_ = _e161;
         } else {
-            phi_387_ = _e169;
+            phi_389_ = _e170;
         }
-        let _e172 = phi_387_;
-        phi_426_ = texture_Axis(_e172, _e172, 0f);
+        let _e173 = phi_389_;
+        phi_428_ = texture_Axis(_e173, _e173, 0f);
     } else {
-        let _e174 = (_e162 + 0.5f);
-        let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
-        if (_e74 < _e181) {
-            phi_401_ = _e74;
+        let _e175 = (_e163 + 0.5f);
+        let _e182 = select(select(u32(_e175), 0u, (_e175 < bitcast<f32>(0u))), 4294967295u, (_e175 > bitcast<f32>(1333788671u)));
+        if (_e75 < _e182) {
+            phi_403_ = _e75;
         } else {
-            phi_401_ = _e181;
+            phi_403_ = _e182;
         }
-        let _e184 = phi_401_;
-        if (_e87 == 0u) {
-            phi_408_ = _e160;
+        let _e185 = phi_403_;
+        if (_e88 == 0u) {
+            phi_410_ = _e161;
         } else {
-            phi_408_ = 0u;
+            phi_410_ = 0u;
         }
-        let _e189 = phi_408_;
-        if (_e87 == 0u) {
-            phi_413_ = 0u;
+        let _e190 = phi_410_;
+        if (_e88 == 0u) {
+            phi_415_ = 0u;
         } else {
-            phi_413_ = _e160;
+            phi_415_ = _e161;
         }
-        let _e192 = phi_413_;
-        if (_e184 == 0u) {
-            phi_419_ = _e189;
+        let _e193 = phi_415_;
+        if (_e185 == 0u) {
+            phi_421_ = _e190;
         } else {
-            phi_419_ = (_e184 - 1u);
+            phi_421_ = (_e185 - 1u);
         }
-        let _e196 = phi_419_;
-        if (_e184 > _e160) {
-            phi_424_ = _e192;
+        let _e197 = phi_421_;
+        if (_e185 > _e161) {
+            phi_426_ = _e193;
         } else {
-            phi_424_ = _e184;
+            phi_426_ = _e185;
         }
-        let _e199 = phi_424_;
-        phi_426_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
+        let _e200 = phi_426_;
+        phi_428_ = texture_Axis(_e197, _e200, (_e175 - f32(_e185)));
     }
-    let _e202 = phi_426_;
-    let _e204 = (*param_7).flags;
-    let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
-    if (_e207 == 0u) {
+    let _e203 = phi_428_;
+    let _e205 = (*param_7).flags;
+    let _e208 = ((_e205 >> bitcast<u32>(6u)) & 3u);
+    if (_e208 == 0u) {
         if (param_9 > -8388608f) {
-            let _e220 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
-            if (_e220 > param_9) {
-                phi_454_ = 1f;
+            let _e221 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e221 > param_9) {
+                phi_456_ = 1f;
             } else {
-                phi_454_ = 0f;
+                phi_456_ = 0f;
             }
-            let _e223 = phi_454_;
+            let _e224 = phi_456_;
             if (param_9 < 8388608f) {
-                phi_459_ = (_e220 - _e223);
-                phi_460_ = false;
+                phi_461_ = (_e221 - _e224);
+                phi_462_ = false;
             } else {
-                phi_459_ = f32();
-                phi_460_ = true;
+                phi_461_ = f32();
+                phi_462_ = true;
             }
-            let _e226 = phi_459_;
-            let _e228 = phi_460_;
-            phi_461_ = _e226;
-            phi_462_ = _e228;
+            let _e227 = phi_461_;
+            let _e229 = phi_462_;
+            phi_463_ = _e227;
+            phi_464_ = _e229;
         } else {
-            phi_461_ = f32();
-            phi_462_ = true;
+            phi_463_ = f32();
+            phi_464_ = true;
         }
-        let _e230 = phi_461_;
-        let _e232 = phi_462_;
-        if _e232 {
-            phi_466_ = param_9;
+        let _e231 = phi_463_;
+        let _e233 = phi_464_;
+        if _e233 {
+            phi_468_ = param_9;
         } else {
-            phi_466_ = _e230;
+            phi_468_ = _e231;
         }
-        let _e234 = phi_466_;
-        phi_514_ = (param_9 - _e234);
+        let _e235 = phi_468_;
+        phi_516_ = (param_9 - _e235);
     } else {
-        if (_e207 == 1u) {
-            let _e237 = (param_9 * 0.5f);
-            if (_e237 > -8388608f) {
-                let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
-                if (_e249 > _e237) {
-                    phi_492_ = 1f;
+        if (_e208 == 1u) {
+            let _e238 = (param_9 * 0.5f);
+            if (_e238 > -8388608f) {
+                let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
+                if (_e250 > _e238) {
+                    phi_494_ = 1f;
                 } else {
-                    phi_492_ = 0f;
+                    phi_494_ = 0f;
                 }
-                let _e252 = phi_492_;
-                if (_e237 < 8388608f) {
-                    phi_497_ = (_e249 - _e252);
-                    phi_498_ = false;
+                let _e253 = phi_494_;
+                if (_e238 < 8388608f) {
+                    phi_499_ = (_e250 - _e253);
+                    phi_500_ = false;
                 } else {
-                    phi_497_ = f32();
-                    phi_498_ = true;
+                    phi_499_ = f32();
+                    phi_500_ = true;
                 }
-                let _e255 = phi_497_;
-                let _e257 = phi_498_;
-                phi_499_ = _e255;
-                phi_500_ = _e257;
+                let _e256 = phi_499_;
+                let _e258 = phi_500_;
+                phi_501_ = _e256;
+                phi_502_ = _e258;
             } else {
-                phi_499_ = f32();
-                phi_500_ = true;
+                phi_501_ = f32();
+                phi_502_ = true;
             }
-            let _e259 = phi_499_;
-            let _e261 = phi_500_;
-            if _e261 {
-                phi_504_ = _e237;
+            let _e260 = phi_501_;
+            let _e262 = phi_502_;
+            if _e262 {
+                phi_506_ = _e238;
             } else {
-                phi_504_ = _e259;
+                phi_506_ = _e260;
             }
-            let _e263 = phi_504_;
-            let _e265 = (param_9 - (2f * _e263));
-            if (_e265 > 1f) {
-                phi_512_ = (2f - _e265);
+            let _e264 = phi_506_;
+            let _e266 = (param_9 - (2f * _e264));
+            if (_e266 > 1f) {
+                phi_514_ = (2f - _e266);
             } else {
-                phi_512_ = _e265;
+                phi_514_ = _e266;
             }
-            let _e269 = phi_512_;
-            phi_513_ = _e269;
+            let _e270 = phi_514_;
+            phi_515_ = _e270;
         } else {
-            phi_513_ = param_9;
+            phi_515_ = param_9;
         }
-        let _e271 = phi_513_;
-        phi_514_ = _e271;
+        let _e272 = phi_515_;
+        phi_516_ = _e272;
     }
-    let _e273 = phi_514_;
-    if (_e273 > 0f) {
-        if (_e273 < 1f) {
-            phi_523_ = _e273;
+    let _e274 = phi_516_;
+    if (_e274 > 0f) {
+        if (_e274 < 1f) {
+            phi_525_ = _e274;
         } else {
-            phi_523_ = 1f;
+            phi_525_ = 1f;
         }
-        let _e277 = phi_523_;
-        phi_524_ = _e277;
+        let _e278 = phi_525_;
+        phi_526_ = _e278;
     } else {
-        phi_524_ = 0f;
+        phi_526_ = 0f;
     }
-    let _e279 = phi_524_;
-    let _e280 = (_e78 - 1u);
-    let _e282 = (_e279 * f32(_e78));
-    if _e82 {
-        let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
-        if (_e280 < _e289) {
-            phi_542_ = _e280;
+    let _e280 = phi_526_;
+    let _e281 = (_e79 - 1u);
+    let _e283 = (_e280 * f32(_e79));
+    if _e83 {
+        let _e290 = select(select(u32(_e283), 0u, (_e283 < bitcast<f32>(0u))), 4294967295u, (_e283 > bitcast<f32>(1333788671u)));
+        if (_e281 < _e290) {
+            phi_544_ = _e281;
         } else {
-            phi_542_ = _e289;
+            phi_544_ = _e290;
         }
-        let _e292 = phi_542_;
-        phi_581_ = texture_Axis(_e292, _e292, 0f);
+        let _e293 = phi_544_;
+        phi_583_ = texture_Axis(_e293, _e293, 0f);
     } else {
-        let _e294 = (_e282 + 0.5f);
-        let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
-        if (_e78 < _e301) {
-            phi_556_ = _e78;
+        let _e295 = (_e283 + 0.5f);
+        let _e302 = select(select(u32(_e295), 0u, (_e295 < bitcast<f32>(0u))), 4294967295u, (_e295 > bitcast<f32>(1333788671u)));
+        if (_e79 < _e302) {
+            phi_558_ = _e79;
         } else {
-            phi_556_ = _e301;
+            phi_558_ = _e302;
         }
-        let _e304 = phi_556_;
-        if (_e207 == 0u) {
-            phi_563_ = _e280;
+        let _e305 = phi_558_;
+        if (_e208 == 0u) {
+            phi_565_ = _e281;
         } else {
-            phi_563_ = 0u;
+            phi_565_ = 0u;
         }
-        let _e309 = phi_563_;
-        if (_e207 == 0u) {
-            phi_568_ = 0u;
+        let _e310 = phi_565_;
+        if (_e208 == 0u) {
+            phi_570_ = 0u;
         } else {
-            phi_568_ = _e280;
+            phi_570_ = _e281;
         }
-        let _e312 = phi_568_;
-        if (_e304 == 0u) {
-            phi_574_ = _e309;
+        let _e313 = phi_570_;
+        if (_e305 == 0u) {
+            phi_576_ = _e310;
         } else {
-            phi_574_ = (_e304 - 1u);
+            phi_576_ = (_e305 - 1u);
         }
-        let _e316 = phi_574_;
-        if (_e304 > _e280) {
-            phi_579_ = _e312;
+        let _e317 = phi_576_;
+        if (_e305 > _e281) {
+            phi_581_ = _e313;
         } else {
-            phi_579_ = _e304;
+            phi_581_ = _e305;
         }
-        let _e319 = phi_579_;
-        phi_581_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
+        let _e320 = phi_581_;
+        phi_583_ = texture_Axis(_e317, _e320, (_e295 - f32(_e305)));
     }
-    let _e322 = phi_581_;
-    let _e326 = (*param_7).offset;
-    let _e333 = (*param_7).offset;
-    let _e340 = (*param_7).offset;
-    let _e347 = (*param_7).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
+    let _e323 = phi_583_;
+    let _e327 = (*param_7).offset;
+    let _e334 = (*param_7).offset;
+    let _e341 = (*param_7).offset;
+    let _e348 = (*param_7).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e327 + (_e323.low * _e75)) + _e203.low), ((_e334 + (_e323.low * _e75)) + _e203.high), ((_e341 + (_e323.high * _e75)) + _e203.low), ((_e348 + (_e323.high * _e75)) + _e203.high)), vec4<f32>(((1f - _e203.fraction) * (1f - _e323.fraction)), (_e203.fraction * (1f - _e323.fraction)), ((1f - _e203.fraction) * _e323.fraction), (_e203.fraction * _e323.fraction)));
 }
 
 fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_10: vec3<f32>) -> vec3<f32> {
@@ -594,15 +594,15 @@ fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSour
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
-    var phi_3047_: f32;
+    var phi_3066_: f32;
 
     if (param_12 > param_13) {
-        phi_3047_ = param_12;
+        phi_3066_ = param_12;
     } else {
-        phi_3047_ = param_13;
+        phi_3066_ = param_13;
     }
-    let _e73 = phi_3047_;
-    return _e73;
+    let _e74 = phi_3066_;
+    return _e74;
 }
 
 fn _lt_bvh_ray_Ray_new(param_14: vec3<f32>, param_15: vec3<f32>) -> lt_bvh_Ray {
@@ -612,1732 +612,1734 @@ fn _lt_bvh_ray_Ray_new(param_14: vec3<f32>, param_15: vec3<f32>) -> lt_bvh_Ray {
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_752_: bool;
-    var phi_753_: bool;
-    var phi_754_: bool;
-    var phi_755_: bool;
-    var phi_759_: bool;
+    var phi_771_: bool;
     var phi_772_: bool;
     var phi_773_: bool;
     var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_779_: bool;
+    var phi_778_: bool;
+    var phi_791_: bool;
     var phi_792_: bool;
     var phi_793_: bool;
     var phi_794_: bool;
     var phi_798_: bool;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_802_: bool;
-    var phi_806_: bool;
-    var phi_882_: f32;
-    var phi_889_: f32;
-    var phi_897_: f32;
-    var phi_904_: f32;
-    var phi_912_: f32;
-    var phi_919_: f32;
-    var phi_942_: f32;
-    var phi_947_: f32;
-    var phi_952_: f32;
-    var phi_957_: f32;
-    var phi_962_: f32;
-    var phi_993_: bool;
-    var phi_994_: bool;
-    var phi_1002_: u32;
-    var phi_1003_: u32;
-    var phi_1020_: vec3<f32>;
-    var phi_1021_: vec3<f32>;
-    var phi_1034_: u32;
-    var phi_1039_: u32;
-    var phi_1044_: u32;
-    var phi_1158_: bool;
-    var phi_1159_: bool;
-    var phi_1190_: u32;
-    var phi_1192_: lt_bvh_Hit;
-    var phi_1195_: u32;
-    var phi_1280_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1307_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1334_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1340_: u32;
-    var phi_1343_: u32;
-    var phi_1357_: u32;
-    var phi_1367_: u32;
-    var phi_1377_: u32;
-    var phi_1395_: u32;
-    var phi_1405_: u32;
-    var phi_1415_: u32;
-    var phi_1451_: u32;
-    var phi_1464_: u32;
-    var phi_1469_: u32;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: bool;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_820_: bool;
+    var phi_821_: bool;
+    var phi_825_: bool;
+    var phi_901_: f32;
+    var phi_908_: f32;
+    var phi_916_: f32;
+    var phi_923_: f32;
+    var phi_931_: f32;
+    var phi_938_: f32;
+    var phi_961_: f32;
+    var phi_966_: f32;
+    var phi_971_: f32;
+    var phi_976_: f32;
+    var phi_981_: f32;
+    var phi_1012_: bool;
+    var phi_1013_: bool;
+    var phi_1021_: u32;
+    var phi_1022_: u32;
+    var phi_1039_: vec3<f32>;
+    var phi_1040_: vec3<f32>;
+    var phi_1053_: u32;
+    var phi_1058_: u32;
+    var phi_1063_: u32;
+    var phi_1177_: bool;
+    var phi_1178_: bool;
+    var phi_1209_: u32;
+    var phi_1211_: lt_bvh_Hit;
+    var phi_1214_: u32;
+    var phi_1299_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1326_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1353_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1359_: u32;
+    var phi_1362_: u32;
+    var phi_1376_: u32;
+    var phi_1386_: u32;
+    var phi_1396_: u32;
+    var phi_1414_: u32;
+    var phi_1424_: u32;
+    var phi_1434_: u32;
     var phi_1470_: u32;
-    var phi_1471_: u32;
-    var phi_1341_: u32;
-    var phi_1344_: u32;
+    var phi_1483_: u32;
+    var phi_1488_: u32;
+    var phi_1489_: u32;
+    var phi_1490_: u32;
+    var phi_1360_: u32;
+    var phi_1363_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1529_: lt_bvh_Hit;
-    var phi_1532_: u32;
-    var phi_1578_: vec3<f32>;
-    var phi_1579_: vec3<f32>;
-    var phi_1610_: vec3<f32>;
-    var phi_1611_: vec3<f32>;
-    var phi_1642_: vec3<f32>;
-    var phi_1643_: vec3<f32>;
-    var phi_1661_: bool;
-    var phi_1662_: bool;
-    var phi_1666_: f32;
-    var phi_1667_: f32;
-    var phi_1668_: f32;
-    var phi_1669_: f32;
-    var phi_1677_: f32;
-    var phi_1687_: bool;
-    var phi_1688_: bool;
-    var phi_1692_: f32;
-    var phi_1693_: f32;
-    var phi_1694_: f32;
-    var phi_1695_: f32;
-    var phi_1703_: f32;
-    var phi_1713_: bool;
-    var phi_1714_: bool;
-    var phi_1718_: f32;
-    var phi_1719_: f32;
-    var phi_1720_: f32;
-    var phi_1721_: f32;
-    var phi_1729_: f32;
-    var phi_1744_: f32;
-    var phi_1745_: bool;
-    var phi_1746_: f32;
-    var phi_1747_: bool;
+    var phi_1548_: lt_bvh_Hit;
+    var phi_1551_: u32;
+    var phi_1597_: vec3<f32>;
+    var phi_1598_: vec3<f32>;
+    var phi_1629_: vec3<f32>;
+    var phi_1630_: vec3<f32>;
+    var phi_1661_: vec3<f32>;
+    var phi_1662_: vec3<f32>;
+    var phi_1680_: bool;
+    var phi_1681_: bool;
+    var phi_1685_: f32;
+    var phi_1686_: f32;
+    var phi_1687_: f32;
+    var phi_1688_: f32;
+    var phi_1696_: f32;
+    var phi_1706_: bool;
+    var phi_1707_: bool;
+    var phi_1711_: f32;
+    var phi_1712_: f32;
+    var phi_1713_: f32;
+    var phi_1714_: f32;
+    var phi_1722_: f32;
+    var phi_1732_: bool;
+    var phi_1733_: bool;
+    var phi_1737_: f32;
+    var phi_1738_: f32;
+    var phi_1739_: f32;
+    var phi_1740_: f32;
     var phi_1748_: f32;
-    var phi_1749_: bool;
+    var phi_1763_: f32;
+    var phi_1764_: bool;
+    var phi_1765_: f32;
+    var phi_1766_: bool;
     var phi_1767_: f32;
     var phi_1768_: bool;
-    var phi_1769_: bool;
-    var phi_1770_: f32;
-    var phi_1771_: bool;
-    var phi_1772_: bool;
-    var phi_1776_: bool;
-    var phi_1777_: f32;
-    var phi_1778_: bool;
-    var phi_1808_: vec3<f32>;
-    var phi_1809_: vec3<f32>;
-    var phi_1834_: vec3<f32>;
-    var phi_1835_: vec3<f32>;
-    var phi_1860_: vec3<f32>;
-    var phi_1861_: vec3<f32>;
-    var phi_1919_: f32;
-    var phi_1928_: f32;
-    var phi_1937_: f32;
-    var phi_1946_: f32;
-    var phi_1953_: f32;
-    var phi_1960_: f32;
-    var phi_1973_: f32;
-    var phi_1982_: f32;
-    var phi_1991_: f32;
-    var phi_2000_: f32;
-    var phi_2007_: f32;
-    var phi_2014_: f32;
-    var phi_2037_: f32;
-    var phi_2042_: f32;
-    var phi_2047_: f32;
-    var phi_2055_: f32;
-    var phi_2060_: f32;
-    var phi_2065_: f32;
-    var phi_2077_: f32;
-    var phi_2082_: f32;
-    var phi_2087_: f32;
-    var phi_2092_: f32;
-    var phi_2097_: lt_bvh_triangle_Intersection;
-    var phi_2098_: bool;
-    var phi_2099_: lt_bvh_triangle_Intersection;
-    var phi_2100_: bool;
-    var phi_2104_: lt_bvh_triangle_Intersection;
-    var phi_2105_: bool;
-    var phi_2106_: lt_bvh_triangle_Intersection;
-    var phi_2107_: bool;
-    var phi_2108_: bool;
-    var phi_2112_: bool;
+    var phi_1786_: f32;
+    var phi_1787_: bool;
+    var phi_1788_: bool;
+    var phi_1789_: f32;
+    var phi_1790_: bool;
+    var phi_1791_: bool;
+    var phi_1795_: bool;
+    var phi_1796_: f32;
+    var phi_1797_: bool;
+    var phi_1827_: vec3<f32>;
+    var phi_1828_: vec3<f32>;
+    var phi_1853_: vec3<f32>;
+    var phi_1854_: vec3<f32>;
+    var phi_1879_: vec3<f32>;
+    var phi_1880_: vec3<f32>;
+    var phi_1938_: f32;
+    var phi_1947_: f32;
+    var phi_1956_: f32;
+    var phi_1965_: f32;
+    var phi_1972_: f32;
+    var phi_1979_: f32;
+    var phi_1992_: f32;
+    var phi_2001_: f32;
+    var phi_2010_: f32;
+    var phi_2019_: f32;
+    var phi_2026_: f32;
+    var phi_2033_: f32;
+    var phi_2056_: f32;
+    var phi_2061_: f32;
+    var phi_2066_: f32;
+    var phi_2074_: f32;
+    var phi_2079_: f32;
+    var phi_2084_: f32;
+    var phi_2096_: f32;
+    var phi_2101_: f32;
+    var phi_2106_: f32;
+    var phi_2111_: f32;
     var phi_2116_: lt_bvh_triangle_Intersection;
-    var phi_2155_: bool;
-    var phi_2156_: bool;
-    var phi_2157_: bool;
-    var phi_2158_: bool;
-    var phi_2159_: bool;
-    var phi_2160_: bool;
-    var phi_2164_: bool;
-    var phi_2165_: bool;
-    var phi_2368_: f32;
-    var phi_2371_: bool;
-    var phi_2372_: bool;
-    var phi_2376_: bool;
-    var phi_2384_: lt_bvh_Hit;
-    var phi_2385_: lt_bvh_Hit;
-    var phi_2386_: lt_bvh_Hit;
-    var phi_2387_: lt_bvh_Hit;
-    var phi_1530_: lt_bvh_Hit;
-    var phi_1533_: u32;
-    var phi_2388_: bool;
-    var phi_2427_: bool;
-    var phi_2428_: bool;
-    var phi_2459_: u32;
-    var phi_1193_: lt_bvh_Hit;
-    var phi_1196_: u32;
-    var phi_2460_: lt_bvh_Hit;
-    var phi_2461_: lt_bvh_Hit;
-    var phi_2462_: bool;
-    var phi_2466_: lt_bvh_Hit;
-    var phi_2531_: f32;
-    var phi_2536_: f32;
-    var phi_2541_: f32;
-    var phi_2552_: f32;
-    var phi_2557_: f32;
-    var phi_2562_: f32;
-    var phi_2638_: vec3<f32>;
-    var phi_2759_: u32;
-    var phi_2786_: f32;
-    var phi_2793_: f32;
-    var phi_2800_: f32;
-    var phi_2835_: f32;
-    var phi_2842_: f32;
-    var phi_2849_: f32;
-    var phi_2887_: f32;
-    var phi_2894_: f32;
-    var phi_2901_: f32;
-    var phi_2960_: vec3<f32>;
-    var phi_2961_: vec3<f32>;
-    var phi_2962_: vec3<f32>;
-    var phi_2971_: f32;
-    var phi_2972_: f32;
-    var phi_2982_: f32;
-    var phi_2983_: f32;
-    var phi_2993_: f32;
-    var phi_2994_: f32;
-    var phi_3029_: abi_Sample;
+    var phi_2117_: bool;
+    var phi_2118_: lt_bvh_triangle_Intersection;
+    var phi_2119_: bool;
+    var phi_2123_: lt_bvh_triangle_Intersection;
+    var phi_2124_: bool;
+    var phi_2125_: lt_bvh_triangle_Intersection;
+    var phi_2126_: bool;
+    var phi_2127_: bool;
+    var phi_2131_: bool;
+    var phi_2135_: lt_bvh_triangle_Intersection;
+    var phi_2174_: bool;
+    var phi_2175_: bool;
+    var phi_2176_: bool;
+    var phi_2177_: bool;
+    var phi_2178_: bool;
+    var phi_2179_: bool;
+    var phi_2183_: bool;
+    var phi_2184_: bool;
+    var phi_2387_: f32;
+    var phi_2390_: bool;
+    var phi_2391_: bool;
+    var phi_2395_: bool;
+    var phi_2403_: lt_bvh_Hit;
+    var phi_2404_: lt_bvh_Hit;
+    var phi_2405_: lt_bvh_Hit;
+    var phi_2406_: lt_bvh_Hit;
+    var phi_1549_: lt_bvh_Hit;
+    var phi_1552_: u32;
+    var phi_2407_: bool;
+    var phi_2446_: bool;
+    var phi_2447_: bool;
+    var phi_2478_: u32;
+    var phi_1212_: lt_bvh_Hit;
+    var phi_1215_: u32;
+    var phi_2479_: lt_bvh_Hit;
+    var phi_2480_: lt_bvh_Hit;
+    var phi_2481_: bool;
+    var phi_2485_: lt_bvh_Hit;
+    var phi_2550_: f32;
+    var phi_2555_: f32;
+    var phi_2560_: f32;
+    var phi_2571_: f32;
+    var phi_2576_: f32;
+    var phi_2581_: f32;
+    var phi_2657_: vec3<f32>;
+    var phi_2778_: u32;
+    var phi_2805_: f32;
+    var phi_2812_: f32;
+    var phi_2819_: f32;
+    var phi_2854_: f32;
+    var phi_2861_: f32;
+    var phi_2868_: f32;
+    var phi_2906_: f32;
+    var phi_2913_: f32;
+    var phi_2920_: f32;
+    var phi_2979_: vec3<f32>;
+    var phi_2980_: vec3<f32>;
+    var phi_2981_: vec3<f32>;
+    var phi_2990_: f32;
+    var phi_2991_: f32;
+    var phi_3001_: f32;
+    var phi_3002_: f32;
+    var phi_3012_: f32;
+    var phi_3013_: f32;
+    var phi_3048_: abi_Sample;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
-    let _e71 = id_1;
-    let _e75 = arrayLength((&nodes.member));
-    let _e78 = arrayLength((&triangles.member));
-    let _e81 = arrayLength((&vertices.member));
-    let _e84 = arrayLength((&materials.member));
-    let _e90 = arrayLength((&alpha_texels.member));
-    let _e93 = p.member.size[0u];
-    let _e95 = p.member.size[1u];
-    let _e96 = lt_shaders_entry_pixel_index(_e71, _e93, _e95);
-    if (bitcast<i32>(_e96.word) != 0i) {
-        let _e104 = p.member.eye;
-        let _e109 = p.member.size[0u];
-        let _e113 = ((((f32(_e71.x) + 0.5f) / f32(_e109)) * 2f) - 1f);
-        let _e118 = p.member.size[1u];
-        let _e122 = (1f - (((f32(_e71.y) + 0.5f) / f32(_e118)) * 2f));
-        let _e124 = p.member.forward;
-        let _e126 = p.member.right;
-        let _e140 = p.member.up;
-        let _e151 = _lt_bvh_ray_Ray_new(_e104, vec3<f32>(((_e124.x + (_e126.x * _e113)) + (_e140.x * _e122)), ((_e124.y + (_e126.y * _e113)) + (_e140.y * _e122)), ((_e124.z + (_e126.z * _e113)) + (_e140.z * _e122))));
-        let _e153 = lt_bvh_Hit(_e151.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e156 = abs(_e151.direction.x);
-        let _e158 = abs(_e151.direction.y);
-        let _e160 = abs(_e151.direction.z);
-        if (abs(_e151.origin.x) < 1000000000000000f) {
-            if (abs(_e151.origin.y) < 1000000000000000f) {
-                phi_752_ = (abs(_e151.origin.z) < 1000000000000000f);
-                phi_753_ = false;
+    let _e72 = id_1;
+    let _e76 = arrayLength((&nodes.member));
+    let _e79 = arrayLength((&triangles.member));
+    let _e82 = arrayLength((&vertices.member));
+    let _e85 = arrayLength((&materials.member));
+    let _e91 = arrayLength((&alpha_texels.member));
+    let _e94 = p.member.size[0u];
+    let _e96 = p.member.size[1u];
+    let _e97 = lt_shaders_entry_pixel_index(_e72, _e94, _e96);
+    if (bitcast<i32>(_e97.word) != 0i) {
+        let _e105 = p.member.eye;
+        let _e108 = p.member.grid[0u];
+        let _e110 = p.member.grid[1u];
+        let _e129 = p.member.size[0u];
+        let _e133 = ((((f32(_e72.x) + ((f32((_e72.y & (_e110 - 1u))) + 0.5f) / f32(_e110))) / f32(_e129)) * 2f) - 1f);
+        let _e136 = p.member.size[1u];
+        let _e140 = (1f - (((f32(_e72.y) + ((f32((_e72.x & (_e108 - 1u))) + 0.5f) / f32(_e108))) / f32(_e136)) * 2f));
+        let _e142 = p.member.forward;
+        let _e144 = p.member.right;
+        let _e158 = p.member.up;
+        let _e169 = _lt_bvh_ray_Ray_new(_e105, vec3<f32>(((_e142.x + (_e144.x * _e133)) + (_e158.x * _e140)), ((_e142.y + (_e144.y * _e133)) + (_e158.y * _e140)), ((_e142.z + (_e144.z * _e133)) + (_e158.z * _e140))));
+        let _e171 = lt_bvh_Hit(_e169.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e174 = abs(_e169.direction.x);
+        let _e176 = abs(_e169.direction.y);
+        let _e178 = abs(_e169.direction.z);
+        if (abs(_e169.origin.x) < 1000000000000000f) {
+            if (abs(_e169.origin.y) < 1000000000000000f) {
+                phi_771_ = (abs(_e169.origin.z) < 1000000000000000f);
+                phi_772_ = false;
             } else {
-                phi_752_ = bool();
-                phi_753_ = true;
+                phi_771_ = bool();
+                phi_772_ = true;
             }
-            let _e172 = phi_752_;
-            let _e174 = phi_753_;
-            phi_754_ = _e172;
-            phi_755_ = _e174;
+            let _e190 = phi_771_;
+            let _e192 = phi_772_;
+            phi_773_ = _e190;
+            phi_774_ = _e192;
         } else {
-            phi_754_ = bool();
-            phi_755_ = true;
+            phi_773_ = bool();
+            phi_774_ = true;
         }
-        let _e176 = phi_754_;
-        let _e178 = phi_755_;
-        if _e178 {
-            phi_759_ = false;
+        let _e194 = phi_773_;
+        let _e196 = phi_774_;
+        if _e196 {
+            phi_778_ = false;
         } else {
-            phi_759_ = _e176;
+            phi_778_ = _e194;
         }
-        let _e180 = phi_759_;
-        if _e180 {
-            if (_e156 < 1000000000000000f) {
-                if (_e158 < 1000000000000000f) {
-                    phi_772_ = (_e160 < 1000000000000000f);
-                    phi_773_ = false;
+        let _e198 = phi_778_;
+        if _e198 {
+            if (_e174 < 1000000000000000f) {
+                if (_e176 < 1000000000000000f) {
+                    phi_791_ = (_e178 < 1000000000000000f);
+                    phi_792_ = false;
                 } else {
-                    phi_772_ = bool();
-                    phi_773_ = true;
+                    phi_791_ = bool();
+                    phi_792_ = true;
                 }
-                let _e185 = phi_772_;
-                let _e187 = phi_773_;
-                phi_774_ = _e185;
-                phi_775_ = _e187;
+                let _e203 = phi_791_;
+                let _e205 = phi_792_;
+                phi_793_ = _e203;
+                phi_794_ = _e205;
             } else {
-                phi_774_ = bool();
-                phi_775_ = true;
+                phi_793_ = bool();
+                phi_794_ = true;
             }
-            let _e189 = phi_774_;
-            let _e191 = phi_775_;
-            if _e191 {
-                phi_779_ = false;
+            let _e207 = phi_793_;
+            let _e209 = phi_794_;
+            if _e209 {
+                phi_798_ = false;
             } else {
-                phi_779_ = _e189;
+                phi_798_ = _e207;
             }
-            let _e193 = phi_779_;
-            if _e193 {
-                if (_e156 > 0f) {
-                    phi_793_ = bool();
-                    phi_794_ = true;
+            let _e211 = phi_798_;
+            if _e211 {
+                if (_e174 > 0f) {
+                    phi_812_ = bool();
+                    phi_813_ = true;
                 } else {
-                    let _e195 = (_e158 > 0f);
-                    if _e195 {
-                        phi_792_ = bool();
+                    let _e213 = (_e176 > 0f);
+                    if _e213 {
+                        phi_811_ = bool();
                     } else {
-                        phi_792_ = (_e160 > 0f);
+                        phi_811_ = (_e178 > 0f);
                     }
-                    let _e198 = phi_792_;
-                    phi_793_ = _e198;
-                    phi_794_ = _e195;
+                    let _e216 = phi_811_;
+                    phi_812_ = _e216;
+                    phi_813_ = _e213;
                 }
-                let _e200 = phi_793_;
-                let _e202 = phi_794_;
-                if _e202 {
-                    phi_798_ = true;
+                let _e218 = phi_812_;
+                let _e220 = phi_813_;
+                if _e220 {
+                    phi_817_ = true;
                 } else {
-                    phi_798_ = _e200;
+                    phi_817_ = _e218;
                 }
-                let _e204 = phi_798_;
-                phi_799_ = _e204;
-                phi_800_ = false;
+                let _e222 = phi_817_;
+                phi_818_ = _e222;
+                phi_819_ = false;
             } else {
-                phi_799_ = bool();
-                phi_800_ = true;
+                phi_818_ = bool();
+                phi_819_ = true;
             }
-            let _e206 = phi_799_;
-            let _e208 = phi_800_;
-            phi_801_ = _e206;
-            phi_802_ = _e208;
+            let _e224 = phi_818_;
+            let _e226 = phi_819_;
+            phi_820_ = _e224;
+            phi_821_ = _e226;
         } else {
-            phi_801_ = bool();
-            phi_802_ = true;
+            phi_820_ = bool();
+            phi_821_ = true;
         }
-        let _e210 = phi_801_;
-        let _e212 = phi_802_;
-        if _e212 {
-            phi_806_ = false;
+        let _e228 = phi_820_;
+        let _e230 = phi_821_;
+        if _e230 {
+            phi_825_ = false;
         } else {
-            phi_806_ = _e210;
+            phi_825_ = _e228;
         }
-        let _e214 = phi_806_;
-        if _e214 {
-            let _e215 = (0u >= _e75);
-            if _e215 {
-                phi_2460_ = lt_bvh_Hit();
+        let _e232 = phi_825_;
+        if _e232 {
+            let _e233 = (0u >= _e76);
+            if _e233 {
+                phi_2479_ = lt_bvh_Hit();
             } else {
-                if (0u < _e75) {
+                if (0u < _e76) {
                 } else {
                     return;
                 }
-                let _e221 = nodes.member[(0u + 0u)].frame[0u];
-                let _e225 = nodes.member[(0u + 0u)].frame[1u];
-                let _e229 = nodes.member[(0u + 0u)].frame[2u];
-                let _e233 = nodes.member[(0u + 0u)].frame[0u];
-                let _e237 = nodes.member[(0u + 0u)].frame[1u];
-                let _e241 = nodes.member[(0u + 0u)].frame[2u];
-                let _e245 = nodes.member[(0u + 0u)].frame[3u];
-                let _e284 = core_intrinsics_maximum_number_nsz_f32_(abs(_e151.direction.x), abs(_e151.direction.y));
-                let _e285 = core_intrinsics_maximum_number_nsz_f32_(_e284, abs(_e151.direction.z));
-                let _e286 = (_e285 * 0.0000000000009094947f);
-                if (abs(_e151.direction.x) < _e286) {
-                    phi_882_ = _e286;
+                let _e239 = nodes.member[(0u + 0u)].frame[0u];
+                let _e243 = nodes.member[(0u + 0u)].frame[1u];
+                let _e247 = nodes.member[(0u + 0u)].frame[2u];
+                let _e251 = nodes.member[(0u + 0u)].frame[0u];
+                let _e255 = nodes.member[(0u + 0u)].frame[1u];
+                let _e259 = nodes.member[(0u + 0u)].frame[2u];
+                let _e263 = nodes.member[(0u + 0u)].frame[3u];
+                let _e302 = core_intrinsics_maximum_number_nsz_f32_(abs(_e169.direction.x), abs(_e169.direction.y));
+                let _e303 = core_intrinsics_maximum_number_nsz_f32_(_e302, abs(_e169.direction.z));
+                let _e304 = (_e303 * 0.0000000000009094947f);
+                if (abs(_e169.direction.x) < _e304) {
+                    phi_901_ = _e304;
                 } else {
-                    phi_882_ = abs(_e151.direction.x);
+                    phi_901_ = abs(_e169.direction.x);
                 }
-                let _e292 = phi_882_;
-                if (_e151.direction.x < 0f) {
-                    phi_889_ = (-1f / _e292);
+                let _e310 = phi_901_;
+                if (_e169.direction.x < 0f) {
+                    phi_908_ = (-1f / _e310);
                 } else {
-                    phi_889_ = (1f / _e292);
+                    phi_908_ = (1f / _e310);
                 }
-                let _e297 = phi_889_;
-                if (abs(_e151.direction.y) < _e286) {
-                    phi_897_ = _e286;
+                let _e315 = phi_908_;
+                if (abs(_e169.direction.y) < _e304) {
+                    phi_916_ = _e304;
                 } else {
-                    phi_897_ = abs(_e151.direction.y);
+                    phi_916_ = abs(_e169.direction.y);
                 }
-                let _e303 = phi_897_;
-                if (_e151.direction.y < 0f) {
-                    phi_904_ = (-1f / _e303);
+                let _e321 = phi_916_;
+                if (_e169.direction.y < 0f) {
+                    phi_923_ = (-1f / _e321);
                 } else {
-                    phi_904_ = (1f / _e303);
+                    phi_923_ = (1f / _e321);
                 }
-                let _e308 = phi_904_;
-                if (abs(_e151.direction.z) < _e286) {
-                    phi_912_ = _e286;
+                let _e326 = phi_923_;
+                if (abs(_e169.direction.z) < _e304) {
+                    phi_931_ = _e304;
                 } else {
-                    phi_912_ = abs(_e151.direction.z);
+                    phi_931_ = abs(_e169.direction.z);
                 }
-                let _e314 = phi_912_;
-                if (_e151.direction.z < 0f) {
-                    phi_919_ = (-1f / _e314);
+                let _e332 = phi_931_;
+                if (_e169.direction.z < 0f) {
+                    phi_938_ = (-1f / _e332);
                 } else {
-                    phi_919_ = (1f / _e314);
+                    phi_938_ = (1f / _e332);
                 }
-                let _e319 = phi_919_;
-                let _e326 = abs((bitcast<f32>(_e221) - _e151.origin.x));
-                let _e327 = abs((bitcast<f32>(_e225) - _e151.origin.y));
-                let _e328 = abs((bitcast<f32>(_e229) - _e151.origin.z));
-                let _e335 = abs(((bitcast<f32>(_e233) + (bitcast<f32>((((_e245 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.x));
-                let _e336 = abs(((bitcast<f32>(_e237) + (bitcast<f32>((((_e245 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.y));
-                let _e337 = abs(((bitcast<f32>(_e241) + (bitcast<f32>((((_e245 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.z));
-                if (_e326 > _e335) {
-                    phi_942_ = _e326;
+                let _e337 = phi_938_;
+                let _e344 = abs((bitcast<f32>(_e239) - _e169.origin.x));
+                let _e345 = abs((bitcast<f32>(_e243) - _e169.origin.y));
+                let _e346 = abs((bitcast<f32>(_e247) - _e169.origin.z));
+                let _e353 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e263 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e169.origin.x));
+                let _e354 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e263 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e169.origin.y));
+                let _e355 = abs(((bitcast<f32>(_e259) + (bitcast<f32>((((_e263 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e169.origin.z));
+                if (_e344 > _e353) {
+                    phi_961_ = _e344;
                 } else {
-                    phi_942_ = _e335;
+                    phi_961_ = _e353;
                 }
-                let _e340 = phi_942_;
-                if (_e327 > _e336) {
-                    phi_947_ = _e327;
+                let _e358 = phi_961_;
+                if (_e345 > _e354) {
+                    phi_966_ = _e345;
                 } else {
-                    phi_947_ = _e336;
+                    phi_966_ = _e354;
                 }
-                let _e343 = phi_947_;
-                if (_e328 > _e337) {
-                    phi_952_ = _e328;
+                let _e361 = phi_966_;
+                if (_e346 > _e355) {
+                    phi_971_ = _e346;
                 } else {
-                    phi_952_ = _e337;
+                    phi_971_ = _e355;
                 }
-                let _e346 = phi_952_;
-                if (_e340 > _e343) {
-                    phi_957_ = _e340;
+                let _e364 = phi_971_;
+                if (_e358 > _e361) {
+                    phi_976_ = _e358;
                 } else {
-                    phi_957_ = _e343;
+                    phi_976_ = _e361;
                 }
-                let _e349 = phi_957_;
-                if (_e349 > _e346) {
-                    phi_962_ = _e349;
+                let _e367 = phi_976_;
+                if (_e367 > _e364) {
+                    phi_981_ = _e367;
                 } else {
-                    phi_962_ = _e346;
+                    phi_981_ = _e364;
                 }
-                let _e352 = phi_962_;
-                let _e356 = (_e352 * 0.0000019073486f);
-                let _e357 = (abs(_e297) * _e356);
-                let _e358 = (abs(_e308) * _e356);
-                let _e359 = (abs(_e319) * _e356);
-                let _e363 = (_e352 * 0.0000009536743f);
-                let _e364 = (abs(_e297) * _e363);
-                let _e365 = (abs(_e308) * _e363);
-                let _e366 = (abs(_e319) * _e363);
-                let _e370 = abs(_e151.direction.x);
-                let _e372 = abs(_e151.direction.y);
-                let _e374 = abs(_e151.direction.z);
-                if (_e370 >= _e372) {
-                    if (_e370 >= _e374) {
-                        phi_993_ = false;
+                let _e370 = phi_981_;
+                let _e374 = (_e370 * 0.0000019073486f);
+                let _e375 = (abs(_e315) * _e374);
+                let _e376 = (abs(_e326) * _e374);
+                let _e377 = (abs(_e337) * _e374);
+                let _e381 = (_e370 * 0.0000009536743f);
+                let _e382 = (abs(_e315) * _e381);
+                let _e383 = (abs(_e326) * _e381);
+                let _e384 = (abs(_e337) * _e381);
+                let _e388 = abs(_e169.direction.x);
+                let _e390 = abs(_e169.direction.y);
+                let _e392 = abs(_e169.direction.z);
+                if (_e388 >= _e390) {
+                    if (_e388 >= _e392) {
+                        phi_1012_ = false;
                     } else {
-                        phi_993_ = true;
+                        phi_1012_ = true;
                     }
-                    let _e378 = phi_993_;
-                    phi_994_ = _e378;
+                    let _e396 = phi_1012_;
+                    phi_1013_ = _e396;
                 } else {
-                    phi_994_ = true;
+                    phi_1013_ = true;
                 }
-                let _e380 = phi_994_;
-                if _e380 {
-                    if (_e372 >= _e374) {
-                        phi_1002_ = 1u;
+                let _e398 = phi_1013_;
+                if _e398 {
+                    if (_e390 >= _e392) {
+                        phi_1021_ = 1u;
                     } else {
-                        phi_1002_ = 2u;
+                        phi_1021_ = 2u;
                     }
-                    let _e383 = phi_1002_;
-                    phi_1003_ = _e383;
+                    let _e401 = phi_1021_;
+                    phi_1022_ = _e401;
                 } else {
-                    phi_1003_ = 0u;
+                    phi_1022_ = 0u;
                 }
-                let _e385 = phi_1003_;
-                if (_e385 == 0u) {
-                    phi_1021_ = vec3<f32>(_e151.direction.y, _e151.direction.z, _e151.direction.x);
+                let _e403 = phi_1022_;
+                if (_e403 == 0u) {
+                    phi_1040_ = vec3<f32>(_e169.direction.y, _e169.direction.z, _e169.direction.x);
                 } else {
-                    if (_e385 == 1u) {
-                        phi_1020_ = vec3<f32>(_e151.direction.z, _e151.direction.x, _e151.direction.y);
+                    if (_e403 == 1u) {
+                        phi_1039_ = vec3<f32>(_e169.direction.z, _e169.direction.x, _e169.direction.y);
                     } else {
-                        phi_1020_ = _e151.direction;
+                        phi_1039_ = _e169.direction;
                     }
-                    let _e397 = phi_1020_;
-                    phi_1021_ = _e397;
+                    let _e415 = phi_1039_;
+                    phi_1040_ = _e415;
                 }
-                let _e399 = phi_1021_;
-                let _e402 = (_e399.x / _e399.z);
-                let _e405 = (_e399.y / _e399.z);
-                if (_e297 < 0f) {
-                    phi_1034_ = 0u;
+                let _e417 = phi_1040_;
+                let _e420 = (_e417.x / _e417.z);
+                let _e423 = (_e417.y / _e417.z);
+                if (_e315 < 0f) {
+                    phi_1053_ = 0u;
                 } else {
-                    phi_1034_ = 1u;
+                    phi_1053_ = 1u;
                 }
-                let _e410 = phi_1034_;
-                if (_e308 < 0f) {
-                    phi_1039_ = 0u;
+                let _e428 = phi_1053_;
+                if (_e326 < 0f) {
+                    phi_1058_ = 0u;
                 } else {
-                    phi_1039_ = 2u;
+                    phi_1058_ = 2u;
                 }
-                let _e413 = phi_1039_;
-                if (_e319 < 0f) {
-                    phi_1044_ = 0u;
+                let _e431 = phi_1058_;
+                if (_e337 < 0f) {
+                    phi_1063_ = 0u;
                 } else {
-                    phi_1044_ = 4u;
+                    phi_1063_ = 4u;
                 }
-                let _e416 = phi_1044_;
-                let _e418 = ((_e410 | _e413) | _e416);
-                let _e419 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e419.first[0], _e419.first[1], _e419.first[2], _e419.first[3], _e419.first[4], _e419.first[5], _e419.first[6], _e419.first[7], _e419.first[8], _e419.first[9], _e419.first[10], _e419.first[11], _e419.first[12], _e419.first[13], _e419.first[14], _e419.first[15], _e419.first[16], _e419.first[17], _e419.first[18], _e419.first[19], _e419.first[20], _e419.first[21], _e419.first[22], _e419.first[23], _e419.first[24], _e419.first[25], _e419.first[26], _e419.first[27], _e419.first[28], _e419.first[29], _e419.first[30], _e419.first[31]), array<u32, 32>(_e419.mask[0], _e419.mask[1], _e419.mask[2], _e419.mask[3], _e419.mask[4], _e419.mask[5], _e419.mask[6], _e419.mask[7], _e419.mask[8], _e419.mask[9], _e419.mask[10], _e419.mask[11], _e419.mask[12], _e419.mask[13], _e419.mask[14], _e419.mask[15], _e419.mask[16], _e419.mask[17], _e419.mask[18], _e419.mask[19], _e419.mask[20], _e419.mask[21], _e419.mask[22], _e419.mask[23], _e419.mask[24], _e419.mask[25], _e419.mask[26], _e419.mask[27], _e419.mask[28], _e419.mask[29], _e419.mask[30], _e419.mask[31]), _e419.len, _e419.group, _e419.group_mask);
-                let _e493 = local_1.group_mask;
-                if ((_e493 & 4278190080u) == 0u) {
-                    let _e497 = local_1.len;
-                    if (_e497 == 0u) {
-                        phi_1158_ = false;
+                let _e434 = phi_1063_;
+                let _e436 = ((_e428 | _e431) | _e434);
+                let _e437 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e437.first[0], _e437.first[1], _e437.first[2], _e437.first[3], _e437.first[4], _e437.first[5], _e437.first[6], _e437.first[7], _e437.first[8], _e437.first[9], _e437.first[10], _e437.first[11], _e437.first[12], _e437.first[13], _e437.first[14], _e437.first[15], _e437.first[16], _e437.first[17], _e437.first[18], _e437.first[19], _e437.first[20], _e437.first[21], _e437.first[22], _e437.first[23], _e437.first[24], _e437.first[25], _e437.first[26], _e437.first[27], _e437.first[28], _e437.first[29], _e437.first[30], _e437.first[31]), array<u32, 32>(_e437.mask[0], _e437.mask[1], _e437.mask[2], _e437.mask[3], _e437.mask[4], _e437.mask[5], _e437.mask[6], _e437.mask[7], _e437.mask[8], _e437.mask[9], _e437.mask[10], _e437.mask[11], _e437.mask[12], _e437.mask[13], _e437.mask[14], _e437.mask[15], _e437.mask[16], _e437.mask[17], _e437.mask[18], _e437.mask[19], _e437.mask[20], _e437.mask[21], _e437.mask[22], _e437.mask[23], _e437.mask[24], _e437.mask[25], _e437.mask[26], _e437.mask[27], _e437.mask[28], _e437.mask[29], _e437.mask[30], _e437.mask[31]), _e437.len, _e437.group, _e437.group_mask);
+                let _e511 = local_1.group_mask;
+                if ((_e511 & 4278190080u) == 0u) {
+                    let _e515 = local_1.len;
+                    if (_e515 == 0u) {
+                        phi_1177_ = false;
                     } else {
-                        let _e501 = local_1.len;
-                        local_1.len = (_e501 - 1u);
-                        let _e504 = local_1.len;
-                        if (_e504 < 32u) {
+                        let _e519 = local_1.len;
+                        local_1.len = (_e519 - 1u);
+                        let _e522 = local_1.len;
+                        if (_e522 < 32u) {
                         } else {
                             return;
                         }
-                        let _e509 = local_1.first[(0u + _e504)];
-                        local_1.group = _e509;
-                        let _e512 = local_1.len;
-                        if (_e512 < 32u) {
+                        let _e527 = local_1.first[(0u + _e522)];
+                        local_1.group = _e527;
+                        let _e530 = local_1.len;
+                        if (_e530 < 32u) {
                         } else {
                             return;
                         }
-                        let _e517 = local_1.mask[(0u + _e512)];
-                        local_1.group_mask = _e517;
-                        phi_1158_ = true;
+                        let _e535 = local_1.mask[(0u + _e530)];
+                        local_1.group_mask = _e535;
+                        phi_1177_ = true;
                     }
-                    let _e520 = phi_1158_;
-                    phi_1159_ = _e520;
+                    let _e538 = phi_1177_;
+                    phi_1178_ = _e538;
                 } else {
-                    phi_1159_ = true;
+                    phi_1178_ = true;
                 }
-                let _e522 = phi_1159_;
-                if _e522 {
-                    let _e524 = local_1.group_mask;
-                    let _e530 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e524)), 32u, (_e524 == 0u)));
-                    let _e534 = local_1.group_mask;
-                    let _e548 = local_1.group_mask;
-                    local_1.group_mask = (_e548 & ~((1u << bitcast<u32>((_e530 & 31u)))));
-                    let _e551 = local_1.group;
-                    phi_1190_ = (_e551 + countOneBits(((_e534 & ~((4294967295u << bitcast<u32>((((_e530 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e540 = phi_1178_;
+                if _e540 {
+                    let _e542 = local_1.group_mask;
+                    let _e548 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e542)), 32u, (_e542 == 0u)));
+                    let _e552 = local_1.group_mask;
+                    let _e566 = local_1.group_mask;
+                    local_1.group_mask = (_e566 & ~((1u << bitcast<u32>((_e548 & 31u)))));
+                    let _e569 = local_1.group;
+                    phi_1209_ = (_e569 + countOneBits(((_e552 & ~((4294967295u << bitcast<u32>((((_e548 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1190_ = 4294967295u;
+                    phi_1209_ = 4294967295u;
                 }
-                let _e554 = phi_1190_;
-                phi_1192_ = _e153;
-                phi_1195_ = _e554;
+                let _e572 = phi_1209_;
+                phi_1211_ = _e171;
+                phi_1214_ = _e572;
                 loop {
-                    let _e556 = phi_1192_;
-                    let _e558 = phi_1195_;
-                    local_6 = _e556;
-                    let _e559 = (_e558 != 4294967295u);
-                    if _e559 {
-                        if (_e558 < _e75) {
+                    let _e574 = phi_1211_;
+                    let _e576 = phi_1214_;
+                    local_6 = _e574;
+                    let _e577 = (_e576 != 4294967295u);
+                    if _e577 {
+                        if (_e576 < _e76) {
                         } else {
                             return;
                         }
-                        let _e567 = nodes.member[(0u + _e558)].frame[3u];
-                        let _e592 = (bitcast<f32>((((_e567 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e297);
-                        let _e593 = (bitcast<f32>((((_e567 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e308);
-                        let _e594 = (bitcast<f32>((((_e567 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
-                        let _e597 = nodes.member[(0u + _e558)].frame[0u];
-                        let _e601 = nodes.member[(0u + _e558)].frame[1u];
-                        let _e605 = nodes.member[(0u + _e558)].frame[2u];
-                        let _e613 = ((bitcast<f32>(_e597) - _e151.origin.x) * _e297);
-                        let _e614 = ((bitcast<f32>(_e601) - _e151.origin.y) * _e308);
-                        let _e615 = ((bitcast<f32>(_e605) - _e151.origin.z) * _e319);
-                        let _e623 = nodes.member[(0u + _e558)].x;
-                        if (_e297 < 0f) {
-                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e623.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e634.unnamed.word, _e623.w), _e634.unnamed_1);
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_mask_LightPlace(_e623.x, _e640.unnamed_1.shift));
-                            phi_1280_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_mask_LightPlace(_e646.unnamed_1.word, _e623.y));
+                        let _e585 = nodes.member[(0u + _e576)].frame[3u];
+                        let _e610 = (bitcast<f32>((((_e585 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e315);
+                        let _e611 = (bitcast<f32>((((_e585 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e326);
+                        let _e612 = (bitcast<f32>((((_e585 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e337);
+                        let _e615 = nodes.member[(0u + _e576)].frame[0u];
+                        let _e619 = nodes.member[(0u + _e576)].frame[1u];
+                        let _e623 = nodes.member[(0u + _e576)].frame[2u];
+                        let _e631 = ((bitcast<f32>(_e615) - _e169.origin.x) * _e315);
+                        let _e632 = ((bitcast<f32>(_e619) - _e169.origin.y) * _e326);
+                        let _e633 = ((bitcast<f32>(_e623) - _e169.origin.z) * _e337);
+                        let _e641 = nodes.member[(0u + _e576)].x;
+                        if (_e315 < 0f) {
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e652.unnamed.word, _e641.w), _e652.unnamed_1);
+                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_mask_LightPlace(_e641.x, _e658.unnamed_1.shift));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e664.unnamed, lt_mask_LightPlace(_e664.unnamed_1.word, _e641.y));
                         } else {
-                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e623.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.unnamed.word, _e623.y), _e662.unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_mask_LightPlace(_e623.z, _e668.unnamed_1.shift));
-                            phi_1280_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e674.unnamed_1.word, _e623.w));
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e680.unnamed.word, _e641.y), _e680.unnamed_1);
+                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e641.z, _e686.unnamed_1.shift));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_mask_LightPlace(_e692.unnamed_1.word, _e641.w));
                         }
-                        let _e682 = phi_1280_;
-                        let _e692 = nodes.member[(0u + _e558)].y;
-                        if (_e308 < 0f) {
-                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e692.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e703.unnamed.word, _e692.w), _e703.unnamed_1);
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_mask_LightPlace(_e692.x, _e709.unnamed_1.shift));
-                            phi_1307_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_mask_LightPlace(_e715.unnamed_1.word, _e692.y));
+                        let _e700 = phi_1299_;
+                        let _e710 = nodes.member[(0u + _e576)].y;
+                        if (_e326 < 0f) {
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e721.unnamed.word, _e710.w), _e721.unnamed_1);
+                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_mask_LightPlace(_e710.x, _e727.unnamed_1.shift));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_mask_LightPlace(_e733.unnamed_1.word, _e710.y));
                         } else {
-                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e692.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.unnamed.word, _e692.y), _e731.unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e692.z, _e737.unnamed_1.shift));
-                            phi_1307_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e743.unnamed_1.word, _e692.w));
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e749.unnamed.word, _e710.y), _e749.unnamed_1);
+                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e710.z, _e755.unnamed_1.shift));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_mask_LightPlace(_e761.unnamed_1.word, _e710.w));
                         }
-                        let _e751 = phi_1307_;
-                        let _e761 = nodes.member[(0u + _e558)].z;
-                        if (_e319 < 0f) {
-                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e761.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e772.unnamed.word, _e761.w), _e772.unnamed_1);
-                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e778.unnamed, lt_mask_LightPlace(_e761.x, _e778.unnamed_1.shift));
-                            phi_1334_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e784.unnamed, lt_mask_LightPlace(_e784.unnamed_1.word, _e761.y));
+                        let _e769 = phi_1326_;
+                        let _e779 = nodes.member[(0u + _e576)].z;
+                        if (_e337 < 0f) {
+                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e790.unnamed.word, _e779.w), _e790.unnamed_1);
+                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_mask_LightPlace(_e779.x, _e796.unnamed_1.shift));
+                            phi_1353_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_mask_LightPlace(_e802.unnamed_1.word, _e779.y));
                         } else {
-                            let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e761.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e800.unnamed.word, _e761.y), _e800.unnamed_1);
-                            let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_mask_LightPlace(_e761.z, _e806.unnamed_1.shift));
-                            phi_1334_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e812.unnamed, lt_mask_LightPlace(_e812.unnamed_1.word, _e761.w));
+                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e818.unnamed.word, _e779.y), _e818.unnamed_1);
+                            let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_mask_LightPlace(_e779.z, _e824.unnamed_1.shift));
+                            phi_1353_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_mask_LightPlace(_e830.unnamed_1.word, _e779.w));
                         }
-                        let _e820 = phi_1334_;
-                        phi_1340_ = 0u;
-                        phi_1343_ = 0u;
+                        let _e838 = phi_1353_;
+                        phi_1359_ = 0u;
+                        phi_1362_ = 0u;
                         loop {
-                            let _e830 = phi_1340_;
-                            let _e832 = phi_1343_;
-                            local_2 = _e832;
-                            local_3 = _e832;
-                            local_4 = _e832;
-                            let _e833 = (_e830 < 8u);
-                            if _e833 {
-                                let _e835 = (_e830 >> bitcast<u32>(2i));
-                                let _e836 = (_e830 & 3u);
-                                if (_e835 == 0u) {
-                                    phi_1357_ = _e682.unnamed.word;
+                            let _e848 = phi_1359_;
+                            let _e850 = phi_1362_;
+                            local_2 = _e850;
+                            local_3 = _e850;
+                            local_4 = _e850;
+                            let _e851 = (_e848 < 8u);
+                            if _e851 {
+                                let _e853 = (_e848 >> bitcast<u32>(2i));
+                                let _e854 = (_e848 & 3u);
+                                if (_e853 == 0u) {
+                                    phi_1376_ = _e700.unnamed.word;
                                 } else {
-                                    phi_1357_ = _e682.unnamed.shift;
+                                    phi_1376_ = _e700.unnamed.shift;
                                 }
-                                let _e839 = phi_1357_;
-                                if (_e835 == 0u) {
-                                    phi_1367_ = _e751.unnamed.word;
+                                let _e857 = phi_1376_;
+                                if (_e853 == 0u) {
+                                    phi_1386_ = _e769.unnamed.word;
                                 } else {
-                                    phi_1367_ = _e751.unnamed.shift;
+                                    phi_1386_ = _e769.unnamed.shift;
                                 }
-                                let _e848 = phi_1367_;
-                                if (_e835 == 0u) {
-                                    phi_1377_ = _e820.unnamed.word;
+                                let _e866 = phi_1386_;
+                                if (_e853 == 0u) {
+                                    phi_1396_ = _e838.unnamed.word;
                                 } else {
-                                    phi_1377_ = _e820.unnamed.shift;
+                                    phi_1396_ = _e838.unnamed.shift;
                                 }
-                                let _e857 = phi_1377_;
-                                let _e870 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e839 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e592) + (_e613 - _e357)), ((f32(((_e848 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e593) + (_e614 - _e358)));
-                                let _e871 = core_intrinsics_maximum_number_nsz_f32_(_e870, ((f32(((_e857 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e594) + (_e615 - _e359)));
-                                if (_e835 == 0u) {
-                                    phi_1395_ = _e682.unnamed_1.word;
+                                let _e875 = phi_1396_;
+                                let _e888 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e857 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e610) + (_e631 - _e375)), ((f32(((_e866 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e611) + (_e632 - _e376)));
+                                let _e889 = core_intrinsics_maximum_number_nsz_f32_(_e888, ((f32(((_e875 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e612) + (_e633 - _e377)));
+                                if (_e853 == 0u) {
+                                    phi_1414_ = _e700.unnamed_1.word;
                                 } else {
-                                    phi_1395_ = _e682.unnamed_1.shift;
+                                    phi_1414_ = _e700.unnamed_1.shift;
                                 }
-                                let _e874 = phi_1395_;
-                                if (_e835 == 0u) {
-                                    phi_1405_ = _e751.unnamed_1.word;
+                                let _e892 = phi_1414_;
+                                if (_e853 == 0u) {
+                                    phi_1424_ = _e769.unnamed_1.word;
                                 } else {
-                                    phi_1405_ = _e751.unnamed_1.shift;
+                                    phi_1424_ = _e769.unnamed_1.shift;
                                 }
-                                let _e883 = phi_1405_;
-                                if (_e835 == 0u) {
-                                    phi_1415_ = _e820.unnamed_1.word;
+                                let _e901 = phi_1424_;
+                                if (_e853 == 0u) {
+                                    phi_1434_ = _e838.unnamed_1.word;
                                 } else {
-                                    phi_1415_ = _e820.unnamed_1.shift;
+                                    phi_1434_ = _e838.unnamed_1.shift;
                                 }
-                                let _e892 = phi_1415_;
-                                let _e905 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e874 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e592) + (_e613 + _e357)), ((f32(((_e883 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e593) + (_e614 + _e358)));
-                                let _e906 = core_intrinsics_minimum_number_nsz_f32_(_e905, ((f32(((_e892 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e594) + (_e615 + _e359)));
-                                if (_e871 <= _e906) {
-                                    if (_e871 <= _e556.t) {
-                                        if (_e906 >= _e151.tmin) {
-                                            if (_e835 == 0u) {
-                                                let _e913 = nodes.member[(0u + _e558)].links[2u];
-                                                phi_1451_ = _e913;
+                                let _e910 = phi_1434_;
+                                let _e923 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e892 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e610) + (_e631 + _e375)), ((f32(((_e901 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e611) + (_e632 + _e376)));
+                                let _e924 = core_intrinsics_minimum_number_nsz_f32_(_e923, ((f32(((_e910 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e612) + (_e633 + _e377)));
+                                if (_e889 <= _e924) {
+                                    if (_e889 <= _e574.t) {
+                                        if (_e924 >= _e169.tmin) {
+                                            if (_e853 == 0u) {
+                                                let _e931 = nodes.member[(0u + _e576)].links[2u];
+                                                phi_1470_ = _e931;
                                             } else {
-                                                let _e916 = nodes.member[(0u + _e558)].links[3u];
-                                                phi_1451_ = _e916;
+                                                let _e934 = nodes.member[(0u + _e576)].links[3u];
+                                                phi_1470_ = _e934;
                                             }
-                                            let _e918 = phi_1451_;
-                                            let _e923 = ((_e918 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u);
-                                            let _e924 = (_e923 & 31u);
-                                            if (_e924 >= 24u) {
-                                                phi_1464_ = (24u + ((_e924 - 24u) ^ _e418));
+                                            let _e936 = phi_1470_;
+                                            let _e941 = ((_e936 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u);
+                                            let _e942 = (_e941 & 31u);
+                                            if (_e942 >= 24u) {
+                                                phi_1483_ = (24u + ((_e942 - 24u) ^ _e436));
                                             } else {
-                                                phi_1464_ = _e924;
+                                                phi_1483_ = _e942;
                                             }
-                                            let _e930 = phi_1464_;
-                                            phi_1469_ = (_e832 | ((_e923 >> bitcast<u32>(5i)) << bitcast<u32>((_e930 & 31u))));
+                                            let _e948 = phi_1483_;
+                                            phi_1488_ = (_e850 | ((_e941 >> bitcast<u32>(5i)) << bitcast<u32>((_e948 & 31u))));
                                         } else {
-                                            phi_1469_ = _e832;
+                                            phi_1488_ = _e850;
                                         }
-                                        let _e938 = phi_1469_;
-                                        phi_1470_ = _e938;
+                                        let _e956 = phi_1488_;
+                                        phi_1489_ = _e956;
                                     } else {
-                                        phi_1470_ = _e832;
+                                        phi_1489_ = _e850;
                                     }
-                                    let _e940 = phi_1470_;
-                                    phi_1471_ = _e940;
+                                    let _e958 = phi_1489_;
+                                    phi_1490_ = _e958;
                                 } else {
-                                    phi_1471_ = _e832;
+                                    phi_1490_ = _e850;
                                 }
-                                let _e942 = phi_1471_;
-                                phi_1341_ = (_e830 + 1u);
-                                phi_1344_ = _e942;
+                                let _e960 = phi_1490_;
+                                phi_1360_ = (_e848 + 1u);
+                                phi_1363_ = _e960;
                             } else {
-                                phi_1341_ = u32();
-                                phi_1344_ = u32();
+                                phi_1360_ = u32();
+                                phi_1363_ = u32();
                             }
-                            let _e945 = phi_1341_;
-                            let _e947 = phi_1344_;
+                            let _e963 = phi_1360_;
+                            let _e965 = phi_1363_;
                             continue;
                             continuing {
-                                phi_1340_ = _e945;
-                                phi_1343_ = _e947;
-                                break if !(_e833);
+                                phi_1359_ = _e963;
+                                phi_1362_ = _e965;
+                                break if !(_e851);
                             }
                         }
-                        let _e951 = nodes.member[(0u + _e558)].links[0u];
-                        let _e955 = nodes.member[(0u + _e558)].frame[3u];
-                        let _e959 = local_2;
-                        if ((_e959 & 4278190080u) == 0u) {
+                        let _e969 = nodes.member[(0u + _e576)].links[0u];
+                        let _e973 = nodes.member[(0u + _e576)].frame[3u];
+                        let _e977 = local_2;
+                        if ((_e977 & 4278190080u) == 0u) {
                         } else {
-                            let _e963 = local_1.group_mask;
-                            if ((_e963 & 4278190080u) == 0u) {
+                            let _e981 = local_1.group_mask;
+                            if ((_e981 & 4278190080u) == 0u) {
                             } else {
-                                let _e967 = local_1.len;
-                                if (_e967 < 32u) {
-                                    let _e970 = local_1.group;
-                                    let _e972 = local_1.len;
-                                    if (_e972 < 32u) {
+                                let _e985 = local_1.len;
+                                if (_e985 < 32u) {
+                                    let _e988 = local_1.group;
+                                    let _e990 = local_1.len;
+                                    if (_e990 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e972)] = _e970;
-                                    let _e978 = local_1.group_mask;
-                                    let _e980 = local_1.len;
-                                    if (_e980 < 32u) {
+                                    local_1.first[(0u + _e990)] = _e988;
+                                    let _e996 = local_1.group_mask;
+                                    let _e998 = local_1.len;
+                                    if (_e998 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e980)] = _e978;
-                                    let _e987 = local_1.len;
-                                    local_1.len = (_e987 + 1u);
+                                    local_1.mask[(0u + _e998)] = _e996;
+                                    let _e1005 = local_1.len;
+                                    local_1.len = (_e1005 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e951);
-                            let _e991 = local_3;
-                            local_1.group_mask = ((_e991 & 4278190080u) | (_e955 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e969);
+                            let _e1009 = local_3;
+                            local_1.group_mask = ((_e1009 & 4278190080u) | (_e973 >> bitcast<u32>(24i)));
                         }
-                        let _e996 = local_4;
-                        phi_1529_ = _e556;
-                        phi_1532_ = (_e996 & 16777215u);
+                        let _e1014 = local_4;
+                        phi_1548_ = _e574;
+                        phi_1551_ = (_e1014 & 16777215u);
                         loop {
-                            let _e999 = phi_1529_;
-                            let _e1001 = phi_1532_;
-                            local_5 = _e999;
-                            if (_e1001 == 0u) {
-                                phi_1530_ = lt_bvh_Hit();
-                                phi_1533_ = u32();
-                                phi_2388_ = false;
+                            let _e1017 = phi_1548_;
+                            let _e1019 = phi_1551_;
+                            local_5 = _e1017;
+                            if (_e1019 == 0u) {
+                                phi_1549_ = lt_bvh_Hit();
+                                phi_1552_ = u32();
+                                phi_2407_ = false;
                             } else {
-                                let _e1005 = nodes.member[(0u + _e558)].links[1u];
-                                let _e1010 = ((0u + _e1005) + select(firstTrailingBit(_e1001), 32u, (_e1001 == 0u)));
-                                if (_e1010 < _e78) {
+                                let _e1023 = nodes.member[(0u + _e576)].links[1u];
+                                let _e1028 = ((0u + _e1023) + select(firstTrailingBit(_e1019), 32u, (_e1019 == 0u)));
+                                if (_e1028 < _e79) {
                                 } else {
                                     return;
                                 }
-                                let _e1017 = triangles.member[(0u + _e1010)].v0_;
-                                let _e1020 = (_e1017.x - _e151.origin.x);
-                                let _e1023 = (_e1017.y - _e151.origin.y);
-                                let _e1026 = (_e1017.z - _e151.origin.z);
-                                if (_e385 == 0u) {
-                                    phi_1579_ = vec3<f32>(_e1023, _e1026, _e1020);
+                                let _e1035 = triangles.member[(0u + _e1028)].v0_;
+                                let _e1038 = (_e1035.x - _e169.origin.x);
+                                let _e1041 = (_e1035.y - _e169.origin.y);
+                                let _e1044 = (_e1035.z - _e169.origin.z);
+                                if (_e403 == 0u) {
+                                    phi_1598_ = vec3<f32>(_e1041, _e1044, _e1038);
                                 } else {
-                                    if (_e385 == 1u) {
-                                        phi_1578_ = vec3<f32>(_e1026, _e1020, _e1023);
+                                    if (_e403 == 1u) {
+                                        phi_1597_ = vec3<f32>(_e1044, _e1038, _e1041);
                                     } else {
-                                        phi_1578_ = (_e1017 - _e151.origin);
+                                        phi_1597_ = (_e1035 - _e169.origin);
                                     }
-                                    let _e1033 = phi_1578_;
-                                    phi_1579_ = _e1033;
+                                    let _e1051 = phi_1597_;
+                                    phi_1598_ = _e1051;
                                 }
-                                let _e1035 = phi_1579_;
-                                let _e1039 = (_e1035.x - (_e402 * _e1035.z));
-                                let _e1043 = (_e1035.y - (_e405 * _e1035.z));
-                                let _e1045 = triangles.member[(0u + _e1010)].v1_;
-                                let _e1048 = (_e1045.x - _e151.origin.x);
-                                let _e1051 = (_e1045.y - _e151.origin.y);
-                                let _e1054 = (_e1045.z - _e151.origin.z);
-                                if (_e385 == 0u) {
-                                    phi_1611_ = vec3<f32>(_e1051, _e1054, _e1048);
+                                let _e1053 = phi_1598_;
+                                let _e1057 = (_e1053.x - (_e420 * _e1053.z));
+                                let _e1061 = (_e1053.y - (_e423 * _e1053.z));
+                                let _e1063 = triangles.member[(0u + _e1028)].v1_;
+                                let _e1066 = (_e1063.x - _e169.origin.x);
+                                let _e1069 = (_e1063.y - _e169.origin.y);
+                                let _e1072 = (_e1063.z - _e169.origin.z);
+                                if (_e403 == 0u) {
+                                    phi_1630_ = vec3<f32>(_e1069, _e1072, _e1066);
                                 } else {
-                                    if (_e385 == 1u) {
-                                        phi_1610_ = vec3<f32>(_e1054, _e1048, _e1051);
+                                    if (_e403 == 1u) {
+                                        phi_1629_ = vec3<f32>(_e1072, _e1066, _e1069);
                                     } else {
-                                        phi_1610_ = (_e1045 - _e151.origin);
+                                        phi_1629_ = (_e1063 - _e169.origin);
                                     }
-                                    let _e1061 = phi_1610_;
-                                    phi_1611_ = _e1061;
+                                    let _e1079 = phi_1629_;
+                                    phi_1630_ = _e1079;
                                 }
-                                let _e1063 = phi_1611_;
-                                let _e1067 = (_e1063.x - (_e402 * _e1063.z));
-                                let _e1071 = (_e1063.y - (_e405 * _e1063.z));
-                                let _e1073 = triangles.member[(0u + _e1010)].v2_;
-                                let _e1076 = (_e1073.x - _e151.origin.x);
-                                let _e1079 = (_e1073.y - _e151.origin.y);
-                                let _e1082 = (_e1073.z - _e151.origin.z);
-                                if (_e385 == 0u) {
-                                    phi_1643_ = vec3<f32>(_e1079, _e1082, _e1076);
+                                let _e1081 = phi_1630_;
+                                let _e1085 = (_e1081.x - (_e420 * _e1081.z));
+                                let _e1089 = (_e1081.y - (_e423 * _e1081.z));
+                                let _e1091 = triangles.member[(0u + _e1028)].v2_;
+                                let _e1094 = (_e1091.x - _e169.origin.x);
+                                let _e1097 = (_e1091.y - _e169.origin.y);
+                                let _e1100 = (_e1091.z - _e169.origin.z);
+                                if (_e403 == 0u) {
+                                    phi_1662_ = vec3<f32>(_e1097, _e1100, _e1094);
                                 } else {
-                                    if (_e385 == 1u) {
-                                        phi_1642_ = vec3<f32>(_e1082, _e1076, _e1079);
+                                    if (_e403 == 1u) {
+                                        phi_1661_ = vec3<f32>(_e1100, _e1094, _e1097);
                                     } else {
-                                        phi_1642_ = (_e1073 - _e151.origin);
+                                        phi_1661_ = (_e1091 - _e169.origin);
                                     }
-                                    let _e1089 = phi_1642_;
-                                    phi_1643_ = _e1089;
+                                    let _e1107 = phi_1661_;
+                                    phi_1662_ = _e1107;
                                 }
-                                let _e1091 = phi_1643_;
-                                let _e1095 = (_e1091.x - (_e402 * _e1091.z));
-                                let _e1099 = (_e1091.y - (_e405 * _e1091.z));
-                                if (_e1067 < _e1095) {
-                                    phi_1662_ = true;
+                                let _e1109 = phi_1662_;
+                                let _e1113 = (_e1109.x - (_e420 * _e1109.z));
+                                let _e1117 = (_e1109.y - (_e423 * _e1109.z));
+                                if (_e1085 < _e1113) {
+                                    phi_1681_ = true;
                                 } else {
-                                    if (_e1067 == _e1095) {
-                                        phi_1661_ = (_e1071 < _e1099);
+                                    if (_e1085 == _e1113) {
+                                        phi_1680_ = (_e1089 < _e1117);
                                     } else {
-                                        phi_1661_ = false;
+                                        phi_1680_ = false;
                                     }
-                                    let _e1104 = phi_1661_;
-                                    phi_1662_ = _e1104;
+                                    let _e1122 = phi_1680_;
+                                    phi_1681_ = _e1122;
                                 }
-                                let _e1106 = phi_1662_;
-                                if _e1106 {
-                                    phi_1666_ = _e1099;
-                                    phi_1667_ = _e1095;
-                                    phi_1668_ = _e1071;
-                                    phi_1669_ = _e1067;
+                                let _e1124 = phi_1681_;
+                                if _e1124 {
+                                    phi_1685_ = _e1117;
+                                    phi_1686_ = _e1113;
+                                    phi_1687_ = _e1089;
+                                    phi_1688_ = _e1085;
                                 } else {
-                                    phi_1666_ = _e1071;
-                                    phi_1667_ = _e1067;
-                                    phi_1668_ = _e1099;
-                                    phi_1669_ = _e1095;
+                                    phi_1685_ = _e1089;
+                                    phi_1686_ = _e1085;
+                                    phi_1687_ = _e1117;
+                                    phi_1688_ = _e1113;
                                 }
-                                let _e1108 = phi_1666_;
-                                let _e1110 = phi_1667_;
-                                let _e1112 = phi_1668_;
-                                let _e1114 = phi_1669_;
-                                let _e1117 = ((_e1114 * _e1108) - (_e1112 * _e1110));
-                                if _e1106 {
-                                    phi_1677_ = -(_e1117);
+                                let _e1126 = phi_1685_;
+                                let _e1128 = phi_1686_;
+                                let _e1130 = phi_1687_;
+                                let _e1132 = phi_1688_;
+                                let _e1135 = ((_e1132 * _e1126) - (_e1130 * _e1128));
+                                if _e1124 {
+                                    phi_1696_ = -(_e1135);
                                 } else {
-                                    phi_1677_ = _e1117;
+                                    phi_1696_ = _e1135;
                                 }
-                                let _e1120 = phi_1677_;
-                                if (_e1095 < _e1039) {
-                                    phi_1688_ = true;
+                                let _e1138 = phi_1696_;
+                                if (_e1113 < _e1057) {
+                                    phi_1707_ = true;
                                 } else {
-                                    if (_e1095 == _e1039) {
-                                        phi_1687_ = (_e1099 < _e1043);
+                                    if (_e1113 == _e1057) {
+                                        phi_1706_ = (_e1117 < _e1061);
                                     } else {
-                                        phi_1687_ = false;
+                                        phi_1706_ = false;
                                     }
-                                    let _e1125 = phi_1687_;
-                                    phi_1688_ = _e1125;
+                                    let _e1143 = phi_1706_;
+                                    phi_1707_ = _e1143;
                                 }
-                                let _e1127 = phi_1688_;
-                                if _e1127 {
-                                    phi_1692_ = _e1043;
-                                    phi_1693_ = _e1039;
-                                    phi_1694_ = _e1099;
-                                    phi_1695_ = _e1095;
+                                let _e1145 = phi_1707_;
+                                if _e1145 {
+                                    phi_1711_ = _e1061;
+                                    phi_1712_ = _e1057;
+                                    phi_1713_ = _e1117;
+                                    phi_1714_ = _e1113;
                                 } else {
-                                    phi_1692_ = _e1099;
-                                    phi_1693_ = _e1095;
-                                    phi_1694_ = _e1043;
-                                    phi_1695_ = _e1039;
+                                    phi_1711_ = _e1117;
+                                    phi_1712_ = _e1113;
+                                    phi_1713_ = _e1061;
+                                    phi_1714_ = _e1057;
                                 }
-                                let _e1129 = phi_1692_;
-                                let _e1131 = phi_1693_;
-                                let _e1133 = phi_1694_;
-                                let _e1135 = phi_1695_;
-                                let _e1138 = ((_e1135 * _e1129) - (_e1133 * _e1131));
-                                if _e1127 {
-                                    phi_1703_ = -(_e1138);
+                                let _e1147 = phi_1711_;
+                                let _e1149 = phi_1712_;
+                                let _e1151 = phi_1713_;
+                                let _e1153 = phi_1714_;
+                                let _e1156 = ((_e1153 * _e1147) - (_e1151 * _e1149));
+                                if _e1145 {
+                                    phi_1722_ = -(_e1156);
                                 } else {
-                                    phi_1703_ = _e1138;
+                                    phi_1722_ = _e1156;
                                 }
-                                let _e1141 = phi_1703_;
-                                if (_e1039 < _e1067) {
-                                    phi_1714_ = true;
+                                let _e1159 = phi_1722_;
+                                if (_e1057 < _e1085) {
+                                    phi_1733_ = true;
                                 } else {
-                                    if (_e1039 == _e1067) {
-                                        phi_1713_ = (_e1043 < _e1071);
+                                    if (_e1057 == _e1085) {
+                                        phi_1732_ = (_e1061 < _e1089);
                                     } else {
-                                        phi_1713_ = false;
+                                        phi_1732_ = false;
                                     }
-                                    let _e1146 = phi_1713_;
-                                    phi_1714_ = _e1146;
+                                    let _e1164 = phi_1732_;
+                                    phi_1733_ = _e1164;
                                 }
-                                let _e1148 = phi_1714_;
-                                if _e1148 {
-                                    phi_1718_ = _e1071;
-                                    phi_1719_ = _e1067;
-                                    phi_1720_ = _e1043;
-                                    phi_1721_ = _e1039;
+                                let _e1166 = phi_1733_;
+                                if _e1166 {
+                                    phi_1737_ = _e1089;
+                                    phi_1738_ = _e1085;
+                                    phi_1739_ = _e1061;
+                                    phi_1740_ = _e1057;
                                 } else {
-                                    phi_1718_ = _e1043;
-                                    phi_1719_ = _e1039;
-                                    phi_1720_ = _e1071;
-                                    phi_1721_ = _e1067;
+                                    phi_1737_ = _e1061;
+                                    phi_1738_ = _e1057;
+                                    phi_1739_ = _e1089;
+                                    phi_1740_ = _e1085;
                                 }
-                                let _e1150 = phi_1718_;
-                                let _e1152 = phi_1719_;
-                                let _e1154 = phi_1720_;
-                                let _e1156 = phi_1721_;
-                                let _e1159 = ((_e1156 * _e1150) - (_e1154 * _e1152));
-                                if _e1148 {
-                                    phi_1729_ = -(_e1159);
+                                let _e1168 = phi_1737_;
+                                let _e1170 = phi_1738_;
+                                let _e1172 = phi_1739_;
+                                let _e1174 = phi_1740_;
+                                let _e1177 = ((_e1174 * _e1168) - (_e1172 * _e1170));
+                                if _e1166 {
+                                    phi_1748_ = -(_e1177);
                                 } else {
-                                    phi_1729_ = _e1159;
+                                    phi_1748_ = _e1177;
                                 }
-                                let _e1162 = phi_1729_;
-                                if (_e1120 >= 0f) {
-                                    if (_e1141 >= 0f) {
-                                        if (_e1162 >= 0f) {
-                                            phi_1744_ = ((_e1120 + _e1141) + _e1162);
-                                            phi_1745_ = false;
+                                let _e1180 = phi_1748_;
+                                if (_e1138 >= 0f) {
+                                    if (_e1159 >= 0f) {
+                                        if (_e1180 >= 0f) {
+                                            phi_1763_ = ((_e1138 + _e1159) + _e1180);
+                                            phi_1764_ = false;
                                         } else {
-                                            phi_1744_ = f32();
-                                            phi_1745_ = true;
+                                            phi_1763_ = f32();
+                                            phi_1764_ = true;
                                         }
-                                        let _e1169 = phi_1744_;
-                                        let _e1171 = phi_1745_;
-                                        phi_1746_ = _e1169;
-                                        phi_1747_ = _e1171;
+                                        let _e1187 = phi_1763_;
+                                        let _e1189 = phi_1764_;
+                                        phi_1765_ = _e1187;
+                                        phi_1766_ = _e1189;
                                     } else {
-                                        phi_1746_ = f32();
-                                        phi_1747_ = true;
+                                        phi_1765_ = f32();
+                                        phi_1766_ = true;
                                     }
-                                    let _e1173 = phi_1746_;
-                                    let _e1175 = phi_1747_;
-                                    phi_1748_ = _e1173;
-                                    phi_1749_ = _e1175;
+                                    let _e1191 = phi_1765_;
+                                    let _e1193 = phi_1766_;
+                                    phi_1767_ = _e1191;
+                                    phi_1768_ = _e1193;
                                 } else {
-                                    phi_1748_ = f32();
-                                    phi_1749_ = true;
+                                    phi_1767_ = f32();
+                                    phi_1768_ = true;
                                 }
-                                let _e1177 = phi_1748_;
-                                let _e1179 = phi_1749_;
-                                if _e1179 {
-                                    if (_e1120 <= 0f) {
-                                        if (_e1141 <= 0f) {
-                                            let _e1182 = (_e1162 <= 0f);
-                                            if _e1182 {
+                                let _e1195 = phi_1767_;
+                                let _e1197 = phi_1768_;
+                                if _e1197 {
+                                    if (_e1138 <= 0f) {
+                                        if (_e1159 <= 0f) {
+                                            let _e1200 = (_e1180 <= 0f);
+                                            if _e1200 {
                                             }
-                                            phi_1767_ = ((_e1120 + _e1141) + _e1162);
-                                            phi_1768_ = false;
-                                            phi_1769_ = _e1182;
+                                            phi_1786_ = ((_e1138 + _e1159) + _e1180);
+                                            phi_1787_ = false;
+                                            phi_1788_ = _e1200;
                                         } else {
-                                            phi_1767_ = f32();
-                                            phi_1768_ = true;
-                                            phi_1769_ = false;
+                                            phi_1786_ = f32();
+                                            phi_1787_ = true;
+                                            phi_1788_ = false;
                                         }
-                                        let _e1186 = phi_1767_;
-                                        let _e1188 = phi_1768_;
-                                        let _e1190 = phi_1769_;
-                                        phi_1770_ = _e1186;
-                                        phi_1771_ = _e1188;
-                                        phi_1772_ = _e1190;
+                                        let _e1204 = phi_1786_;
+                                        let _e1206 = phi_1787_;
+                                        let _e1208 = phi_1788_;
+                                        phi_1789_ = _e1204;
+                                        phi_1790_ = _e1206;
+                                        phi_1791_ = _e1208;
                                     } else {
-                                        phi_1770_ = f32();
-                                        phi_1771_ = true;
-                                        phi_1772_ = false;
+                                        phi_1789_ = f32();
+                                        phi_1790_ = true;
+                                        phi_1791_ = false;
                                     }
-                                    let _e1192 = phi_1770_;
-                                    let _e1194 = phi_1771_;
-                                    let _e1196 = phi_1772_;
-                                    if _e1194 {
-                                        phi_1776_ = false;
+                                    let _e1210 = phi_1789_;
+                                    let _e1212 = phi_1790_;
+                                    let _e1214 = phi_1791_;
+                                    if _e1212 {
+                                        phi_1795_ = false;
                                     } else {
-                                        phi_1776_ = _e1196;
+                                        phi_1795_ = _e1214;
                                     }
-                                    let _e1198 = phi_1776_;
-                                    phi_1777_ = _e1192;
-                                    phi_1778_ = _e1198;
+                                    let _e1216 = phi_1795_;
+                                    phi_1796_ = _e1210;
+                                    phi_1797_ = _e1216;
                                 } else {
-                                    phi_1777_ = _e1177;
-                                    phi_1778_ = true;
+                                    phi_1796_ = _e1195;
+                                    phi_1797_ = true;
                                 }
-                                let _e1200 = phi_1777_;
-                                let _e1202 = phi_1778_;
-                                if _e1202 {
-                                    let _e1203 = (_e1200 == 0f);
-                                    if _e1203 {
-                                        phi_2104_ = lt_bvh_triangle_Intersection();
-                                        phi_2105_ = false;
+                                let _e1218 = phi_1796_;
+                                let _e1220 = phi_1797_;
+                                if _e1220 {
+                                    let _e1221 = (_e1218 == 0f);
+                                    if _e1221 {
+                                        phi_2123_ = lt_bvh_triangle_Intersection();
+                                        phi_2124_ = false;
                                     } else {
-                                        let _e1205 = triangles.member[(0u + _e1010)].v0_;
-                                        let _e1208 = (_e1205.x - _e151.origin.x);
-                                        let _e1211 = (_e1205.y - _e151.origin.y);
-                                        let _e1214 = (_e1205.z - _e151.origin.z);
-                                        if (_e385 == 0u) {
-                                            phi_1809_ = vec3<f32>(_e1211, _e1214, _e1208);
+                                        let _e1223 = triangles.member[(0u + _e1028)].v0_;
+                                        let _e1226 = (_e1223.x - _e169.origin.x);
+                                        let _e1229 = (_e1223.y - _e169.origin.y);
+                                        let _e1232 = (_e1223.z - _e169.origin.z);
+                                        if (_e403 == 0u) {
+                                            phi_1828_ = vec3<f32>(_e1229, _e1232, _e1226);
                                         } else {
-                                            if (_e385 == 1u) {
-                                                phi_1808_ = vec3<f32>(_e1214, _e1208, _e1211);
+                                            if (_e403 == 1u) {
+                                                phi_1827_ = vec3<f32>(_e1232, _e1226, _e1229);
                                             } else {
-                                                phi_1808_ = (_e1205 - _e151.origin);
+                                                phi_1827_ = (_e1223 - _e169.origin);
                                             }
-                                            let _e1221 = phi_1808_;
-                                            phi_1809_ = _e1221;
+                                            let _e1239 = phi_1827_;
+                                            phi_1828_ = _e1239;
                                         }
-                                        let _e1223 = phi_1809_;
-                                        let _e1225 = triangles.member[(0u + _e1010)].v1_;
-                                        let _e1227 = triangles.member[(0u + _e1010)].v0_;
-                                        let _e1230 = (_e1225.x - _e1227.x);
-                                        let _e1233 = (_e1225.y - _e1227.y);
-                                        let _e1236 = (_e1225.z - _e1227.z);
-                                        if (_e385 == 0u) {
-                                            phi_1835_ = vec3<f32>(_e1233, _e1236, _e1230);
+                                        let _e1241 = phi_1828_;
+                                        let _e1243 = triangles.member[(0u + _e1028)].v1_;
+                                        let _e1245 = triangles.member[(0u + _e1028)].v0_;
+                                        let _e1248 = (_e1243.x - _e1245.x);
+                                        let _e1251 = (_e1243.y - _e1245.y);
+                                        let _e1254 = (_e1243.z - _e1245.z);
+                                        if (_e403 == 0u) {
+                                            phi_1854_ = vec3<f32>(_e1251, _e1254, _e1248);
                                         } else {
-                                            if (_e385 == 1u) {
-                                                phi_1834_ = vec3<f32>(_e1236, _e1230, _e1233);
+                                            if (_e403 == 1u) {
+                                                phi_1853_ = vec3<f32>(_e1254, _e1248, _e1251);
                                             } else {
-                                                phi_1834_ = (_e1225 - _e1227);
+                                                phi_1853_ = (_e1243 - _e1245);
                                             }
-                                            let _e1243 = phi_1834_;
-                                            phi_1835_ = _e1243;
+                                            let _e1261 = phi_1853_;
+                                            phi_1854_ = _e1261;
                                         }
-                                        let _e1245 = phi_1835_;
-                                        let _e1247 = triangles.member[(0u + _e1010)].v2_;
-                                        let _e1249 = triangles.member[(0u + _e1010)].v0_;
-                                        let _e1252 = (_e1247.x - _e1249.x);
-                                        let _e1255 = (_e1247.y - _e1249.y);
-                                        let _e1258 = (_e1247.z - _e1249.z);
-                                        if (_e385 == 0u) {
-                                            phi_1861_ = vec3<f32>(_e1255, _e1258, _e1252);
+                                        let _e1263 = phi_1854_;
+                                        let _e1265 = triangles.member[(0u + _e1028)].v2_;
+                                        let _e1267 = triangles.member[(0u + _e1028)].v0_;
+                                        let _e1270 = (_e1265.x - _e1267.x);
+                                        let _e1273 = (_e1265.y - _e1267.y);
+                                        let _e1276 = (_e1265.z - _e1267.z);
+                                        if (_e403 == 0u) {
+                                            phi_1880_ = vec3<f32>(_e1273, _e1276, _e1270);
                                         } else {
-                                            if (_e385 == 1u) {
-                                                phi_1860_ = vec3<f32>(_e1258, _e1252, _e1255);
+                                            if (_e403 == 1u) {
+                                                phi_1879_ = vec3<f32>(_e1276, _e1270, _e1273);
                                             } else {
-                                                phi_1860_ = (_e1247 - _e1249);
+                                                phi_1879_ = (_e1265 - _e1267);
                                             }
-                                            let _e1265 = phi_1860_;
-                                            phi_1861_ = _e1265;
+                                            let _e1283 = phi_1879_;
+                                            phi_1880_ = _e1283;
                                         }
-                                        let _e1267 = phi_1861_;
-                                        let _e1274 = ((_e1245.y * _e1267.z) - (_e1245.z * _e1267.y));
-                                        let _e1281 = ((_e1245.z * _e1267.x) - (_e1245.x * _e1267.z));
-                                        let _e1288 = ((_e1245.x * _e1267.y) - (_e1245.y * _e1267.x));
-                                        let _e1302 = (((1f / _e399.z) * (((_e1274 * _e1223.x) + (_e1281 * _e1223.y)) + (_e1288 * _e1223.z))) / (((_e1274 * _e402) + (_e1281 * _e405)) + _e1288));
-                                        if (_e1302 > _e151.tmin) {
-                                            if (_e1302 < _e151.tmax) {
-                                                let _e1308 = triangles.member[(0u + _e1010)].v0_;
-                                                let _e1310 = triangles.member[(0u + _e1010)].v1_;
-                                                if (_e1308.x < _e1310.x) {
-                                                    phi_1919_ = _e1308.x;
+                                        let _e1285 = phi_1880_;
+                                        let _e1292 = ((_e1263.y * _e1285.z) - (_e1263.z * _e1285.y));
+                                        let _e1299 = ((_e1263.z * _e1285.x) - (_e1263.x * _e1285.z));
+                                        let _e1306 = ((_e1263.x * _e1285.y) - (_e1263.y * _e1285.x));
+                                        let _e1320 = (((1f / _e417.z) * (((_e1292 * _e1241.x) + (_e1299 * _e1241.y)) + (_e1306 * _e1241.z))) / (((_e1292 * _e420) + (_e1299 * _e423)) + _e1306));
+                                        if (_e1320 > _e169.tmin) {
+                                            if (_e1320 < _e169.tmax) {
+                                                let _e1326 = triangles.member[(0u + _e1028)].v0_;
+                                                let _e1328 = triangles.member[(0u + _e1028)].v1_;
+                                                if (_e1326.x < _e1328.x) {
+                                                    phi_1938_ = _e1326.x;
                                                 } else {
-                                                    phi_1919_ = _e1310.x;
+                                                    phi_1938_ = _e1328.x;
                                                 }
-                                                let _e1317 = phi_1919_;
-                                                if (_e1308.y < _e1310.y) {
-                                                    phi_1928_ = _e1308.y;
+                                                let _e1335 = phi_1938_;
+                                                if (_e1326.y < _e1328.y) {
+                                                    phi_1947_ = _e1326.y;
                                                 } else {
-                                                    phi_1928_ = _e1310.y;
+                                                    phi_1947_ = _e1328.y;
                                                 }
-                                                let _e1324 = phi_1928_;
-                                                if (_e1308.z < _e1310.z) {
-                                                    phi_1937_ = _e1308.z;
+                                                let _e1342 = phi_1947_;
+                                                if (_e1326.z < _e1328.z) {
+                                                    phi_1956_ = _e1326.z;
                                                 } else {
-                                                    phi_1937_ = _e1310.z;
+                                                    phi_1956_ = _e1328.z;
                                                 }
-                                                let _e1331 = phi_1937_;
-                                                let _e1333 = triangles.member[(0u + _e1010)].v2_;
-                                                if (_e1317 < _e1333.x) {
-                                                    phi_1946_ = _e1317;
+                                                let _e1349 = phi_1956_;
+                                                let _e1351 = triangles.member[(0u + _e1028)].v2_;
+                                                if (_e1335 < _e1351.x) {
+                                                    phi_1965_ = _e1335;
                                                 } else {
-                                                    phi_1946_ = _e1333.x;
+                                                    phi_1965_ = _e1351.x;
                                                 }
-                                                let _e1338 = phi_1946_;
-                                                if (_e1324 < _e1333.y) {
-                                                    phi_1953_ = _e1324;
+                                                let _e1356 = phi_1965_;
+                                                if (_e1342 < _e1351.y) {
+                                                    phi_1972_ = _e1342;
                                                 } else {
-                                                    phi_1953_ = _e1333.y;
+                                                    phi_1972_ = _e1351.y;
                                                 }
-                                                let _e1343 = phi_1953_;
-                                                if (_e1331 < _e1333.z) {
-                                                    phi_1960_ = _e1331;
+                                                let _e1361 = phi_1972_;
+                                                if (_e1349 < _e1351.z) {
+                                                    phi_1979_ = _e1349;
                                                 } else {
-                                                    phi_1960_ = _e1333.z;
+                                                    phi_1979_ = _e1351.z;
                                                 }
-                                                let _e1348 = phi_1960_;
-                                                let _e1350 = triangles.member[(0u + _e1010)].v0_;
-                                                let _e1352 = triangles.member[(0u + _e1010)].v1_;
-                                                if (_e1350.x > _e1352.x) {
-                                                    phi_1973_ = _e1350.x;
+                                                let _e1366 = phi_1979_;
+                                                let _e1368 = triangles.member[(0u + _e1028)].v0_;
+                                                let _e1370 = triangles.member[(0u + _e1028)].v1_;
+                                                if (_e1368.x > _e1370.x) {
+                                                    phi_1992_ = _e1368.x;
                                                 } else {
-                                                    phi_1973_ = _e1352.x;
+                                                    phi_1992_ = _e1370.x;
                                                 }
-                                                let _e1359 = phi_1973_;
-                                                if (_e1350.y > _e1352.y) {
-                                                    phi_1982_ = _e1350.y;
+                                                let _e1377 = phi_1992_;
+                                                if (_e1368.y > _e1370.y) {
+                                                    phi_2001_ = _e1368.y;
                                                 } else {
-                                                    phi_1982_ = _e1352.y;
+                                                    phi_2001_ = _e1370.y;
                                                 }
-                                                let _e1366 = phi_1982_;
-                                                if (_e1350.z > _e1352.z) {
-                                                    phi_1991_ = _e1350.z;
+                                                let _e1384 = phi_2001_;
+                                                if (_e1368.z > _e1370.z) {
+                                                    phi_2010_ = _e1368.z;
                                                 } else {
-                                                    phi_1991_ = _e1352.z;
+                                                    phi_2010_ = _e1370.z;
                                                 }
-                                                let _e1373 = phi_1991_;
-                                                let _e1375 = triangles.member[(0u + _e1010)].v2_;
-                                                if (_e1359 > _e1375.x) {
-                                                    phi_2000_ = _e1359;
+                                                let _e1391 = phi_2010_;
+                                                let _e1393 = triangles.member[(0u + _e1028)].v2_;
+                                                if (_e1377 > _e1393.x) {
+                                                    phi_2019_ = _e1377;
                                                 } else {
-                                                    phi_2000_ = _e1375.x;
+                                                    phi_2019_ = _e1393.x;
                                                 }
-                                                let _e1380 = phi_2000_;
-                                                if (_e1366 > _e1375.y) {
-                                                    phi_2007_ = _e1366;
+                                                let _e1398 = phi_2019_;
+                                                if (_e1384 > _e1393.y) {
+                                                    phi_2026_ = _e1384;
                                                 } else {
-                                                    phi_2007_ = _e1375.y;
+                                                    phi_2026_ = _e1393.y;
                                                 }
-                                                let _e1385 = phi_2007_;
-                                                if (_e1373 > _e1375.z) {
-                                                    phi_2014_ = _e1373;
+                                                let _e1403 = phi_2026_;
+                                                if (_e1391 > _e1393.z) {
+                                                    phi_2033_ = _e1391;
                                                 } else {
-                                                    phi_2014_ = _e1375.z;
+                                                    phi_2033_ = _e1393.z;
                                                 }
-                                                let _e1390 = phi_2014_;
-                                                let _e1397 = ((_e1338 - _e151.origin.x) * _e297);
-                                                let _e1398 = ((_e1343 - _e151.origin.y) * _e308);
-                                                let _e1399 = ((_e1348 - _e151.origin.z) * _e319);
-                                                let _e1406 = ((_e1380 - _e151.origin.x) * _e297);
-                                                let _e1407 = ((_e1385 - _e151.origin.y) * _e308);
-                                                let _e1408 = ((_e1390 - _e151.origin.z) * _e319);
-                                                if (_e1397 < _e1406) {
-                                                    phi_2037_ = _e1397;
+                                                let _e1408 = phi_2033_;
+                                                let _e1415 = ((_e1356 - _e169.origin.x) * _e315);
+                                                let _e1416 = ((_e1361 - _e169.origin.y) * _e326);
+                                                let _e1417 = ((_e1366 - _e169.origin.z) * _e337);
+                                                let _e1424 = ((_e1398 - _e169.origin.x) * _e315);
+                                                let _e1425 = ((_e1403 - _e169.origin.y) * _e326);
+                                                let _e1426 = ((_e1408 - _e169.origin.z) * _e337);
+                                                if (_e1415 < _e1424) {
+                                                    phi_2056_ = _e1415;
                                                 } else {
-                                                    phi_2037_ = _e1406;
+                                                    phi_2056_ = _e1424;
                                                 }
-                                                let _e1411 = phi_2037_;
-                                                if (_e1398 < _e1407) {
-                                                    phi_2042_ = _e1398;
+                                                let _e1429 = phi_2056_;
+                                                if (_e1416 < _e1425) {
+                                                    phi_2061_ = _e1416;
                                                 } else {
-                                                    phi_2042_ = _e1407;
+                                                    phi_2061_ = _e1425;
                                                 }
-                                                let _e1414 = phi_2042_;
-                                                if (_e1399 < _e1408) {
-                                                    phi_2047_ = _e1399;
+                                                let _e1432 = phi_2061_;
+                                                if (_e1417 < _e1426) {
+                                                    phi_2066_ = _e1417;
                                                 } else {
-                                                    phi_2047_ = _e1408;
+                                                    phi_2066_ = _e1426;
                                                 }
-                                                let _e1417 = phi_2047_;
-                                                if (_e1397 > _e1406) {
-                                                    phi_2055_ = _e1397;
+                                                let _e1435 = phi_2066_;
+                                                if (_e1415 > _e1424) {
+                                                    phi_2074_ = _e1415;
                                                 } else {
-                                                    phi_2055_ = _e1406;
+                                                    phi_2074_ = _e1424;
                                                 }
-                                                let _e1423 = phi_2055_;
-                                                if (_e1398 > _e1407) {
-                                                    phi_2060_ = _e1398;
+                                                let _e1441 = phi_2074_;
+                                                if (_e1416 > _e1425) {
+                                                    phi_2079_ = _e1416;
                                                 } else {
-                                                    phi_2060_ = _e1407;
+                                                    phi_2079_ = _e1425;
                                                 }
-                                                let _e1426 = phi_2060_;
-                                                if (_e1399 > _e1408) {
-                                                    phi_2065_ = _e1399;
+                                                let _e1444 = phi_2079_;
+                                                if (_e1417 > _e1426) {
+                                                    phi_2084_ = _e1417;
                                                 } else {
-                                                    phi_2065_ = _e1408;
+                                                    phi_2084_ = _e1426;
                                                 }
-                                                let _e1429 = phi_2065_;
-                                                let _e1433 = core_intrinsics_maximum_number_nsz_f32_((_e1411 - _e364), (_e1414 - _e365));
-                                                let _e1434 = core_intrinsics_maximum_number_nsz_f32_(_e1433, (_e1417 - _e366));
-                                                let _e1435 = core_intrinsics_minimum_number_nsz_f32_((_e1423 + _e364), (_e1426 + _e365));
-                                                let _e1436 = core_intrinsics_minimum_number_nsz_f32_(_e1435, (_e1429 + _e366));
-                                                if (_e1434 > -300000000000000000000000000000000000000f) {
-                                                    phi_2077_ = _e1434;
+                                                let _e1447 = phi_2084_;
+                                                let _e1451 = core_intrinsics_maximum_number_nsz_f32_((_e1429 - _e382), (_e1432 - _e383));
+                                                let _e1452 = core_intrinsics_maximum_number_nsz_f32_(_e1451, (_e1435 - _e384));
+                                                let _e1453 = core_intrinsics_minimum_number_nsz_f32_((_e1441 + _e382), (_e1444 + _e383));
+                                                let _e1454 = core_intrinsics_minimum_number_nsz_f32_(_e1453, (_e1447 + _e384));
+                                                if (_e1452 > -300000000000000000000000000000000000000f) {
+                                                    phi_2096_ = _e1452;
                                                 } else {
-                                                    phi_2077_ = -300000000000000000000000000000000000000f;
+                                                    phi_2096_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1439 = phi_2077_;
-                                                if (_e1436 < 300000000000000000000000000000000000000f) {
-                                                    phi_2082_ = _e1436;
+                                                let _e1457 = phi_2096_;
+                                                if (_e1454 < 300000000000000000000000000000000000000f) {
+                                                    phi_2101_ = _e1454;
                                                 } else {
-                                                    phi_2082_ = 300000000000000000000000000000000000000f;
+                                                    phi_2101_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1442 = phi_2082_;
-                                                if (_e1302 < _e1439) {
-                                                    phi_2087_ = _e1439;
+                                                let _e1460 = phi_2101_;
+                                                if (_e1320 < _e1457) {
+                                                    phi_2106_ = _e1457;
                                                 } else {
-                                                    phi_2087_ = _e1302;
+                                                    phi_2106_ = _e1320;
                                                 }
-                                                let _e1445 = phi_2087_;
-                                                if (_e1445 > _e1442) {
-                                                    phi_2092_ = _e1442;
+                                                let _e1463 = phi_2106_;
+                                                if (_e1463 > _e1460) {
+                                                    phi_2111_ = _e1460;
                                                 } else {
-                                                    phi_2092_ = _e1445;
+                                                    phi_2111_ = _e1463;
                                                 }
-                                                let _e1448 = phi_2092_;
-                                                phi_2097_ = lt_bvh_triangle_Intersection(_e1448, (_e1141 / _e1200), (_e1162 / _e1200), (_e1439 <= _e1442));
-                                                phi_2098_ = false;
+                                                let _e1466 = phi_2111_;
+                                                phi_2116_ = lt_bvh_triangle_Intersection(_e1466, (_e1159 / _e1218), (_e1180 / _e1218), (_e1457 <= _e1460));
+                                                phi_2117_ = false;
                                             } else {
-                                                phi_2097_ = lt_bvh_triangle_Intersection();
-                                                phi_2098_ = true;
+                                                phi_2116_ = lt_bvh_triangle_Intersection();
+                                                phi_2117_ = true;
                                             }
-                                            let _e1454 = phi_2097_;
-                                            let _e1456 = phi_2098_;
-                                            phi_2099_ = _e1454;
-                                            phi_2100_ = _e1456;
+                                            let _e1472 = phi_2116_;
+                                            let _e1474 = phi_2117_;
+                                            phi_2118_ = _e1472;
+                                            phi_2119_ = _e1474;
                                         } else {
-                                            phi_2099_ = lt_bvh_triangle_Intersection();
-                                            phi_2100_ = true;
+                                            phi_2118_ = lt_bvh_triangle_Intersection();
+                                            phi_2119_ = true;
                                         }
-                                        let _e1458 = phi_2099_;
-                                        let _e1460 = phi_2100_;
-                                        if _e1460 {
+                                        let _e1476 = phi_2118_;
+                                        let _e1478 = phi_2119_;
+                                        if _e1478 {
                                         }
-                                        phi_2104_ = _e1458;
-                                        phi_2105_ = _e1460;
+                                        phi_2123_ = _e1476;
+                                        phi_2124_ = _e1478;
                                     }
-                                    let _e1462 = phi_2104_;
-                                    let _e1464 = phi_2105_;
-                                    phi_2106_ = _e1462;
-                                    phi_2107_ = _e1203;
-                                    phi_2108_ = _e1464;
+                                    let _e1480 = phi_2123_;
+                                    let _e1482 = phi_2124_;
+                                    phi_2125_ = _e1480;
+                                    phi_2126_ = _e1221;
+                                    phi_2127_ = _e1482;
                                 } else {
-                                    phi_2106_ = lt_bvh_triangle_Intersection();
-                                    phi_2107_ = true;
-                                    phi_2108_ = false;
+                                    phi_2125_ = lt_bvh_triangle_Intersection();
+                                    phi_2126_ = true;
+                                    phi_2127_ = false;
                                 }
-                                let _e1466 = phi_2106_;
-                                let _e1468 = phi_2107_;
-                                let _e1470 = phi_2108_;
-                                if _e1468 {
-                                    phi_2112_ = true;
+                                let _e1484 = phi_2125_;
+                                let _e1486 = phi_2126_;
+                                let _e1488 = phi_2127_;
+                                if _e1486 {
+                                    phi_2131_ = true;
                                 } else {
-                                    phi_2112_ = _e1470;
+                                    phi_2131_ = _e1488;
                                 }
-                                let _e1472 = phi_2112_;
-                                if _e1472 {
-                                    phi_2116_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1490 = phi_2131_;
+                                if _e1490 {
+                                    phi_2135_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2116_ = _e1466;
+                                    phi_2135_ = _e1484;
                                 }
-                                let _e1474 = phi_2116_;
-                                if _e1474.is_hit {
-                                    if (_e1474.t > _e151.tmin) {
-                                        if (_e1474.t < _e999.t) {
-                                            phi_2165_ = true;
+                                let _e1492 = phi_2135_;
+                                if _e1492.is_hit {
+                                    if (_e1492.t > _e169.tmin) {
+                                        if (_e1492.t < _e1017.t) {
+                                            phi_2184_ = true;
                                         } else {
-                                            if (_e1474.t == _e999.t) {
-                                                if (_e999.triangle != 4294967295u) {
-                                                    if (_e1010 < _e999.triangle) {
-                                                        phi_2156_ = true;
+                                            if (_e1492.t == _e1017.t) {
+                                                if (_e1017.triangle != 4294967295u) {
+                                                    if (_e1028 < _e1017.triangle) {
+                                                        phi_2175_ = true;
                                                     } else {
-                                                        if (_e1010 == _e999.triangle) {
-                                                            phi_2155_ = (4294967295u < _e999.instance);
+                                                        if (_e1028 == _e1017.triangle) {
+                                                            phi_2174_ = (4294967295u < _e1017.instance);
                                                         } else {
-                                                            phi_2155_ = false;
+                                                            phi_2174_ = false;
                                                         }
-                                                        let _e1493 = phi_2155_;
-                                                        phi_2156_ = _e1493;
+                                                        let _e1511 = phi_2174_;
+                                                        phi_2175_ = _e1511;
                                                     }
-                                                    let _e1495 = phi_2156_;
-                                                    phi_2157_ = _e1495;
-                                                    phi_2158_ = false;
+                                                    let _e1513 = phi_2175_;
+                                                    phi_2176_ = _e1513;
+                                                    phi_2177_ = false;
                                                 } else {
-                                                    phi_2157_ = bool();
-                                                    phi_2158_ = true;
+                                                    phi_2176_ = bool();
+                                                    phi_2177_ = true;
                                                 }
-                                                let _e1497 = phi_2157_;
-                                                let _e1499 = phi_2158_;
-                                                phi_2159_ = _e1497;
-                                                phi_2160_ = _e1499;
+                                                let _e1515 = phi_2176_;
+                                                let _e1517 = phi_2177_;
+                                                phi_2178_ = _e1515;
+                                                phi_2179_ = _e1517;
                                             } else {
-                                                phi_2159_ = bool();
-                                                phi_2160_ = true;
+                                                phi_2178_ = bool();
+                                                phi_2179_ = true;
                                             }
-                                            let _e1501 = phi_2159_;
-                                            let _e1503 = phi_2160_;
-                                            if _e1503 {
-                                                phi_2164_ = false;
+                                            let _e1519 = phi_2178_;
+                                            let _e1521 = phi_2179_;
+                                            if _e1521 {
+                                                phi_2183_ = false;
                                             } else {
-                                                phi_2164_ = _e1501;
+                                                phi_2183_ = _e1519;
                                             }
-                                            let _e1505 = phi_2164_;
-                                            phi_2165_ = _e1505;
+                                            let _e1523 = phi_2183_;
+                                            phi_2184_ = _e1523;
                                         }
-                                        let _e1507 = phi_2165_;
-                                        if _e1507 {
-                                            let _e1509 = triangles.member[(0u + _e1010)].i0_;
-                                            if ((_e1509 & 2147483648u) == 0u) {
-                                                phi_2376_ = true;
+                                        let _e1525 = phi_2184_;
+                                        if _e1525 {
+                                            let _e1527 = triangles.member[(0u + _e1028)].i0_;
+                                            if ((_e1527 & 2147483648u) == 0u) {
+                                                phi_2395_ = true;
                                             } else {
-                                                if (_e1010 < _e78) {
+                                                if (_e1028 < _e79) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1518 = triangles.member[(0u + _e1010)].i0_;
-                                                let _e1519 = (_e1518 & 2147483647u);
-                                                let _e1521 = triangles.member[(0u + _e1010)].i1_;
-                                                let _e1523 = triangles.member[(0u + _e1010)].i2_;
-                                                if (_e1519 < _e81) {
+                                                let _e1536 = triangles.member[(0u + _e1028)].i0_;
+                                                let _e1537 = (_e1536 & 2147483647u);
+                                                let _e1539 = triangles.member[(0u + _e1028)].i1_;
+                                                let _e1541 = triangles.member[(0u + _e1028)].i2_;
+                                                if (_e1537 < _e82) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1527 = vertices.member[(0u + _e1519)];
-                                                if (_e1521 < _e81) {
+                                                let _e1545 = vertices.member[(0u + _e1537)];
+                                                if (_e1539 < _e82) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1531 = vertices.member[(0u + _e1521)];
-                                                if (_e1523 < _e81) {
+                                                let _e1549 = vertices.member[(0u + _e1539)];
+                                                if (_e1541 < _e82) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1535 = vertices.member[(0u + _e1523)];
-                                                let _e1536 = array<abi_Vertex, 3>(_e1527, _e1531, _e1535);
-                                                if (_e1536[0].material < _e84) {
+                                                let _e1553 = vertices.member[(0u + _e1541)];
+                                                let _e1554 = array<abi_Vertex, 3>(_e1545, _e1549, _e1553);
+                                                if (_e1554[0].material < _e85) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1542 = materials.member[(0u + _e1536[0].material)];
-                                                if ((_e1542.flags & 0u) == 0u) {
-                                                    let _e1547 = ((1f - _e1474.u) - _e1474.v);
-                                                    if (_e1542.cutoff <= 0f) {
-                                                        phi_2371_ = true;
+                                                let _e1560 = materials.member[(0u + _e1554[0].material)];
+                                                if ((_e1560.flags & 0u) == 0u) {
+                                                    let _e1565 = ((1f - _e1492.u) - _e1492.v);
+                                                    if (_e1560.cutoff <= 0f) {
+                                                        phi_2390_ = true;
                                                     } else {
-                                                        let _e1574 = (_e1542.base_color.w * ((((f32((_e1536[0].color >> bitcast<u32>(24i))) * _e1547) + (f32((_e1536[1].color >> bitcast<u32>(24i))) * _e1474.u)) + (f32((_e1536[2].color >> bitcast<u32>(24i))) * _e1474.v)) * (1f / 255f)));
-                                                        if (_e1542.alpha_size == 0u) {
-                                                            phi_2368_ = _e1574;
+                                                        let _e1592 = (_e1560.base_color.w * ((((f32((_e1554[0].color >> bitcast<u32>(24i))) * _e1565) + (f32((_e1554[1].color >> bitcast<u32>(24i))) * _e1492.u)) + (f32((_e1554[2].color >> bitcast<u32>(24i))) * _e1492.v)) * (1f / 255f)));
+                                                        if (_e1560.alpha_size == 0u) {
+                                                            phi_2387_ = _e1592;
                                                         } else {
-                                                            local.offset = _e1542.alpha_offset;
-                                                            local.size = _e1542.alpha_size;
-                                                            local.flags = _e1542.flags;
-                                                            let _e1605 = _lt_shaders_texture_TextureView_quad((&local), (((_e1536[0].u * _e1547) + (_e1536[1].u * _e1474.u)) + (_e1536[2].u * _e1474.v)), (((_e1536[0].v * _e1547) + (_e1536[1].v * _e1474.u)) + (_e1536[2].v * _e1474.v)));
-                                                            let _e1609 = (_e1605.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1609 < _e90) {
+                                                            local.offset = _e1560.alpha_offset;
+                                                            local.size = _e1560.alpha_size;
+                                                            local.flags = _e1560.flags;
+                                                            let _e1623 = _lt_shaders_texture_TextureView_quad((&local), (((_e1554[0].u * _e1565) + (_e1554[1].u * _e1492.u)) + (_e1554[2].u * _e1492.v)), (((_e1554[0].v * _e1565) + (_e1554[1].v * _e1492.u)) + (_e1554[2].v * _e1492.v)));
+                                                            let _e1627 = (_e1623.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1627 < _e91) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1613 = alpha_texels.member[(0u + _e1609)];
-                                                            let _e1629 = (_e1605.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1629 < _e90) {
+                                                            let _e1631 = alpha_texels.member[(0u + _e1627)];
+                                                            let _e1647 = (_e1623.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1647 < _e91) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1633 = alpha_texels.member[(0u + _e1629)];
-                                                            let _e1650 = (_e1605.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1650 < _e90) {
+                                                            let _e1651 = alpha_texels.member[(0u + _e1647)];
+                                                            let _e1668 = (_e1623.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1668 < _e91) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1654 = alpha_texels.member[(0u + _e1650)];
-                                                            let _e1671 = (_e1605.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1671 < _e90) {
+                                                            let _e1672 = alpha_texels.member[(0u + _e1668)];
+                                                            let _e1689 = (_e1623.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1689 < _e91) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1675 = alpha_texels.member[(0u + _e1671)];
-                                                            phi_2368_ = (_e1574 * (((((f32(((_e1613 >> bitcast<u32>((((_e1605.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1605.weights.x) + ((f32(((_e1633 >> bitcast<u32>((((_e1605.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1605.weights.y)) + ((f32(((_e1654 >> bitcast<u32>((((_e1605.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1605.weights.z)) + ((f32(((_e1675 >> bitcast<u32>((((_e1605.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1605.weights.w)));
+                                                            let _e1693 = alpha_texels.member[(0u + _e1689)];
+                                                            phi_2387_ = (_e1592 * (((((f32(((_e1631 >> bitcast<u32>((((_e1623.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.x) + ((f32(((_e1651 >> bitcast<u32>((((_e1623.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.y)) + ((f32(((_e1672 >> bitcast<u32>((((_e1623.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.z)) + ((f32(((_e1693 >> bitcast<u32>((((_e1623.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.w)));
                                                         }
-                                                        let _e1691 = phi_2368_;
-                                                        phi_2371_ = (_e1691 >= _e1542.cutoff);
+                                                        let _e1709 = phi_2387_;
+                                                        phi_2390_ = (_e1709 >= _e1560.cutoff);
                                                     }
-                                                    let _e1695 = phi_2371_;
-                                                    phi_2372_ = _e1695;
+                                                    let _e1713 = phi_2390_;
+                                                    phi_2391_ = _e1713;
                                                 } else {
-                                                    phi_2372_ = false;
+                                                    phi_2391_ = false;
                                                 }
-                                                let _e1697 = phi_2372_;
-                                                if _e1697 {
+                                                let _e1715 = phi_2391_;
+                                                if _e1715 {
                                                 }
-                                                phi_2376_ = _e1697;
+                                                phi_2395_ = _e1715;
                                             }
-                                            let _e1699 = phi_2376_;
-                                            if _e1699 {
-                                                phi_2384_ = lt_bvh_Hit(_e1474.t, _e1474.u, _e1474.v, _e1010, 4294967295u);
+                                            let _e1717 = phi_2395_;
+                                            if _e1717 {
+                                                phi_2403_ = lt_bvh_Hit(_e1492.t, _e1492.u, _e1492.v, _e1028, 4294967295u);
                                             } else {
-                                                phi_2384_ = _e999;
+                                                phi_2403_ = _e1017;
                                             }
-                                            let _e1705 = phi_2384_;
-                                            phi_2385_ = _e1705;
+                                            let _e1723 = phi_2403_;
+                                            phi_2404_ = _e1723;
                                         } else {
-                                            phi_2385_ = _e999;
+                                            phi_2404_ = _e1017;
                                         }
-                                        let _e1707 = phi_2385_;
-                                        phi_2386_ = _e1707;
+                                        let _e1725 = phi_2404_;
+                                        phi_2405_ = _e1725;
                                     } else {
-                                        phi_2386_ = _e999;
+                                        phi_2405_ = _e1017;
                                     }
-                                    let _e1709 = phi_2386_;
-                                    phi_2387_ = _e1709;
+                                    let _e1727 = phi_2405_;
+                                    phi_2406_ = _e1727;
                                 } else {
-                                    phi_2387_ = _e999;
+                                    phi_2406_ = _e1017;
                                 }
-                                let _e1711 = phi_2387_;
-                                phi_1530_ = _e1711;
-                                phi_1533_ = (_e1001 & (_e1001 - 1u));
-                                phi_2388_ = true;
+                                let _e1729 = phi_2406_;
+                                phi_1549_ = _e1729;
+                                phi_1552_ = (_e1019 & (_e1019 - 1u));
+                                phi_2407_ = true;
                             }
-                            let _e1713 = phi_1530_;
-                            let _e1715 = phi_1533_;
-                            let _e1717 = phi_2388_;
+                            let _e1731 = phi_1549_;
+                            let _e1733 = phi_1552_;
+                            let _e1735 = phi_2407_;
                             continue;
                             continuing {
-                                phi_1529_ = _e1713;
-                                phi_1532_ = _e1715;
-                                break if !(_e1717);
+                                phi_1548_ = _e1731;
+                                phi_1551_ = _e1733;
+                                break if !(_e1735);
                             }
                         }
-                        let _e1720 = local_1.group_mask;
-                        if ((_e1720 & 4278190080u) == 0u) {
-                            let _e1724 = local_1.len;
-                            if (_e1724 == 0u) {
-                                phi_2427_ = false;
+                        let _e1738 = local_1.group_mask;
+                        if ((_e1738 & 4278190080u) == 0u) {
+                            let _e1742 = local_1.len;
+                            if (_e1742 == 0u) {
+                                phi_2446_ = false;
                             } else {
-                                let _e1728 = local_1.len;
-                                local_1.len = (_e1728 - 1u);
-                                let _e1731 = local_1.len;
-                                if (_e1731 < 32u) {
+                                let _e1746 = local_1.len;
+                                local_1.len = (_e1746 - 1u);
+                                let _e1749 = local_1.len;
+                                if (_e1749 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1736 = local_1.first[(0u + _e1731)];
-                                local_1.group = _e1736;
-                                let _e1739 = local_1.len;
-                                if (_e1739 < 32u) {
+                                let _e1754 = local_1.first[(0u + _e1749)];
+                                local_1.group = _e1754;
+                                let _e1757 = local_1.len;
+                                if (_e1757 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1744 = local_1.mask[(0u + _e1739)];
-                                local_1.group_mask = _e1744;
-                                phi_2427_ = true;
+                                let _e1762 = local_1.mask[(0u + _e1757)];
+                                local_1.group_mask = _e1762;
+                                phi_2446_ = true;
                             }
-                            let _e1747 = phi_2427_;
-                            phi_2428_ = _e1747;
+                            let _e1765 = phi_2446_;
+                            phi_2447_ = _e1765;
                         } else {
-                            phi_2428_ = true;
+                            phi_2447_ = true;
                         }
-                        let _e1749 = phi_2428_;
-                        if _e1749 {
-                            let _e1751 = local_1.group_mask;
-                            let _e1757 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1751)), 32u, (_e1751 == 0u)));
-                            let _e1761 = local_1.group_mask;
-                            let _e1775 = local_1.group_mask;
-                            local_1.group_mask = (_e1775 & ~((1u << bitcast<u32>((_e1757 & 31u)))));
-                            let _e1778 = local_1.group;
-                            phi_2459_ = (_e1778 + countOneBits(((_e1761 & ~((4294967295u << bitcast<u32>((((_e1757 - 24u) ^ _e418) & 31u))))) & 255u)));
+                        let _e1767 = phi_2447_;
+                        if _e1767 {
+                            let _e1769 = local_1.group_mask;
+                            let _e1775 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1769)), 32u, (_e1769 == 0u)));
+                            let _e1779 = local_1.group_mask;
+                            let _e1793 = local_1.group_mask;
+                            local_1.group_mask = (_e1793 & ~((1u << bitcast<u32>((_e1775 & 31u)))));
+                            let _e1796 = local_1.group;
+                            phi_2478_ = (_e1796 + countOneBits(((_e1779 & ~((4294967295u << bitcast<u32>((((_e1775 - 24u) ^ _e436) & 31u))))) & 255u)));
                         } else {
-                            phi_2459_ = 4294967295u;
+                            phi_2478_ = 4294967295u;
                         }
-                        let _e1781 = phi_2459_;
-                        let _e2482 = local_5;
-                        phi_1193_ = _e2482;
-                        phi_1196_ = _e1781;
+                        let _e1799 = phi_2478_;
+                        let _e2500 = local_5;
+                        phi_1212_ = _e2500;
+                        phi_1215_ = _e1799;
                     } else {
-                        phi_1193_ = lt_bvh_Hit();
-                        phi_1196_ = u32();
+                        phi_1212_ = lt_bvh_Hit();
+                        phi_1215_ = u32();
                     }
-                    let _e1783 = phi_1193_;
-                    let _e1785 = phi_1196_;
+                    let _e1801 = phi_1212_;
+                    let _e1803 = phi_1215_;
                     continue;
                     continuing {
-                        phi_1192_ = _e1783;
-                        phi_1195_ = _e1785;
-                        break if !(_e559);
+                        phi_1211_ = _e1801;
+                        phi_1214_ = _e1803;
+                        break if !(_e577);
                     }
                 }
-                let _e2486 = local_6;
-                phi_2460_ = _e2486;
+                let _e2504 = local_6;
+                phi_2479_ = _e2504;
             }
-            let _e1788 = phi_2460_;
-            phi_2461_ = _e1788;
-            phi_2462_ = _e215;
+            let _e1806 = phi_2479_;
+            phi_2480_ = _e1806;
+            phi_2481_ = _e233;
         } else {
-            phi_2461_ = lt_bvh_Hit();
-            phi_2462_ = true;
+            phi_2480_ = lt_bvh_Hit();
+            phi_2481_ = true;
         }
-        let _e1790 = phi_2461_;
-        let _e1792 = phi_2462_;
-        if _e1792 {
-            phi_2466_ = _e153;
+        let _e1808 = phi_2480_;
+        let _e1810 = phi_2481_;
+        if _e1810 {
+            phi_2485_ = _e171;
         } else {
-            phi_2466_ = _e1790;
+            phi_2485_ = _e1808;
         }
-        let _e1794 = phi_2466_;
-        if (_e1794.triangle != 4294967295u) {
-            let _e1800 = ((1f - _e1794.u) - _e1794.v);
-            if (_e1794.triangle < _e78) {
+        let _e1812 = phi_2485_;
+        if (_e1812.triangle != 4294967295u) {
+            let _e1818 = ((1f - _e1812.u) - _e1812.v);
+            if (_e1812.triangle < _e79) {
             } else {
                 return;
             }
-            let _e1806 = triangles.member[(0u + _e1794.triangle)];
-            let _e1831 = (((_e1806.v0_.x * _e1800) + (_e1806.v1_.x * _e1794.u)) + (_e1806.v2_.x * _e1794.v));
-            let _e1832 = (((_e1806.v0_.y * _e1800) + (_e1806.v1_.y * _e1794.u)) + (_e1806.v2_.y * _e1794.v));
-            let _e1833 = (((_e1806.v0_.z * _e1800) + (_e1806.v1_.z * _e1794.u)) + (_e1806.v2_.z * _e1794.v));
-            let _e1836 = abs(_e1806.v0_.x);
-            let _e1838 = abs(_e1806.v0_.y);
-            let _e1840 = abs(_e1806.v0_.z);
-            let _e1842 = abs(_e1806.v1_.x);
-            let _e1844 = abs(_e1806.v1_.y);
-            let _e1846 = abs(_e1806.v1_.z);
-            if (_e1836 > _e1842) {
-                phi_2531_ = _e1836;
+            let _e1824 = triangles.member[(0u + _e1812.triangle)];
+            let _e1849 = (((_e1824.v0_.x * _e1818) + (_e1824.v1_.x * _e1812.u)) + (_e1824.v2_.x * _e1812.v));
+            let _e1850 = (((_e1824.v0_.y * _e1818) + (_e1824.v1_.y * _e1812.u)) + (_e1824.v2_.y * _e1812.v));
+            let _e1851 = (((_e1824.v0_.z * _e1818) + (_e1824.v1_.z * _e1812.u)) + (_e1824.v2_.z * _e1812.v));
+            let _e1854 = abs(_e1824.v0_.x);
+            let _e1856 = abs(_e1824.v0_.y);
+            let _e1858 = abs(_e1824.v0_.z);
+            let _e1860 = abs(_e1824.v1_.x);
+            let _e1862 = abs(_e1824.v1_.y);
+            let _e1864 = abs(_e1824.v1_.z);
+            if (_e1854 > _e1860) {
+                phi_2550_ = _e1854;
             } else {
-                phi_2531_ = _e1842;
+                phi_2550_ = _e1860;
             }
-            let _e1849 = phi_2531_;
-            if (_e1838 > _e1844) {
-                phi_2536_ = _e1838;
+            let _e1867 = phi_2550_;
+            if (_e1856 > _e1862) {
+                phi_2555_ = _e1856;
             } else {
-                phi_2536_ = _e1844;
+                phi_2555_ = _e1862;
             }
-            let _e1852 = phi_2536_;
-            if (_e1840 > _e1846) {
-                phi_2541_ = _e1840;
+            let _e1870 = phi_2555_;
+            if (_e1858 > _e1864) {
+                phi_2560_ = _e1858;
             } else {
-                phi_2541_ = _e1846;
+                phi_2560_ = _e1864;
             }
-            let _e1855 = phi_2541_;
-            let _e1857 = abs(_e1806.v2_.x);
-            let _e1859 = abs(_e1806.v2_.y);
-            let _e1861 = abs(_e1806.v2_.z);
-            if (_e1849 > _e1857) {
-                phi_2552_ = _e1849;
+            let _e1873 = phi_2560_;
+            let _e1875 = abs(_e1824.v2_.x);
+            let _e1877 = abs(_e1824.v2_.y);
+            let _e1879 = abs(_e1824.v2_.z);
+            if (_e1867 > _e1875) {
+                phi_2571_ = _e1867;
             } else {
-                phi_2552_ = _e1857;
+                phi_2571_ = _e1875;
             }
-            let _e1864 = phi_2552_;
-            if (_e1852 > _e1859) {
-                phi_2557_ = _e1852;
+            let _e1882 = phi_2571_;
+            if (_e1870 > _e1877) {
+                phi_2576_ = _e1870;
             } else {
-                phi_2557_ = _e1859;
+                phi_2576_ = _e1877;
             }
-            let _e1867 = phi_2557_;
-            if (_e1855 > _e1861) {
-                phi_2562_ = _e1855;
+            let _e1885 = phi_2576_;
+            if (_e1873 > _e1879) {
+                phi_2581_ = _e1873;
             } else {
-                phi_2562_ = _e1861;
+                phi_2581_ = _e1879;
             }
-            let _e1870 = phi_2562_;
-            let _e1873 = (_e1806.v1_.x - _e1806.v0_.x);
-            let _e1876 = (_e1806.v1_.y - _e1806.v0_.y);
-            let _e1879 = (_e1806.v1_.z - _e1806.v0_.z);
-            let _e1882 = (_e1806.v2_.x - _e1806.v0_.x);
-            let _e1885 = (_e1806.v2_.y - _e1806.v0_.y);
-            let _e1888 = (_e1806.v2_.z - _e1806.v0_.z);
-            let _e1892 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1876), abs(_e1879));
-            let _e1893 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1873), _e1892);
-            let _e1894 = (_e1873 / _e1893);
-            let _e1895 = (_e1876 / _e1893);
-            let _e1896 = (_e1879 / _e1893);
-            let _e1900 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1885), abs(_e1888));
-            let _e1901 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1882), _e1900);
-            let _e1902 = (_e1882 / _e1901);
-            let _e1903 = (_e1885 / _e1901);
-            let _e1904 = (_e1888 / _e1901);
-            let _e1907 = ((_e1895 * _e1904) - (_e1903 * _e1896));
-            let _e1910 = ((_e1896 * _e1902) - (_e1904 * _e1894));
-            let _e1913 = ((_e1894 * _e1903) - (_e1902 * _e1895));
-            let _e1915 = p.member.eye;
-            let _e1928 = (1f / sqrt((((_e1907 * _e1907) + (_e1910 * _e1910)) + (_e1913 * _e1913))));
-            let _e1929 = (_e1907 * _e1928);
-            let _e1930 = (_e1910 * _e1928);
-            let _e1931 = (_e1913 * _e1928);
-            if ((((_e1929 * (_e1915.x - _e1831)) + (_e1930 * (_e1915.y - _e1832))) + (_e1931 * (_e1915.z - _e1833))) < 0f) {
-                phi_2638_ = vec3<f32>(-(_e1929), -(_e1930), -(_e1931));
+            let _e1888 = phi_2581_;
+            let _e1891 = (_e1824.v1_.x - _e1824.v0_.x);
+            let _e1894 = (_e1824.v1_.y - _e1824.v0_.y);
+            let _e1897 = (_e1824.v1_.z - _e1824.v0_.z);
+            let _e1900 = (_e1824.v2_.x - _e1824.v0_.x);
+            let _e1903 = (_e1824.v2_.y - _e1824.v0_.y);
+            let _e1906 = (_e1824.v2_.z - _e1824.v0_.z);
+            let _e1910 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1894), abs(_e1897));
+            let _e1911 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1891), _e1910);
+            let _e1912 = (_e1891 / _e1911);
+            let _e1913 = (_e1894 / _e1911);
+            let _e1914 = (_e1897 / _e1911);
+            let _e1918 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1903), abs(_e1906));
+            let _e1919 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1900), _e1918);
+            let _e1920 = (_e1900 / _e1919);
+            let _e1921 = (_e1903 / _e1919);
+            let _e1922 = (_e1906 / _e1919);
+            let _e1925 = ((_e1913 * _e1922) - (_e1921 * _e1914));
+            let _e1928 = ((_e1914 * _e1920) - (_e1922 * _e1912));
+            let _e1931 = ((_e1912 * _e1921) - (_e1920 * _e1913));
+            let _e1933 = p.member.eye;
+            let _e1946 = (1f / sqrt((((_e1925 * _e1925) + (_e1928 * _e1928)) + (_e1931 * _e1931))));
+            let _e1947 = (_e1925 * _e1946);
+            let _e1948 = (_e1928 * _e1946);
+            let _e1949 = (_e1931 * _e1946);
+            if ((((_e1947 * (_e1933.x - _e1849)) + (_e1948 * (_e1933.y - _e1850))) + (_e1949 * (_e1933.z - _e1851))) < 0f) {
+                phi_2657_ = vec3<f32>(-(_e1947), -(_e1948), -(_e1949));
             } else {
-                phi_2638_ = vec3<f32>(_e1929, _e1930, _e1931);
+                phi_2657_ = vec3<f32>(_e1947, _e1948, _e1949);
             }
-            let _e1944 = phi_2638_;
-            if (_e1794.triangle < _e78) {
+            let _e1962 = phi_2657_;
+            if (_e1812.triangle < _e79) {
             } else {
                 return;
             }
-            let _e1949 = triangles.member[(0u + _e1794.triangle)];
-            let _e1951 = (_e1949.i0_ & 2147483647u);
-            if (_e1951 < _e81) {
+            let _e1967 = triangles.member[(0u + _e1812.triangle)];
+            let _e1969 = (_e1967.i0_ & 2147483647u);
+            if (_e1969 < _e82) {
             } else {
                 return;
             }
-            let _e1957 = vertices.member[(0u + _e1951)];
-            if (_e1949.i1_ < _e81) {
+            let _e1975 = vertices.member[(0u + _e1969)];
+            if (_e1967.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e1961 = vertices.member[(0u + _e1949.i1_)];
-            if (_e1949.i2_ < _e81) {
+            let _e1979 = vertices.member[(0u + _e1967.i1_)];
+            if (_e1967.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e1965 = vertices.member[(0u + _e1949.i2_)];
-            let _e1966 = array<abi_Vertex, 3>(_e1957, _e1961, _e1965);
-            if (_e1966[0].material < _e84) {
+            let _e1983 = vertices.member[(0u + _e1967.i2_)];
+            let _e1984 = array<abi_Vertex, 3>(_e1975, _e1979, _e1983);
+            if (_e1984[0].material < _e85) {
             } else {
                 return;
             }
-            let _e1972 = materials.member[(0u + _e1966[0].material)];
-            let _e1989 = (1f / 255f);
-            let _e2008 = (1f / 255f);
-            let _e2030 = (1f / 255f);
-            let _e2043 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1800, _e1794.u, _e1794.v));
-            let _e2045 = ((_e1972.base_color.x * ((((f32((_e1966[0].color & 255u)) * _e1989) * _e1800) + ((f32((_e1966[1].color & 255u)) * _e2008) * _e1794.u)) + ((f32((_e1966[2].color & 255u)) * _e2030) * _e1794.v))) * _e2043.x);
-            let _e2047 = ((_e1972.base_color.y * ((((f32(((_e1966[0].color >> bitcast<u32>(8i)) & 255u)) * _e1989) * _e1800) + ((f32(((_e1966[1].color >> bitcast<u32>(8i)) & 255u)) * _e2008) * _e1794.u)) + ((f32(((_e1966[2].color >> bitcast<u32>(8i)) & 255u)) * _e2030) * _e1794.v))) * _e2043.y);
-            let _e2049 = ((_e1972.base_color.z * ((((f32(((_e1966[0].color >> bitcast<u32>(16i)) & 255u)) * _e1989) * _e1800) + ((f32(((_e1966[1].color >> bitcast<u32>(16i)) & 255u)) * _e2008) * _e1794.u)) + ((f32(((_e1966[2].color >> bitcast<u32>(16i)) & 255u)) * _e2030) * _e1794.v))) * _e2043.z);
-            let _e2050 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1867, _e1870);
-            let _e2051 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1864, _e2050);
-            if ((_e1972.flags & 2u) == 0u) {
-                phi_2759_ = 0u;
+            let _e1990 = materials.member[(0u + _e1984[0].material)];
+            let _e2007 = (1f / 255f);
+            let _e2026 = (1f / 255f);
+            let _e2048 = (1f / 255f);
+            let _e2061 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1818, _e1812.u, _e1812.v));
+            let _e2063 = ((_e1990.base_color.x * ((((f32((_e1984[0].color & 255u)) * _e2007) * _e1818) + ((f32((_e1984[1].color & 255u)) * _e2026) * _e1812.u)) + ((f32((_e1984[2].color & 255u)) * _e2048) * _e1812.v))) * _e2061.x);
+            let _e2065 = ((_e1990.base_color.y * ((((f32(((_e1984[0].color >> bitcast<u32>(8i)) & 255u)) * _e2007) * _e1818) + ((f32(((_e1984[1].color >> bitcast<u32>(8i)) & 255u)) * _e2026) * _e1812.u)) + ((f32(((_e1984[2].color >> bitcast<u32>(8i)) & 255u)) * _e2048) * _e1812.v))) * _e2061.y);
+            let _e2067 = ((_e1990.base_color.z * ((((f32(((_e1984[0].color >> bitcast<u32>(16i)) & 255u)) * _e2007) * _e1818) + ((f32(((_e1984[1].color >> bitcast<u32>(16i)) & 255u)) * _e2026) * _e1812.u)) + ((f32(((_e1984[2].color >> bitcast<u32>(16i)) & 255u)) * _e2048) * _e1812.v))) * _e2061.z);
+            let _e2068 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1885, _e1888);
+            let _e2069 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1882, _e2068);
+            if ((_e1990.flags & 2u) == 0u) {
+                phi_2778_ = 0u;
             } else {
-                phi_2759_ = 1u;
+                phi_2778_ = 1u;
             }
-            let _e2056 = phi_2759_;
-            if (_e1966[0].normal == 2147516416u) {
-                phi_2962_ = _e1944;
+            let _e2074 = phi_2778_;
+            if (_e1984[0].normal == 2147516416u) {
+                phi_2981_ = _e1962;
             } else {
-                let _e2069 = (f32((bitcast<i32>((_e1966[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2075 = (f32((bitcast<i32>(_e1966[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2079 = ((1f - abs(_e2069)) - abs(_e2075));
-                if (_e2079 < 0f) {
-                    phi_2786_ = -(_e2079);
+                let _e2087 = (f32((bitcast<i32>((_e1984[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2093 = (f32((bitcast<i32>(_e1984[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2097 = ((1f - abs(_e2087)) - abs(_e2093));
+                if (_e2097 < 0f) {
+                    phi_2805_ = -(_e2097);
                 } else {
-                    phi_2786_ = 0f;
+                    phi_2805_ = 0f;
                 }
-                let _e2083 = phi_2786_;
-                if (_e2069 < 0f) {
-                    phi_2793_ = (_e2069 + _e2083);
+                let _e2101 = phi_2805_;
+                if (_e2087 < 0f) {
+                    phi_2812_ = (_e2087 + _e2101);
                 } else {
-                    phi_2793_ = (_e2069 - _e2083);
+                    phi_2812_ = (_e2087 - _e2101);
                 }
-                let _e2088 = phi_2793_;
-                if (_e2075 < 0f) {
-                    phi_2800_ = (_e2075 + _e2083);
+                let _e2106 = phi_2812_;
+                if (_e2093 < 0f) {
+                    phi_2819_ = (_e2093 + _e2101);
                 } else {
-                    phi_2800_ = (_e2075 - _e2083);
+                    phi_2819_ = (_e2093 - _e2101);
                 }
-                let _e2093 = phi_2800_;
-                let _e2100 = (1f / sqrt((((_e2088 * _e2088) + (_e2093 * _e2093)) + (_e2079 * _e2079))));
-                let _e2116 = (f32((bitcast<i32>((_e1966[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2122 = (f32((bitcast<i32>(_e1966[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2126 = ((1f - abs(_e2116)) - abs(_e2122));
-                if (_e2126 < 0f) {
-                    phi_2835_ = -(_e2126);
+                let _e2111 = phi_2819_;
+                let _e2118 = (1f / sqrt((((_e2106 * _e2106) + (_e2111 * _e2111)) + (_e2097 * _e2097))));
+                let _e2134 = (f32((bitcast<i32>((_e1984[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2140 = (f32((bitcast<i32>(_e1984[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2144 = ((1f - abs(_e2134)) - abs(_e2140));
+                if (_e2144 < 0f) {
+                    phi_2854_ = -(_e2144);
                 } else {
-                    phi_2835_ = 0f;
+                    phi_2854_ = 0f;
                 }
-                let _e2130 = phi_2835_;
-                if (_e2116 < 0f) {
-                    phi_2842_ = (_e2116 + _e2130);
+                let _e2148 = phi_2854_;
+                if (_e2134 < 0f) {
+                    phi_2861_ = (_e2134 + _e2148);
                 } else {
-                    phi_2842_ = (_e2116 - _e2130);
+                    phi_2861_ = (_e2134 - _e2148);
                 }
-                let _e2135 = phi_2842_;
-                if (_e2122 < 0f) {
-                    phi_2849_ = (_e2122 + _e2130);
+                let _e2153 = phi_2861_;
+                if (_e2140 < 0f) {
+                    phi_2868_ = (_e2140 + _e2148);
                 } else {
-                    phi_2849_ = (_e2122 - _e2130);
+                    phi_2868_ = (_e2140 - _e2148);
                 }
-                let _e2140 = phi_2849_;
-                let _e2147 = (1f / sqrt((((_e2135 * _e2135) + (_e2140 * _e2140)) + (_e2126 * _e2126))));
-                let _e2166 = (f32((bitcast<i32>((_e1966[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2172 = (f32((bitcast<i32>(_e1966[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2176 = ((1f - abs(_e2166)) - abs(_e2172));
-                if (_e2176 < 0f) {
-                    phi_2887_ = -(_e2176);
+                let _e2158 = phi_2868_;
+                let _e2165 = (1f / sqrt((((_e2153 * _e2153) + (_e2158 * _e2158)) + (_e2144 * _e2144))));
+                let _e2184 = (f32((bitcast<i32>((_e1984[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2190 = (f32((bitcast<i32>(_e1984[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2194 = ((1f - abs(_e2184)) - abs(_e2190));
+                if (_e2194 < 0f) {
+                    phi_2906_ = -(_e2194);
                 } else {
-                    phi_2887_ = 0f;
+                    phi_2906_ = 0f;
                 }
-                let _e2180 = phi_2887_;
-                if (_e2166 < 0f) {
-                    phi_2894_ = (_e2166 + _e2180);
+                let _e2198 = phi_2906_;
+                if (_e2184 < 0f) {
+                    phi_2913_ = (_e2184 + _e2198);
                 } else {
-                    phi_2894_ = (_e2166 - _e2180);
+                    phi_2913_ = (_e2184 - _e2198);
                 }
-                let _e2185 = phi_2894_;
-                if (_e2172 < 0f) {
-                    phi_2901_ = (_e2172 + _e2180);
+                let _e2203 = phi_2913_;
+                if (_e2190 < 0f) {
+                    phi_2920_ = (_e2190 + _e2198);
                 } else {
-                    phi_2901_ = (_e2172 - _e2180);
+                    phi_2920_ = (_e2190 - _e2198);
                 }
-                let _e2190 = phi_2901_;
-                let _e2197 = (1f / sqrt((((_e2185 * _e2185) + (_e2190 * _e2190)) + (_e2176 * _e2176))));
-                let _e2208 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2088 * _e2100) * _e1800) + ((_e2135 * _e2147) * _e1794.u)) + ((_e2185 * _e2197) * _e1794.v)), ((((_e2093 * _e2100) * _e1800) + ((_e2140 * _e2147) * _e1794.u)) + ((_e2190 * _e2197) * _e1794.v)), ((((_e2079 * _e2100) * _e1800) + ((_e2126 * _e2147) * _e1794.u)) + ((_e2176 * _e2197) * _e1794.v))));
-                let _e2220 = sqrt((((_e2208.x * _e2208.x) + (_e2208.y * _e2208.y)) + (_e2208.z * _e2208.z)));
-                if (_e2220 > 0f) {
-                    let _e2223 = (_e2208.x / _e2220);
-                    let _e2225 = (_e2208.y / _e2220);
-                    let _e2227 = (_e2208.z / _e2220);
-                    if ((((_e2223 * _e1944.x) + (_e2225 * _e1944.y)) + (_e2227 * _e1944.z)) < 0f) {
-                        phi_2960_ = vec3<f32>(-(_e2223), -(_e2225), -(_e2227));
+                let _e2208 = phi_2920_;
+                let _e2215 = (1f / sqrt((((_e2203 * _e2203) + (_e2208 * _e2208)) + (_e2194 * _e2194))));
+                let _e2226 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2106 * _e2118) * _e1818) + ((_e2153 * _e2165) * _e1812.u)) + ((_e2203 * _e2215) * _e1812.v)), ((((_e2111 * _e2118) * _e1818) + ((_e2158 * _e2165) * _e1812.u)) + ((_e2208 * _e2215) * _e1812.v)), ((((_e2097 * _e2118) * _e1818) + ((_e2144 * _e2165) * _e1812.u)) + ((_e2194 * _e2215) * _e1812.v))));
+                let _e2238 = sqrt((((_e2226.x * _e2226.x) + (_e2226.y * _e2226.y)) + (_e2226.z * _e2226.z)));
+                if (_e2238 > 0f) {
+                    let _e2241 = (_e2226.x / _e2238);
+                    let _e2243 = (_e2226.y / _e2238);
+                    let _e2245 = (_e2226.z / _e2238);
+                    if ((((_e2241 * _e1962.x) + (_e2243 * _e1962.y)) + (_e2245 * _e1962.z)) < 0f) {
+                        phi_2979_ = vec3<f32>(-(_e2241), -(_e2243), -(_e2245));
                     } else {
-                        phi_2960_ = (_e2208 / vec3(_e2220));
+                        phi_2979_ = (_e2226 / vec3(_e2238));
                     }
-                    let _e2244 = phi_2960_;
-                    phi_2961_ = _e2244;
+                    let _e2262 = phi_2979_;
+                    phi_2980_ = _e2262;
                 } else {
-                    phi_2961_ = _e1944;
+                    phi_2980_ = _e1962;
                 }
-                let _e2246 = phi_2961_;
-                phi_2962_ = _e2246;
+                let _e2264 = phi_2980_;
+                phi_2981_ = _e2264;
             }
-            let _e2248 = phi_2962_;
-            if (_e2045 > 0f) {
-                if (_e2045 < 1f) {
-                    phi_2971_ = _e2045;
+            let _e2266 = phi_2981_;
+            if (_e2063 > 0f) {
+                if (_e2063 < 1f) {
+                    phi_2990_ = _e2063;
                 } else {
-                    phi_2971_ = 1f;
+                    phi_2990_ = 1f;
                 }
-                let _e2252 = phi_2971_;
-                phi_2972_ = _e2252;
+                let _e2270 = phi_2990_;
+                phi_2991_ = _e2270;
             } else {
-                phi_2972_ = 0f;
+                phi_2991_ = 0f;
             }
-            let _e2254 = phi_2972_;
-            if (_e2047 > 0f) {
-                if (_e2047 < 1f) {
-                    phi_2982_ = _e2047;
+            let _e2272 = phi_2991_;
+            if (_e2065 > 0f) {
+                if (_e2065 < 1f) {
+                    phi_3001_ = _e2065;
                 } else {
-                    phi_2982_ = 1f;
+                    phi_3001_ = 1f;
                 }
-                let _e2259 = phi_2982_;
-                phi_2983_ = _e2259;
+                let _e2277 = phi_3001_;
+                phi_3002_ = _e2277;
             } else {
-                phi_2983_ = 0f;
+                phi_3002_ = 0f;
             }
-            let _e2261 = phi_2983_;
-            if (_e2049 > 0f) {
-                if (_e2049 < 1f) {
-                    phi_2993_ = _e2049;
+            let _e2279 = phi_3002_;
+            if (_e2067 > 0f) {
+                if (_e2067 < 1f) {
+                    phi_3012_ = _e2067;
                 } else {
-                    phi_2993_ = 1f;
+                    phi_3012_ = 1f;
                 }
-                let _e2266 = phi_2993_;
-                phi_2994_ = _e2266;
+                let _e2284 = phi_3012_;
+                phi_3013_ = _e2284;
             } else {
-                phi_2994_ = 0f;
+                phi_3013_ = 0f;
             }
-            let _e2268 = phi_2994_;
-            let _e2271 = ((sqrt(_e2254) * 255f) + 0.5f);
-            let _e2280 = ((sqrt(_e2261) * 255f) + 0.5f);
-            let _e2292 = ((sqrt(_e2268) * 255f) + 0.5f);
-            phi_3029_ = abi_Sample(vec3<f32>(_e1831, _e1832, _e1833), _e2051, _e1944, _e2056, _e2248, ((select(select(u32(_e2271), 0u, (_e2271 < bitcast<f32>(0u))), 4294967295u, (_e2271 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2280), 0u, (_e2280 < bitcast<f32>(0u))), 4294967295u, (_e2280 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2292), 0u, (_e2292 < bitcast<f32>(0u))), 4294967295u, (_e2292 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2286 = phi_3013_;
+            let _e2289 = ((sqrt(_e2272) * 255f) + 0.5f);
+            let _e2298 = ((sqrt(_e2279) * 255f) + 0.5f);
+            let _e2310 = ((sqrt(_e2286) * 255f) + 0.5f);
+            phi_3048_ = abi_Sample(vec3<f32>(_e1849, _e1850, _e1851), _e2069, _e1962, _e2074, _e2266, ((select(select(u32(_e2289), 0u, (_e2289 < bitcast<f32>(0u))), 4294967295u, (_e2289 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2298), 0u, (_e2298 < bitcast<f32>(0u))), 4294967295u, (_e2298 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2310), 0u, (_e2310 < bitcast<f32>(0u))), 4294967295u, (_e2310 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3029_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3048_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2306 = phi_3029_;
-        if (_e96.shift < arrayLength((&samples.member))) {
+        let _e2324 = phi_3048_;
+        if (_e97.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.shift)] = _e2306;
+        samples.member[(0u + _e97.shift)] = _e2324;
     }
     return;
 }

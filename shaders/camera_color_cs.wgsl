@@ -2,13 +2,13 @@ struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
     right: vec3<f32>,
-    pad0_: u32,
+    layers_behind: u32,
     up: vec3<f32>,
     pad1_: u32,
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -159,430 +159,430 @@ var<storage, read_write> samples: type_9;
 var<storage> color_texels: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_207_: lt_mask_LightPlace;
-    var phi_208_: bool;
     var phi_209_: lt_mask_LightPlace;
     var phi_210_: bool;
-    var phi_215_: lt_mask_LightPlace;
+    var phi_211_: lt_mask_LightPlace;
+    var phi_212_: bool;
+    var phi_217_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_207_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_208_ = false;
+            phi_209_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_210_ = false;
         } else {
-            phi_207_ = lt_mask_LightPlace();
-            phi_208_ = true;
+            phi_209_ = lt_mask_LightPlace();
+            phi_210_ = true;
         }
-        let _e81 = phi_207_;
-        let _e83 = phi_208_;
-        phi_209_ = _e81;
-        phi_210_ = _e83;
+        let _e82 = phi_209_;
+        let _e84 = phi_210_;
+        phi_211_ = _e82;
+        phi_212_ = _e84;
     } else {
-        phi_209_ = lt_mask_LightPlace();
-        phi_210_ = true;
+        phi_211_ = lt_mask_LightPlace();
+        phi_212_ = true;
     }
-    let _e85 = phi_209_;
-    let _e87 = phi_210_;
-    if _e87 {
-        phi_215_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e86 = phi_211_;
+    let _e88 = phi_212_;
+    if _e88 {
+        phi_217_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_215_ = _e85;
+        phi_217_ = _e86;
     }
-    let _e92 = phi_215_;
-    return lt_mask_LightPlace(_e92.word, _e92.shift);
+    let _e93 = phi_217_;
+    return lt_mask_LightPlace(_e93.word, _e93.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_230_: bool;
-    var phi_234_: f32;
+    var phi_232_: bool;
+    var phi_236_: f32;
 
     if (param_3 != param_3) {
-        phi_230_ = true;
+        phi_232_ = true;
     } else {
-        let _e71 = (param_4 >= param_3);
-        if _e71 {
+        let _e72 = (param_4 >= param_3);
+        if _e72 {
         }
-        phi_230_ = _e71;
+        phi_232_ = _e72;
     }
-    let _e73 = phi_230_;
-    if _e73 {
-        phi_234_ = param_4;
+    let _e74 = phi_232_;
+    if _e74 {
+        phi_236_ = param_4;
     } else {
-        phi_234_ = param_3;
+        phi_236_ = param_3;
     }
-    let _e75 = phi_234_;
-    return _e75;
+    let _e76 = phi_236_;
+    return _e76;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_246_: bool;
-    var phi_250_: f32;
+    var phi_248_: bool;
+    var phi_252_: f32;
 
     if (param_5 != param_5) {
-        phi_246_ = true;
+        phi_248_ = true;
     } else {
-        let _e71 = (param_6 <= param_5);
-        if _e71 {
+        let _e72 = (param_6 <= param_5);
+        if _e72 {
         }
-        phi_246_ = _e71;
+        phi_248_ = _e72;
     }
-    let _e73 = phi_246_;
-    if _e73 {
-        phi_250_ = param_6;
+    let _e74 = phi_248_;
+    if _e74 {
+        phi_252_ = param_6;
     } else {
-        phi_250_ = param_5;
+        phi_252_ = param_5;
     }
-    let _e75 = phi_250_;
-    return _e75;
+    let _e76 = phi_252_;
+    return _e76;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_292_: f32;
-    var phi_297_: f32;
-    var phi_298_: bool;
+    var phi_294_: f32;
     var phi_299_: f32;
     var phi_300_: bool;
-    var phi_304_: f32;
-    var phi_330_: f32;
-    var phi_335_: f32;
-    var phi_336_: bool;
+    var phi_301_: f32;
+    var phi_302_: bool;
+    var phi_306_: f32;
+    var phi_332_: f32;
     var phi_337_: f32;
     var phi_338_: bool;
-    var phi_342_: f32;
-    var phi_350_: f32;
-    var phi_351_: f32;
+    var phi_339_: f32;
+    var phi_340_: bool;
+    var phi_344_: f32;
     var phi_352_: f32;
-    var phi_361_: f32;
-    var phi_362_: f32;
-    var phi_380_: u32;
-    var phi_394_: u32;
-    var phi_401_: u32;
-    var phi_406_: u32;
-    var phi_412_: u32;
-    var phi_417_: u32;
-    var phi_419_: texture_Axis;
-    var phi_447_: f32;
-    var phi_452_: f32;
-    var phi_453_: bool;
+    var phi_353_: f32;
+    var phi_354_: f32;
+    var phi_363_: f32;
+    var phi_364_: f32;
+    var phi_382_: u32;
+    var phi_396_: u32;
+    var phi_403_: u32;
+    var phi_408_: u32;
+    var phi_414_: u32;
+    var phi_419_: u32;
+    var phi_421_: texture_Axis;
+    var phi_449_: f32;
     var phi_454_: f32;
     var phi_455_: bool;
-    var phi_459_: f32;
-    var phi_485_: f32;
-    var phi_490_: f32;
-    var phi_491_: bool;
+    var phi_456_: f32;
+    var phi_457_: bool;
+    var phi_461_: f32;
+    var phi_487_: f32;
     var phi_492_: f32;
     var phi_493_: bool;
-    var phi_497_: f32;
-    var phi_505_: f32;
-    var phi_506_: f32;
+    var phi_494_: f32;
+    var phi_495_: bool;
+    var phi_499_: f32;
     var phi_507_: f32;
-    var phi_516_: f32;
-    var phi_517_: f32;
-    var phi_535_: u32;
-    var phi_549_: u32;
-    var phi_556_: u32;
-    var phi_561_: u32;
-    var phi_567_: u32;
-    var phi_572_: u32;
-    var phi_574_: texture_Axis;
+    var phi_508_: f32;
+    var phi_509_: f32;
+    var phi_518_: f32;
+    var phi_519_: f32;
+    var phi_537_: u32;
+    var phi_551_: u32;
+    var phi_558_: u32;
+    var phi_563_: u32;
+    var phi_569_: u32;
+    var phi_574_: u32;
+    var phi_576_: texture_Axis;
 
-    let _e72 = (*param_7).size;
-    let _e73 = (_e72 & 65535u);
-    let _e75 = (*param_7).size;
-    let _e77 = (_e75 >> bitcast<u32>(16i));
-    let _e79 = (*param_7).flags;
-    let _e81 = ((_e79 & 4u) != 0u);
-    let _e83 = (*param_7).flags;
-    let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
-    if (_e86 == 0u) {
+    let _e73 = (*param_7).size;
+    let _e74 = (_e73 & 65535u);
+    let _e76 = (*param_7).size;
+    let _e78 = (_e76 >> bitcast<u32>(16i));
+    let _e80 = (*param_7).flags;
+    let _e82 = ((_e80 & 4u) != 0u);
+    let _e84 = (*param_7).flags;
+    let _e87 = ((_e84 >> bitcast<u32>(4u)) & 3u);
+    if (_e87 == 0u) {
         if (param_8 > -8388608f) {
-            let _e99 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
-            if (_e99 > param_8) {
-                phi_292_ = 1f;
+            let _e100 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e100 > param_8) {
+                phi_294_ = 1f;
             } else {
-                phi_292_ = 0f;
+                phi_294_ = 0f;
             }
-            let _e102 = phi_292_;
+            let _e103 = phi_294_;
             if (param_8 < 8388608f) {
-                phi_297_ = (_e99 - _e102);
-                phi_298_ = false;
+                phi_299_ = (_e100 - _e103);
+                phi_300_ = false;
             } else {
-                phi_297_ = f32();
-                phi_298_ = true;
+                phi_299_ = f32();
+                phi_300_ = true;
             }
-            let _e105 = phi_297_;
-            let _e107 = phi_298_;
-            phi_299_ = _e105;
-            phi_300_ = _e107;
+            let _e106 = phi_299_;
+            let _e108 = phi_300_;
+            phi_301_ = _e106;
+            phi_302_ = _e108;
         } else {
-            phi_299_ = f32();
-            phi_300_ = true;
+            phi_301_ = f32();
+            phi_302_ = true;
         }
-        let _e109 = phi_299_;
-        let _e111 = phi_300_;
-        if _e111 {
-            phi_304_ = param_8;
+        let _e110 = phi_301_;
+        let _e112 = phi_302_;
+        if _e112 {
+            phi_306_ = param_8;
         } else {
-            phi_304_ = _e109;
+            phi_306_ = _e110;
         }
-        let _e113 = phi_304_;
-        phi_352_ = (param_8 - _e113);
+        let _e114 = phi_306_;
+        phi_354_ = (param_8 - _e114);
     } else {
-        if (_e86 == 1u) {
-            let _e116 = (param_8 * 0.5f);
-            if (_e116 > -8388608f) {
-                let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
-                if (_e128 > _e116) {
-                    phi_330_ = 1f;
+        if (_e87 == 1u) {
+            let _e117 = (param_8 * 0.5f);
+            if (_e117 > -8388608f) {
+                let _e129 = f32(select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)));
+                if (_e129 > _e117) {
+                    phi_332_ = 1f;
                 } else {
-                    phi_330_ = 0f;
+                    phi_332_ = 0f;
                 }
-                let _e131 = phi_330_;
-                if (_e116 < 8388608f) {
-                    phi_335_ = (_e128 - _e131);
-                    phi_336_ = false;
+                let _e132 = phi_332_;
+                if (_e117 < 8388608f) {
+                    phi_337_ = (_e129 - _e132);
+                    phi_338_ = false;
                 } else {
-                    phi_335_ = f32();
-                    phi_336_ = true;
+                    phi_337_ = f32();
+                    phi_338_ = true;
                 }
-                let _e134 = phi_335_;
-                let _e136 = phi_336_;
-                phi_337_ = _e134;
-                phi_338_ = _e136;
+                let _e135 = phi_337_;
+                let _e137 = phi_338_;
+                phi_339_ = _e135;
+                phi_340_ = _e137;
             } else {
-                phi_337_ = f32();
-                phi_338_ = true;
+                phi_339_ = f32();
+                phi_340_ = true;
             }
-            let _e138 = phi_337_;
-            let _e140 = phi_338_;
-            if _e140 {
-                phi_342_ = _e116;
+            let _e139 = phi_339_;
+            let _e141 = phi_340_;
+            if _e141 {
+                phi_344_ = _e117;
             } else {
-                phi_342_ = _e138;
+                phi_344_ = _e139;
             }
-            let _e142 = phi_342_;
-            let _e144 = (param_8 - (2f * _e142));
-            if (_e144 > 1f) {
-                phi_350_ = (2f - _e144);
+            let _e143 = phi_344_;
+            let _e145 = (param_8 - (2f * _e143));
+            if (_e145 > 1f) {
+                phi_352_ = (2f - _e145);
             } else {
-                phi_350_ = _e144;
+                phi_352_ = _e145;
             }
-            let _e148 = phi_350_;
-            phi_351_ = _e148;
+            let _e149 = phi_352_;
+            phi_353_ = _e149;
         } else {
-            phi_351_ = param_8;
+            phi_353_ = param_8;
         }
-        let _e150 = phi_351_;
-        phi_352_ = _e150;
+        let _e151 = phi_353_;
+        phi_354_ = _e151;
     }
-    let _e152 = phi_352_;
-    if (_e152 > 0f) {
-        if (_e152 < 1f) {
-            phi_361_ = _e152;
+    let _e153 = phi_354_;
+    if (_e153 > 0f) {
+        if (_e153 < 1f) {
+            phi_363_ = _e153;
         } else {
-            phi_361_ = 1f;
+            phi_363_ = 1f;
         }
-        let _e156 = phi_361_;
-        phi_362_ = _e156;
+        let _e157 = phi_363_;
+        phi_364_ = _e157;
     } else {
-        phi_362_ = 0f;
+        phi_364_ = 0f;
     }
-    let _e158 = phi_362_;
-    let _e159 = (_e73 - 1u);
-    let _e161 = (_e158 * f32(_e73));
-    if _e81 {
-        let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
-        if (_e159 < _e168) {
-            phi_380_ = _e159;
+    let _e159 = phi_364_;
+    let _e160 = (_e74 - 1u);
+    let _e162 = (_e159 * f32(_e74));
+    if _e82 {
+        let _e169 = select(select(u32(_e162), 0u, (_e162 < bitcast<f32>(0u))), 4294967295u, (_e162 > bitcast<f32>(1333788671u)));
+        if (_e160 < _e169) {
+            phi_382_ = _e160;
         } else {
-            phi_380_ = _e168;
+            phi_382_ = _e169;
         }
-        let _e171 = phi_380_;
-        phi_419_ = texture_Axis(_e171, _e171, 0f);
+        let _e172 = phi_382_;
+        phi_421_ = texture_Axis(_e172, _e172, 0f);
     } else {
-        let _e173 = (_e161 + 0.5f);
-        let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
-        if (_e73 < _e180) {
-            phi_394_ = _e73;
+        let _e174 = (_e162 + 0.5f);
+        let _e181 = select(select(u32(_e174), 0u, (_e174 < bitcast<f32>(0u))), 4294967295u, (_e174 > bitcast<f32>(1333788671u)));
+        if (_e74 < _e181) {
+            phi_396_ = _e74;
         } else {
-            phi_394_ = _e180;
+            phi_396_ = _e181;
         }
-        let _e183 = phi_394_;
-        if (_e86 == 0u) {
-            phi_401_ = _e159;
+        let _e184 = phi_396_;
+        if (_e87 == 0u) {
+            phi_403_ = _e160;
         } else {
-            phi_401_ = 0u;
+            phi_403_ = 0u;
         }
-        let _e188 = phi_401_;
-        if (_e86 == 0u) {
-            phi_406_ = 0u;
+        let _e189 = phi_403_;
+        if (_e87 == 0u) {
+            phi_408_ = 0u;
         } else {
-            phi_406_ = _e159;
+            phi_408_ = _e160;
         }
-        let _e191 = phi_406_;
-        if (_e183 == 0u) {
-            phi_412_ = _e188;
+        let _e192 = phi_408_;
+        if (_e184 == 0u) {
+            phi_414_ = _e189;
         } else {
-            phi_412_ = (_e183 - 1u);
+            phi_414_ = (_e184 - 1u);
         }
-        let _e195 = phi_412_;
-        if (_e183 > _e159) {
-            phi_417_ = _e191;
+        let _e196 = phi_414_;
+        if (_e184 > _e160) {
+            phi_419_ = _e192;
         } else {
-            phi_417_ = _e183;
+            phi_419_ = _e184;
         }
-        let _e198 = phi_417_;
-        phi_419_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+        let _e199 = phi_419_;
+        phi_421_ = texture_Axis(_e196, _e199, (_e174 - f32(_e184)));
     }
-    let _e201 = phi_419_;
-    let _e203 = (*param_7).flags;
-    let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
-    if (_e206 == 0u) {
+    let _e202 = phi_421_;
+    let _e204 = (*param_7).flags;
+    let _e207 = ((_e204 >> bitcast<u32>(6u)) & 3u);
+    if (_e207 == 0u) {
         if (param_9 > -8388608f) {
-            let _e219 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
-            if (_e219 > param_9) {
-                phi_447_ = 1f;
+            let _e220 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e220 > param_9) {
+                phi_449_ = 1f;
             } else {
-                phi_447_ = 0f;
+                phi_449_ = 0f;
             }
-            let _e222 = phi_447_;
+            let _e223 = phi_449_;
             if (param_9 < 8388608f) {
-                phi_452_ = (_e219 - _e222);
-                phi_453_ = false;
+                phi_454_ = (_e220 - _e223);
+                phi_455_ = false;
             } else {
-                phi_452_ = f32();
-                phi_453_ = true;
+                phi_454_ = f32();
+                phi_455_ = true;
             }
-            let _e225 = phi_452_;
-            let _e227 = phi_453_;
-            phi_454_ = _e225;
-            phi_455_ = _e227;
+            let _e226 = phi_454_;
+            let _e228 = phi_455_;
+            phi_456_ = _e226;
+            phi_457_ = _e228;
         } else {
-            phi_454_ = f32();
-            phi_455_ = true;
+            phi_456_ = f32();
+            phi_457_ = true;
         }
-        let _e229 = phi_454_;
-        let _e231 = phi_455_;
-        if _e231 {
-            phi_459_ = param_9;
+        let _e230 = phi_456_;
+        let _e232 = phi_457_;
+        if _e232 {
+            phi_461_ = param_9;
         } else {
-            phi_459_ = _e229;
+            phi_461_ = _e230;
         }
-        let _e233 = phi_459_;
-        phi_507_ = (param_9 - _e233);
+        let _e234 = phi_461_;
+        phi_509_ = (param_9 - _e234);
     } else {
-        if (_e206 == 1u) {
-            let _e236 = (param_9 * 0.5f);
-            if (_e236 > -8388608f) {
-                let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
-                if (_e248 > _e236) {
-                    phi_485_ = 1f;
+        if (_e207 == 1u) {
+            let _e237 = (param_9 * 0.5f);
+            if (_e237 > -8388608f) {
+                let _e249 = f32(select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)));
+                if (_e249 > _e237) {
+                    phi_487_ = 1f;
                 } else {
-                    phi_485_ = 0f;
+                    phi_487_ = 0f;
                 }
-                let _e251 = phi_485_;
-                if (_e236 < 8388608f) {
-                    phi_490_ = (_e248 - _e251);
-                    phi_491_ = false;
+                let _e252 = phi_487_;
+                if (_e237 < 8388608f) {
+                    phi_492_ = (_e249 - _e252);
+                    phi_493_ = false;
                 } else {
-                    phi_490_ = f32();
-                    phi_491_ = true;
+                    phi_492_ = f32();
+                    phi_493_ = true;
                 }
-                let _e254 = phi_490_;
-                let _e256 = phi_491_;
-                phi_492_ = _e254;
-                phi_493_ = _e256;
+                let _e255 = phi_492_;
+                let _e257 = phi_493_;
+                phi_494_ = _e255;
+                phi_495_ = _e257;
             } else {
-                phi_492_ = f32();
-                phi_493_ = true;
+                phi_494_ = f32();
+                phi_495_ = true;
             }
-            let _e258 = phi_492_;
-            let _e260 = phi_493_;
-            if _e260 {
-                phi_497_ = _e236;
+            let _e259 = phi_494_;
+            let _e261 = phi_495_;
+            if _e261 {
+                phi_499_ = _e237;
             } else {
-                phi_497_ = _e258;
+                phi_499_ = _e259;
             }
-            let _e262 = phi_497_;
-            let _e264 = (param_9 - (2f * _e262));
-            if (_e264 > 1f) {
-                phi_505_ = (2f - _e264);
+            let _e263 = phi_499_;
+            let _e265 = (param_9 - (2f * _e263));
+            if (_e265 > 1f) {
+                phi_507_ = (2f - _e265);
             } else {
-                phi_505_ = _e264;
+                phi_507_ = _e265;
             }
-            let _e268 = phi_505_;
-            phi_506_ = _e268;
+            let _e269 = phi_507_;
+            phi_508_ = _e269;
         } else {
-            phi_506_ = param_9;
+            phi_508_ = param_9;
         }
-        let _e270 = phi_506_;
-        phi_507_ = _e270;
+        let _e271 = phi_508_;
+        phi_509_ = _e271;
     }
-    let _e272 = phi_507_;
-    if (_e272 > 0f) {
-        if (_e272 < 1f) {
-            phi_516_ = _e272;
+    let _e273 = phi_509_;
+    if (_e273 > 0f) {
+        if (_e273 < 1f) {
+            phi_518_ = _e273;
         } else {
-            phi_516_ = 1f;
+            phi_518_ = 1f;
         }
-        let _e276 = phi_516_;
-        phi_517_ = _e276;
+        let _e277 = phi_518_;
+        phi_519_ = _e277;
     } else {
-        phi_517_ = 0f;
+        phi_519_ = 0f;
     }
-    let _e278 = phi_517_;
-    let _e279 = (_e77 - 1u);
-    let _e281 = (_e278 * f32(_e77));
-    if _e81 {
-        let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
-        if (_e279 < _e288) {
-            phi_535_ = _e279;
+    let _e279 = phi_519_;
+    let _e280 = (_e78 - 1u);
+    let _e282 = (_e279 * f32(_e78));
+    if _e82 {
+        let _e289 = select(select(u32(_e282), 0u, (_e282 < bitcast<f32>(0u))), 4294967295u, (_e282 > bitcast<f32>(1333788671u)));
+        if (_e280 < _e289) {
+            phi_537_ = _e280;
         } else {
-            phi_535_ = _e288;
+            phi_537_ = _e289;
         }
-        let _e291 = phi_535_;
-        phi_574_ = texture_Axis(_e291, _e291, 0f);
+        let _e292 = phi_537_;
+        phi_576_ = texture_Axis(_e292, _e292, 0f);
     } else {
-        let _e293 = (_e281 + 0.5f);
-        let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
-        if (_e77 < _e300) {
-            phi_549_ = _e77;
+        let _e294 = (_e282 + 0.5f);
+        let _e301 = select(select(u32(_e294), 0u, (_e294 < bitcast<f32>(0u))), 4294967295u, (_e294 > bitcast<f32>(1333788671u)));
+        if (_e78 < _e301) {
+            phi_551_ = _e78;
         } else {
-            phi_549_ = _e300;
+            phi_551_ = _e301;
         }
-        let _e303 = phi_549_;
-        if (_e206 == 0u) {
-            phi_556_ = _e279;
+        let _e304 = phi_551_;
+        if (_e207 == 0u) {
+            phi_558_ = _e280;
         } else {
-            phi_556_ = 0u;
+            phi_558_ = 0u;
         }
-        let _e308 = phi_556_;
-        if (_e206 == 0u) {
-            phi_561_ = 0u;
+        let _e309 = phi_558_;
+        if (_e207 == 0u) {
+            phi_563_ = 0u;
         } else {
-            phi_561_ = _e279;
+            phi_563_ = _e280;
         }
-        let _e311 = phi_561_;
-        if (_e303 == 0u) {
-            phi_567_ = _e308;
+        let _e312 = phi_563_;
+        if (_e304 == 0u) {
+            phi_569_ = _e309;
         } else {
-            phi_567_ = (_e303 - 1u);
+            phi_569_ = (_e304 - 1u);
         }
-        let _e315 = phi_567_;
-        if (_e303 > _e279) {
-            phi_572_ = _e311;
+        let _e316 = phi_569_;
+        if (_e304 > _e280) {
+            phi_574_ = _e312;
         } else {
-            phi_572_ = _e303;
+            phi_574_ = _e304;
         }
-        let _e318 = phi_572_;
-        phi_574_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+        let _e319 = phi_574_;
+        phi_576_ = texture_Axis(_e316, _e319, (_e294 - f32(_e304)));
     }
-    let _e321 = phi_574_;
-    let _e325 = (*param_7).offset;
-    let _e332 = (*param_7).offset;
-    let _e339 = (*param_7).offset;
-    let _e346 = (*param_7).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
+    let _e322 = phi_576_;
+    let _e326 = (*param_7).offset;
+    let _e333 = (*param_7).offset;
+    let _e340 = (*param_7).offset;
+    let _e347 = (*param_7).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e326 + (_e322.low * _e74)) + _e202.low), ((_e333 + (_e322.low * _e74)) + _e202.high), ((_e340 + (_e322.high * _e74)) + _e202.low), ((_e347 + (_e322.high * _e74)) + _e202.high)), vec4<f32>(((1f - _e202.fraction) * (1f - _e322.fraction)), (_e202.fraction * (1f - _e322.fraction)), ((1f - _e202.fraction) * _e322.fraction), (_e202.fraction * _e322.fraction)));
 }
 
 fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
@@ -590,15 +590,15 @@ fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
-    var phi_633_: f32;
+    var phi_635_: f32;
 
     if (param_12 > param_13) {
-        phi_633_ = param_12;
+        phi_635_ = param_12;
     } else {
-        phi_633_ = param_13;
+        phi_635_ = param_13;
     }
-    let _e72 = phi_633_;
-    return _e72;
+    let _e73 = phi_635_;
+    return _e73;
 }
 
 fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(param_14: vec3<f32>) -> vec3<f32> {
@@ -608,1688 +608,1690 @@ fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_752_: bool;
-    var phi_753_: bool;
-    var phi_757_: bool;
+    var phi_769_: bool;
     var phi_770_: bool;
     var phi_771_: bool;
     var phi_772_: bool;
-    var phi_773_: bool;
-    var phi_777_: bool;
+    var phi_776_: bool;
+    var phi_789_: bool;
     var phi_790_: bool;
     var phi_791_: bool;
     var phi_792_: bool;
     var phi_796_: bool;
-    var phi_797_: bool;
-    var phi_798_: bool;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_804_: bool;
-    var phi_880_: f32;
-    var phi_887_: f32;
-    var phi_895_: f32;
-    var phi_902_: f32;
-    var phi_910_: f32;
-    var phi_917_: f32;
-    var phi_940_: f32;
-    var phi_945_: f32;
-    var phi_950_: f32;
-    var phi_955_: f32;
-    var phi_960_: f32;
-    var phi_991_: bool;
-    var phi_992_: bool;
-    var phi_1000_: u32;
-    var phi_1001_: u32;
-    var phi_1018_: vec3<f32>;
-    var phi_1019_: vec3<f32>;
-    var phi_1032_: u32;
-    var phi_1037_: u32;
-    var phi_1042_: u32;
-    var phi_1156_: bool;
-    var phi_1157_: bool;
-    var phi_1188_: u32;
-    var phi_1190_: lt_bvh_Hit;
-    var phi_1193_: u32;
-    var phi_1278_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1305_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1332_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1338_: u32;
-    var phi_1341_: u32;
-    var phi_1355_: u32;
-    var phi_1365_: u32;
-    var phi_1375_: u32;
-    var phi_1393_: u32;
-    var phi_1403_: u32;
-    var phi_1413_: u32;
-    var phi_1449_: u32;
-    var phi_1462_: u32;
-    var phi_1467_: u32;
+    var phi_809_: bool;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_823_: bool;
+    var phi_899_: f32;
+    var phi_906_: f32;
+    var phi_914_: f32;
+    var phi_921_: f32;
+    var phi_929_: f32;
+    var phi_936_: f32;
+    var phi_959_: f32;
+    var phi_964_: f32;
+    var phi_969_: f32;
+    var phi_974_: f32;
+    var phi_979_: f32;
+    var phi_1010_: bool;
+    var phi_1011_: bool;
+    var phi_1019_: u32;
+    var phi_1020_: u32;
+    var phi_1037_: vec3<f32>;
+    var phi_1038_: vec3<f32>;
+    var phi_1051_: u32;
+    var phi_1056_: u32;
+    var phi_1061_: u32;
+    var phi_1175_: bool;
+    var phi_1176_: bool;
+    var phi_1207_: u32;
+    var phi_1209_: lt_bvh_Hit;
+    var phi_1212_: u32;
+    var phi_1297_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1324_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1351_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1357_: u32;
+    var phi_1360_: u32;
+    var phi_1374_: u32;
+    var phi_1384_: u32;
+    var phi_1394_: u32;
+    var phi_1412_: u32;
+    var phi_1422_: u32;
+    var phi_1432_: u32;
     var phi_1468_: u32;
-    var phi_1469_: u32;
-    var phi_1339_: u32;
-    var phi_1342_: u32;
+    var phi_1481_: u32;
+    var phi_1486_: u32;
+    var phi_1487_: u32;
+    var phi_1488_: u32;
+    var phi_1358_: u32;
+    var phi_1361_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1527_: lt_bvh_Hit;
-    var phi_1530_: u32;
-    var phi_1576_: vec3<f32>;
-    var phi_1577_: vec3<f32>;
-    var phi_1608_: vec3<f32>;
-    var phi_1609_: vec3<f32>;
-    var phi_1640_: vec3<f32>;
-    var phi_1641_: vec3<f32>;
-    var phi_1659_: bool;
-    var phi_1660_: bool;
-    var phi_1664_: f32;
-    var phi_1665_: f32;
-    var phi_1666_: f32;
-    var phi_1667_: f32;
-    var phi_1675_: f32;
-    var phi_1685_: bool;
-    var phi_1686_: bool;
-    var phi_1690_: f32;
-    var phi_1691_: f32;
-    var phi_1692_: f32;
-    var phi_1693_: f32;
-    var phi_1701_: f32;
-    var phi_1711_: bool;
-    var phi_1712_: bool;
-    var phi_1716_: f32;
-    var phi_1717_: f32;
-    var phi_1718_: f32;
-    var phi_1719_: f32;
-    var phi_1727_: f32;
-    var phi_1742_: f32;
-    var phi_1743_: bool;
-    var phi_1744_: f32;
-    var phi_1745_: bool;
+    var phi_1546_: lt_bvh_Hit;
+    var phi_1549_: u32;
+    var phi_1595_: vec3<f32>;
+    var phi_1596_: vec3<f32>;
+    var phi_1627_: vec3<f32>;
+    var phi_1628_: vec3<f32>;
+    var phi_1659_: vec3<f32>;
+    var phi_1660_: vec3<f32>;
+    var phi_1678_: bool;
+    var phi_1679_: bool;
+    var phi_1683_: f32;
+    var phi_1684_: f32;
+    var phi_1685_: f32;
+    var phi_1686_: f32;
+    var phi_1694_: f32;
+    var phi_1704_: bool;
+    var phi_1705_: bool;
+    var phi_1709_: f32;
+    var phi_1710_: f32;
+    var phi_1711_: f32;
+    var phi_1712_: f32;
+    var phi_1720_: f32;
+    var phi_1730_: bool;
+    var phi_1731_: bool;
+    var phi_1735_: f32;
+    var phi_1736_: f32;
+    var phi_1737_: f32;
+    var phi_1738_: f32;
     var phi_1746_: f32;
-    var phi_1747_: bool;
+    var phi_1761_: f32;
+    var phi_1762_: bool;
+    var phi_1763_: f32;
+    var phi_1764_: bool;
     var phi_1765_: f32;
     var phi_1766_: bool;
-    var phi_1767_: bool;
-    var phi_1768_: f32;
-    var phi_1769_: bool;
-    var phi_1770_: bool;
-    var phi_1774_: bool;
-    var phi_1775_: f32;
-    var phi_1776_: bool;
-    var phi_1806_: vec3<f32>;
-    var phi_1807_: vec3<f32>;
-    var phi_1832_: vec3<f32>;
-    var phi_1833_: vec3<f32>;
-    var phi_1858_: vec3<f32>;
-    var phi_1859_: vec3<f32>;
-    var phi_1917_: f32;
-    var phi_1926_: f32;
-    var phi_1935_: f32;
-    var phi_1944_: f32;
-    var phi_1951_: f32;
-    var phi_1958_: f32;
-    var phi_1971_: f32;
-    var phi_1980_: f32;
-    var phi_1989_: f32;
-    var phi_1998_: f32;
-    var phi_2005_: f32;
-    var phi_2012_: f32;
-    var phi_2035_: f32;
-    var phi_2040_: f32;
-    var phi_2045_: f32;
-    var phi_2053_: f32;
-    var phi_2058_: f32;
-    var phi_2063_: f32;
-    var phi_2075_: f32;
-    var phi_2080_: f32;
-    var phi_2085_: f32;
-    var phi_2090_: f32;
-    var phi_2095_: lt_bvh_triangle_Intersection;
-    var phi_2096_: bool;
-    var phi_2097_: lt_bvh_triangle_Intersection;
-    var phi_2098_: bool;
-    var phi_2102_: lt_bvh_triangle_Intersection;
-    var phi_2103_: bool;
-    var phi_2104_: lt_bvh_triangle_Intersection;
-    var phi_2105_: bool;
-    var phi_2106_: bool;
-    var phi_2110_: bool;
+    var phi_1784_: f32;
+    var phi_1785_: bool;
+    var phi_1786_: bool;
+    var phi_1787_: f32;
+    var phi_1788_: bool;
+    var phi_1789_: bool;
+    var phi_1793_: bool;
+    var phi_1794_: f32;
+    var phi_1795_: bool;
+    var phi_1825_: vec3<f32>;
+    var phi_1826_: vec3<f32>;
+    var phi_1851_: vec3<f32>;
+    var phi_1852_: vec3<f32>;
+    var phi_1877_: vec3<f32>;
+    var phi_1878_: vec3<f32>;
+    var phi_1936_: f32;
+    var phi_1945_: f32;
+    var phi_1954_: f32;
+    var phi_1963_: f32;
+    var phi_1970_: f32;
+    var phi_1977_: f32;
+    var phi_1990_: f32;
+    var phi_1999_: f32;
+    var phi_2008_: f32;
+    var phi_2017_: f32;
+    var phi_2024_: f32;
+    var phi_2031_: f32;
+    var phi_2054_: f32;
+    var phi_2059_: f32;
+    var phi_2064_: f32;
+    var phi_2072_: f32;
+    var phi_2077_: f32;
+    var phi_2082_: f32;
+    var phi_2094_: f32;
+    var phi_2099_: f32;
+    var phi_2104_: f32;
+    var phi_2109_: f32;
     var phi_2114_: lt_bvh_triangle_Intersection;
-    var phi_2153_: bool;
-    var phi_2154_: bool;
-    var phi_2155_: bool;
-    var phi_2156_: bool;
-    var phi_2157_: bool;
-    var phi_2158_: bool;
-    var phi_2162_: bool;
-    var phi_2163_: bool;
+    var phi_2115_: bool;
+    var phi_2116_: lt_bvh_triangle_Intersection;
+    var phi_2117_: bool;
+    var phi_2121_: lt_bvh_triangle_Intersection;
+    var phi_2122_: bool;
+    var phi_2123_: lt_bvh_triangle_Intersection;
+    var phi_2124_: bool;
+    var phi_2125_: bool;
+    var phi_2129_: bool;
+    var phi_2133_: lt_bvh_triangle_Intersection;
+    var phi_2172_: bool;
+    var phi_2173_: bool;
+    var phi_2174_: bool;
+    var phi_2175_: bool;
+    var phi_2176_: bool;
     var phi_2177_: bool;
-    var phi_2185_: lt_bvh_Hit;
-    var phi_2186_: lt_bvh_Hit;
-    var phi_2187_: lt_bvh_Hit;
-    var phi_2188_: lt_bvh_Hit;
-    var phi_1528_: lt_bvh_Hit;
-    var phi_1531_: u32;
-    var phi_2189_: bool;
-    var phi_2228_: bool;
-    var phi_2229_: bool;
-    var phi_2260_: u32;
-    var phi_1191_: lt_bvh_Hit;
-    var phi_1194_: u32;
-    var phi_2261_: lt_bvh_Hit;
-    var phi_2262_: lt_bvh_Hit;
-    var phi_2263_: bool;
-    var phi_2267_: lt_bvh_Hit;
-    var phi_2331_: f32;
-    var phi_2336_: f32;
-    var phi_2341_: f32;
-    var phi_2352_: f32;
-    var phi_2357_: f32;
-    var phi_2362_: f32;
-    var phi_2438_: vec3<f32>;
-    var phi_2681_: vec3<f32>;
-    var phi_2696_: u32;
-    var phi_2723_: f32;
-    var phi_2730_: f32;
-    var phi_2737_: f32;
-    var phi_2772_: f32;
-    var phi_2779_: f32;
-    var phi_2786_: f32;
-    var phi_2824_: f32;
-    var phi_2831_: f32;
-    var phi_2838_: f32;
-    var phi_2897_: vec3<f32>;
-    var phi_2898_: vec3<f32>;
-    var phi_2899_: vec3<f32>;
-    var phi_2908_: f32;
-    var phi_2909_: f32;
-    var phi_2919_: f32;
-    var phi_2920_: f32;
-    var phi_2930_: f32;
-    var phi_2931_: f32;
-    var phi_2966_: abi_Sample;
+    var phi_2181_: bool;
+    var phi_2182_: bool;
+    var phi_2196_: bool;
+    var phi_2204_: lt_bvh_Hit;
+    var phi_2205_: lt_bvh_Hit;
+    var phi_2206_: lt_bvh_Hit;
+    var phi_2207_: lt_bvh_Hit;
+    var phi_1547_: lt_bvh_Hit;
+    var phi_1550_: u32;
+    var phi_2208_: bool;
+    var phi_2247_: bool;
+    var phi_2248_: bool;
+    var phi_2279_: u32;
+    var phi_1210_: lt_bvh_Hit;
+    var phi_1213_: u32;
+    var phi_2280_: lt_bvh_Hit;
+    var phi_2281_: lt_bvh_Hit;
+    var phi_2282_: bool;
+    var phi_2286_: lt_bvh_Hit;
+    var phi_2350_: f32;
+    var phi_2355_: f32;
+    var phi_2360_: f32;
+    var phi_2371_: f32;
+    var phi_2376_: f32;
+    var phi_2381_: f32;
+    var phi_2457_: vec3<f32>;
+    var phi_2700_: vec3<f32>;
+    var phi_2715_: u32;
+    var phi_2742_: f32;
+    var phi_2749_: f32;
+    var phi_2756_: f32;
+    var phi_2791_: f32;
+    var phi_2798_: f32;
+    var phi_2805_: f32;
+    var phi_2843_: f32;
+    var phi_2850_: f32;
+    var phi_2857_: f32;
+    var phi_2916_: vec3<f32>;
+    var phi_2917_: vec3<f32>;
+    var phi_2918_: vec3<f32>;
+    var phi_2927_: f32;
+    var phi_2928_: f32;
+    var phi_2938_: f32;
+    var phi_2939_: f32;
+    var phi_2949_: f32;
+    var phi_2950_: f32;
+    var phi_2985_: abi_Sample;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
-    let _e70 = id_1;
-    let _e74 = arrayLength((&nodes.member));
-    let _e77 = arrayLength((&triangles.member));
-    let _e80 = arrayLength((&vertices.member));
-    let _e89 = arrayLength((&color_texels.member));
-    let _e92 = p.member.size[0u];
-    let _e94 = p.member.size[1u];
-    let _e95 = lt_shaders_entry_pixel_index(_e70, _e92, _e94);
-    if (bitcast<i32>(_e95.word) != 0i) {
-        let _e103 = p.member.eye;
-        let _e108 = p.member.size[0u];
-        let _e112 = ((((f32(_e70.x) + 0.5f) / f32(_e108)) * 2f) - 1f);
-        let _e117 = p.member.size[1u];
-        let _e121 = (1f - (((f32(_e70.y) + 0.5f) / f32(_e117)) * 2f));
-        let _e123 = p.member.forward;
-        let _e125 = p.member.right;
-        let _e139 = p.member.up;
-        let _e150 = _lt_bvh_ray_Ray_new(_e103, vec3<f32>(((_e123.x + (_e125.x * _e112)) + (_e139.x * _e121)), ((_e123.y + (_e125.y * _e112)) + (_e139.y * _e121)), ((_e123.z + (_e125.z * _e112)) + (_e139.z * _e121))));
-        let _e152 = lt_bvh_Hit(_e150.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e155 = abs(_e150.direction.x);
-        let _e157 = abs(_e150.direction.y);
-        let _e159 = abs(_e150.direction.z);
-        if (abs(_e150.origin.x) < 1000000000000000f) {
-            if (abs(_e150.origin.y) < 1000000000000000f) {
-                phi_750_ = (abs(_e150.origin.z) < 1000000000000000f);
-                phi_751_ = false;
+    let _e71 = id_1;
+    let _e75 = arrayLength((&nodes.member));
+    let _e78 = arrayLength((&triangles.member));
+    let _e81 = arrayLength((&vertices.member));
+    let _e90 = arrayLength((&color_texels.member));
+    let _e93 = p.member.size[0u];
+    let _e95 = p.member.size[1u];
+    let _e96 = lt_shaders_entry_pixel_index(_e71, _e93, _e95);
+    if (bitcast<i32>(_e96.word) != 0i) {
+        let _e104 = p.member.eye;
+        let _e107 = p.member.grid[0u];
+        let _e109 = p.member.grid[1u];
+        let _e128 = p.member.size[0u];
+        let _e132 = ((((f32(_e71.x) + ((f32((_e71.y & (_e109 - 1u))) + 0.5f) / f32(_e109))) / f32(_e128)) * 2f) - 1f);
+        let _e135 = p.member.size[1u];
+        let _e139 = (1f - (((f32(_e71.y) + ((f32((_e71.x & (_e107 - 1u))) + 0.5f) / f32(_e107))) / f32(_e135)) * 2f));
+        let _e141 = p.member.forward;
+        let _e143 = p.member.right;
+        let _e157 = p.member.up;
+        let _e168 = _lt_bvh_ray_Ray_new(_e104, vec3<f32>(((_e141.x + (_e143.x * _e132)) + (_e157.x * _e139)), ((_e141.y + (_e143.y * _e132)) + (_e157.y * _e139)), ((_e141.z + (_e143.z * _e132)) + (_e157.z * _e139))));
+        let _e170 = lt_bvh_Hit(_e168.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e173 = abs(_e168.direction.x);
+        let _e175 = abs(_e168.direction.y);
+        let _e177 = abs(_e168.direction.z);
+        if (abs(_e168.origin.x) < 1000000000000000f) {
+            if (abs(_e168.origin.y) < 1000000000000000f) {
+                phi_769_ = (abs(_e168.origin.z) < 1000000000000000f);
+                phi_770_ = false;
             } else {
-                phi_750_ = bool();
-                phi_751_ = true;
+                phi_769_ = bool();
+                phi_770_ = true;
             }
-            let _e171 = phi_750_;
-            let _e173 = phi_751_;
-            phi_752_ = _e171;
-            phi_753_ = _e173;
+            let _e189 = phi_769_;
+            let _e191 = phi_770_;
+            phi_771_ = _e189;
+            phi_772_ = _e191;
         } else {
-            phi_752_ = bool();
-            phi_753_ = true;
+            phi_771_ = bool();
+            phi_772_ = true;
         }
-        let _e175 = phi_752_;
-        let _e177 = phi_753_;
-        if _e177 {
-            phi_757_ = false;
+        let _e193 = phi_771_;
+        let _e195 = phi_772_;
+        if _e195 {
+            phi_776_ = false;
         } else {
-            phi_757_ = _e175;
+            phi_776_ = _e193;
         }
-        let _e179 = phi_757_;
-        if _e179 {
-            if (_e155 < 1000000000000000f) {
-                if (_e157 < 1000000000000000f) {
-                    phi_770_ = (_e159 < 1000000000000000f);
-                    phi_771_ = false;
+        let _e197 = phi_776_;
+        if _e197 {
+            if (_e173 < 1000000000000000f) {
+                if (_e175 < 1000000000000000f) {
+                    phi_789_ = (_e177 < 1000000000000000f);
+                    phi_790_ = false;
                 } else {
-                    phi_770_ = bool();
-                    phi_771_ = true;
+                    phi_789_ = bool();
+                    phi_790_ = true;
                 }
-                let _e184 = phi_770_;
-                let _e186 = phi_771_;
-                phi_772_ = _e184;
-                phi_773_ = _e186;
+                let _e202 = phi_789_;
+                let _e204 = phi_790_;
+                phi_791_ = _e202;
+                phi_792_ = _e204;
             } else {
-                phi_772_ = bool();
-                phi_773_ = true;
+                phi_791_ = bool();
+                phi_792_ = true;
             }
-            let _e188 = phi_772_;
-            let _e190 = phi_773_;
-            if _e190 {
-                phi_777_ = false;
+            let _e206 = phi_791_;
+            let _e208 = phi_792_;
+            if _e208 {
+                phi_796_ = false;
             } else {
-                phi_777_ = _e188;
+                phi_796_ = _e206;
             }
-            let _e192 = phi_777_;
-            if _e192 {
-                if (_e155 > 0f) {
-                    phi_791_ = bool();
-                    phi_792_ = true;
+            let _e210 = phi_796_;
+            if _e210 {
+                if (_e173 > 0f) {
+                    phi_810_ = bool();
+                    phi_811_ = true;
                 } else {
-                    let _e194 = (_e157 > 0f);
-                    if _e194 {
-                        phi_790_ = bool();
+                    let _e212 = (_e175 > 0f);
+                    if _e212 {
+                        phi_809_ = bool();
                     } else {
-                        phi_790_ = (_e159 > 0f);
+                        phi_809_ = (_e177 > 0f);
                     }
-                    let _e197 = phi_790_;
-                    phi_791_ = _e197;
-                    phi_792_ = _e194;
+                    let _e215 = phi_809_;
+                    phi_810_ = _e215;
+                    phi_811_ = _e212;
                 }
-                let _e199 = phi_791_;
-                let _e201 = phi_792_;
-                if _e201 {
-                    phi_796_ = true;
+                let _e217 = phi_810_;
+                let _e219 = phi_811_;
+                if _e219 {
+                    phi_815_ = true;
                 } else {
-                    phi_796_ = _e199;
+                    phi_815_ = _e217;
                 }
-                let _e203 = phi_796_;
-                phi_797_ = _e203;
-                phi_798_ = false;
+                let _e221 = phi_815_;
+                phi_816_ = _e221;
+                phi_817_ = false;
             } else {
-                phi_797_ = bool();
-                phi_798_ = true;
+                phi_816_ = bool();
+                phi_817_ = true;
             }
-            let _e205 = phi_797_;
-            let _e207 = phi_798_;
-            phi_799_ = _e205;
-            phi_800_ = _e207;
+            let _e223 = phi_816_;
+            let _e225 = phi_817_;
+            phi_818_ = _e223;
+            phi_819_ = _e225;
         } else {
-            phi_799_ = bool();
-            phi_800_ = true;
+            phi_818_ = bool();
+            phi_819_ = true;
         }
-        let _e209 = phi_799_;
-        let _e211 = phi_800_;
-        if _e211 {
-            phi_804_ = false;
+        let _e227 = phi_818_;
+        let _e229 = phi_819_;
+        if _e229 {
+            phi_823_ = false;
         } else {
-            phi_804_ = _e209;
+            phi_823_ = _e227;
         }
-        let _e213 = phi_804_;
-        if _e213 {
-            let _e214 = (0u >= _e74);
-            if _e214 {
-                phi_2261_ = lt_bvh_Hit();
+        let _e231 = phi_823_;
+        if _e231 {
+            let _e232 = (0u >= _e75);
+            if _e232 {
+                phi_2280_ = lt_bvh_Hit();
             } else {
-                if (0u < _e74) {
+                if (0u < _e75) {
                 } else {
                     return;
                 }
-                let _e220 = nodes.member[(0u + 0u)].frame[0u];
-                let _e224 = nodes.member[(0u + 0u)].frame[1u];
-                let _e228 = nodes.member[(0u + 0u)].frame[2u];
-                let _e232 = nodes.member[(0u + 0u)].frame[0u];
-                let _e236 = nodes.member[(0u + 0u)].frame[1u];
-                let _e240 = nodes.member[(0u + 0u)].frame[2u];
-                let _e244 = nodes.member[(0u + 0u)].frame[3u];
-                let _e283 = core_intrinsics_maximum_number_nsz_f32_(abs(_e150.direction.x), abs(_e150.direction.y));
-                let _e284 = core_intrinsics_maximum_number_nsz_f32_(_e283, abs(_e150.direction.z));
-                let _e285 = (_e284 * 0.0000000000009094947f);
-                if (abs(_e150.direction.x) < _e285) {
-                    phi_880_ = _e285;
+                let _e238 = nodes.member[(0u + 0u)].frame[0u];
+                let _e242 = nodes.member[(0u + 0u)].frame[1u];
+                let _e246 = nodes.member[(0u + 0u)].frame[2u];
+                let _e250 = nodes.member[(0u + 0u)].frame[0u];
+                let _e254 = nodes.member[(0u + 0u)].frame[1u];
+                let _e258 = nodes.member[(0u + 0u)].frame[2u];
+                let _e262 = nodes.member[(0u + 0u)].frame[3u];
+                let _e301 = core_intrinsics_maximum_number_nsz_f32_(abs(_e168.direction.x), abs(_e168.direction.y));
+                let _e302 = core_intrinsics_maximum_number_nsz_f32_(_e301, abs(_e168.direction.z));
+                let _e303 = (_e302 * 0.0000000000009094947f);
+                if (abs(_e168.direction.x) < _e303) {
+                    phi_899_ = _e303;
                 } else {
-                    phi_880_ = abs(_e150.direction.x);
+                    phi_899_ = abs(_e168.direction.x);
                 }
-                let _e291 = phi_880_;
-                if (_e150.direction.x < 0f) {
-                    phi_887_ = (-1f / _e291);
+                let _e309 = phi_899_;
+                if (_e168.direction.x < 0f) {
+                    phi_906_ = (-1f / _e309);
                 } else {
-                    phi_887_ = (1f / _e291);
+                    phi_906_ = (1f / _e309);
                 }
-                let _e296 = phi_887_;
-                if (abs(_e150.direction.y) < _e285) {
-                    phi_895_ = _e285;
+                let _e314 = phi_906_;
+                if (abs(_e168.direction.y) < _e303) {
+                    phi_914_ = _e303;
                 } else {
-                    phi_895_ = abs(_e150.direction.y);
+                    phi_914_ = abs(_e168.direction.y);
                 }
-                let _e302 = phi_895_;
-                if (_e150.direction.y < 0f) {
-                    phi_902_ = (-1f / _e302);
+                let _e320 = phi_914_;
+                if (_e168.direction.y < 0f) {
+                    phi_921_ = (-1f / _e320);
                 } else {
-                    phi_902_ = (1f / _e302);
+                    phi_921_ = (1f / _e320);
                 }
-                let _e307 = phi_902_;
-                if (abs(_e150.direction.z) < _e285) {
-                    phi_910_ = _e285;
+                let _e325 = phi_921_;
+                if (abs(_e168.direction.z) < _e303) {
+                    phi_929_ = _e303;
                 } else {
-                    phi_910_ = abs(_e150.direction.z);
+                    phi_929_ = abs(_e168.direction.z);
                 }
-                let _e313 = phi_910_;
-                if (_e150.direction.z < 0f) {
-                    phi_917_ = (-1f / _e313);
+                let _e331 = phi_929_;
+                if (_e168.direction.z < 0f) {
+                    phi_936_ = (-1f / _e331);
                 } else {
-                    phi_917_ = (1f / _e313);
+                    phi_936_ = (1f / _e331);
                 }
-                let _e318 = phi_917_;
-                let _e325 = abs((bitcast<f32>(_e220) - _e150.origin.x));
-                let _e326 = abs((bitcast<f32>(_e224) - _e150.origin.y));
-                let _e327 = abs((bitcast<f32>(_e228) - _e150.origin.z));
-                let _e334 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.x));
-                let _e335 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.y));
-                let _e336 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.z));
-                if (_e325 > _e334) {
-                    phi_940_ = _e325;
+                let _e336 = phi_936_;
+                let _e343 = abs((bitcast<f32>(_e238) - _e168.origin.x));
+                let _e344 = abs((bitcast<f32>(_e242) - _e168.origin.y));
+                let _e345 = abs((bitcast<f32>(_e246) - _e168.origin.z));
+                let _e352 = abs(((bitcast<f32>(_e250) + (bitcast<f32>((((_e262 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e168.origin.x));
+                let _e353 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e262 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e168.origin.y));
+                let _e354 = abs(((bitcast<f32>(_e258) + (bitcast<f32>((((_e262 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e168.origin.z));
+                if (_e343 > _e352) {
+                    phi_959_ = _e343;
                 } else {
-                    phi_940_ = _e334;
+                    phi_959_ = _e352;
                 }
-                let _e339 = phi_940_;
-                if (_e326 > _e335) {
-                    phi_945_ = _e326;
+                let _e357 = phi_959_;
+                if (_e344 > _e353) {
+                    phi_964_ = _e344;
                 } else {
-                    phi_945_ = _e335;
+                    phi_964_ = _e353;
                 }
-                let _e342 = phi_945_;
-                if (_e327 > _e336) {
-                    phi_950_ = _e327;
+                let _e360 = phi_964_;
+                if (_e345 > _e354) {
+                    phi_969_ = _e345;
                 } else {
-                    phi_950_ = _e336;
+                    phi_969_ = _e354;
                 }
-                let _e345 = phi_950_;
-                if (_e339 > _e342) {
-                    phi_955_ = _e339;
+                let _e363 = phi_969_;
+                if (_e357 > _e360) {
+                    phi_974_ = _e357;
                 } else {
-                    phi_955_ = _e342;
+                    phi_974_ = _e360;
                 }
-                let _e348 = phi_955_;
-                if (_e348 > _e345) {
-                    phi_960_ = _e348;
+                let _e366 = phi_974_;
+                if (_e366 > _e363) {
+                    phi_979_ = _e366;
                 } else {
-                    phi_960_ = _e345;
+                    phi_979_ = _e363;
                 }
-                let _e351 = phi_960_;
-                let _e355 = (_e351 * 0.0000019073486f);
-                let _e356 = (abs(_e296) * _e355);
-                let _e357 = (abs(_e307) * _e355);
-                let _e358 = (abs(_e318) * _e355);
-                let _e362 = (_e351 * 0.0000009536743f);
-                let _e363 = (abs(_e296) * _e362);
-                let _e364 = (abs(_e307) * _e362);
-                let _e365 = (abs(_e318) * _e362);
-                let _e369 = abs(_e150.direction.x);
-                let _e371 = abs(_e150.direction.y);
-                let _e373 = abs(_e150.direction.z);
-                if (_e369 >= _e371) {
-                    if (_e369 >= _e373) {
-                        phi_991_ = false;
+                let _e369 = phi_979_;
+                let _e373 = (_e369 * 0.0000019073486f);
+                let _e374 = (abs(_e314) * _e373);
+                let _e375 = (abs(_e325) * _e373);
+                let _e376 = (abs(_e336) * _e373);
+                let _e380 = (_e369 * 0.0000009536743f);
+                let _e381 = (abs(_e314) * _e380);
+                let _e382 = (abs(_e325) * _e380);
+                let _e383 = (abs(_e336) * _e380);
+                let _e387 = abs(_e168.direction.x);
+                let _e389 = abs(_e168.direction.y);
+                let _e391 = abs(_e168.direction.z);
+                if (_e387 >= _e389) {
+                    if (_e387 >= _e391) {
+                        phi_1010_ = false;
                     } else {
-                        phi_991_ = true;
+                        phi_1010_ = true;
                     }
-                    let _e377 = phi_991_;
-                    phi_992_ = _e377;
+                    let _e395 = phi_1010_;
+                    phi_1011_ = _e395;
                 } else {
-                    phi_992_ = true;
+                    phi_1011_ = true;
                 }
-                let _e379 = phi_992_;
-                if _e379 {
-                    if (_e371 >= _e373) {
-                        phi_1000_ = 1u;
+                let _e397 = phi_1011_;
+                if _e397 {
+                    if (_e389 >= _e391) {
+                        phi_1019_ = 1u;
                     } else {
-                        phi_1000_ = 2u;
+                        phi_1019_ = 2u;
                     }
-                    let _e382 = phi_1000_;
-                    phi_1001_ = _e382;
+                    let _e400 = phi_1019_;
+                    phi_1020_ = _e400;
                 } else {
-                    phi_1001_ = 0u;
+                    phi_1020_ = 0u;
                 }
-                let _e384 = phi_1001_;
-                if (_e384 == 0u) {
-                    phi_1019_ = vec3<f32>(_e150.direction.y, _e150.direction.z, _e150.direction.x);
+                let _e402 = phi_1020_;
+                if (_e402 == 0u) {
+                    phi_1038_ = vec3<f32>(_e168.direction.y, _e168.direction.z, _e168.direction.x);
                 } else {
-                    if (_e384 == 1u) {
-                        phi_1018_ = vec3<f32>(_e150.direction.z, _e150.direction.x, _e150.direction.y);
+                    if (_e402 == 1u) {
+                        phi_1037_ = vec3<f32>(_e168.direction.z, _e168.direction.x, _e168.direction.y);
                     } else {
-                        phi_1018_ = _e150.direction;
+                        phi_1037_ = _e168.direction;
                     }
-                    let _e396 = phi_1018_;
-                    phi_1019_ = _e396;
+                    let _e414 = phi_1037_;
+                    phi_1038_ = _e414;
                 }
-                let _e398 = phi_1019_;
-                let _e401 = (_e398.x / _e398.z);
-                let _e404 = (_e398.y / _e398.z);
-                if (_e296 < 0f) {
-                    phi_1032_ = 0u;
+                let _e416 = phi_1038_;
+                let _e419 = (_e416.x / _e416.z);
+                let _e422 = (_e416.y / _e416.z);
+                if (_e314 < 0f) {
+                    phi_1051_ = 0u;
                 } else {
-                    phi_1032_ = 1u;
+                    phi_1051_ = 1u;
                 }
-                let _e409 = phi_1032_;
-                if (_e307 < 0f) {
-                    phi_1037_ = 0u;
+                let _e427 = phi_1051_;
+                if (_e325 < 0f) {
+                    phi_1056_ = 0u;
                 } else {
-                    phi_1037_ = 2u;
+                    phi_1056_ = 2u;
                 }
-                let _e412 = phi_1037_;
-                if (_e318 < 0f) {
-                    phi_1042_ = 0u;
+                let _e430 = phi_1056_;
+                if (_e336 < 0f) {
+                    phi_1061_ = 0u;
                 } else {
-                    phi_1042_ = 4u;
+                    phi_1061_ = 4u;
                 }
-                let _e415 = phi_1042_;
-                let _e417 = ((_e409 | _e412) | _e415);
-                let _e418 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e418.first[0], _e418.first[1], _e418.first[2], _e418.first[3], _e418.first[4], _e418.first[5], _e418.first[6], _e418.first[7], _e418.first[8], _e418.first[9], _e418.first[10], _e418.first[11], _e418.first[12], _e418.first[13], _e418.first[14], _e418.first[15], _e418.first[16], _e418.first[17], _e418.first[18], _e418.first[19], _e418.first[20], _e418.first[21], _e418.first[22], _e418.first[23], _e418.first[24], _e418.first[25], _e418.first[26], _e418.first[27], _e418.first[28], _e418.first[29], _e418.first[30], _e418.first[31]), array<u32, 32>(_e418.mask[0], _e418.mask[1], _e418.mask[2], _e418.mask[3], _e418.mask[4], _e418.mask[5], _e418.mask[6], _e418.mask[7], _e418.mask[8], _e418.mask[9], _e418.mask[10], _e418.mask[11], _e418.mask[12], _e418.mask[13], _e418.mask[14], _e418.mask[15], _e418.mask[16], _e418.mask[17], _e418.mask[18], _e418.mask[19], _e418.mask[20], _e418.mask[21], _e418.mask[22], _e418.mask[23], _e418.mask[24], _e418.mask[25], _e418.mask[26], _e418.mask[27], _e418.mask[28], _e418.mask[29], _e418.mask[30], _e418.mask[31]), _e418.len, _e418.group, _e418.group_mask);
-                let _e492 = local_1.group_mask;
-                if ((_e492 & 4278190080u) == 0u) {
-                    let _e496 = local_1.len;
-                    if (_e496 == 0u) {
-                        phi_1156_ = false;
+                let _e433 = phi_1061_;
+                let _e435 = ((_e427 | _e430) | _e433);
+                let _e436 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e436.first[0], _e436.first[1], _e436.first[2], _e436.first[3], _e436.first[4], _e436.first[5], _e436.first[6], _e436.first[7], _e436.first[8], _e436.first[9], _e436.first[10], _e436.first[11], _e436.first[12], _e436.first[13], _e436.first[14], _e436.first[15], _e436.first[16], _e436.first[17], _e436.first[18], _e436.first[19], _e436.first[20], _e436.first[21], _e436.first[22], _e436.first[23], _e436.first[24], _e436.first[25], _e436.first[26], _e436.first[27], _e436.first[28], _e436.first[29], _e436.first[30], _e436.first[31]), array<u32, 32>(_e436.mask[0], _e436.mask[1], _e436.mask[2], _e436.mask[3], _e436.mask[4], _e436.mask[5], _e436.mask[6], _e436.mask[7], _e436.mask[8], _e436.mask[9], _e436.mask[10], _e436.mask[11], _e436.mask[12], _e436.mask[13], _e436.mask[14], _e436.mask[15], _e436.mask[16], _e436.mask[17], _e436.mask[18], _e436.mask[19], _e436.mask[20], _e436.mask[21], _e436.mask[22], _e436.mask[23], _e436.mask[24], _e436.mask[25], _e436.mask[26], _e436.mask[27], _e436.mask[28], _e436.mask[29], _e436.mask[30], _e436.mask[31]), _e436.len, _e436.group, _e436.group_mask);
+                let _e510 = local_1.group_mask;
+                if ((_e510 & 4278190080u) == 0u) {
+                    let _e514 = local_1.len;
+                    if (_e514 == 0u) {
+                        phi_1175_ = false;
                     } else {
-                        let _e500 = local_1.len;
-                        local_1.len = (_e500 - 1u);
-                        let _e503 = local_1.len;
-                        if (_e503 < 32u) {
+                        let _e518 = local_1.len;
+                        local_1.len = (_e518 - 1u);
+                        let _e521 = local_1.len;
+                        if (_e521 < 32u) {
                         } else {
                             return;
                         }
-                        let _e508 = local_1.first[(0u + _e503)];
-                        local_1.group = _e508;
-                        let _e511 = local_1.len;
-                        if (_e511 < 32u) {
+                        let _e526 = local_1.first[(0u + _e521)];
+                        local_1.group = _e526;
+                        let _e529 = local_1.len;
+                        if (_e529 < 32u) {
                         } else {
                             return;
                         }
-                        let _e516 = local_1.mask[(0u + _e511)];
-                        local_1.group_mask = _e516;
-                        phi_1156_ = true;
+                        let _e534 = local_1.mask[(0u + _e529)];
+                        local_1.group_mask = _e534;
+                        phi_1175_ = true;
                     }
-                    let _e519 = phi_1156_;
-                    phi_1157_ = _e519;
+                    let _e537 = phi_1175_;
+                    phi_1176_ = _e537;
                 } else {
-                    phi_1157_ = true;
+                    phi_1176_ = true;
                 }
-                let _e521 = phi_1157_;
-                if _e521 {
-                    let _e523 = local_1.group_mask;
-                    let _e529 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e523)), 32u, (_e523 == 0u)));
-                    let _e533 = local_1.group_mask;
-                    let _e547 = local_1.group_mask;
-                    local_1.group_mask = (_e547 & ~((1u << bitcast<u32>((_e529 & 31u)))));
-                    let _e550 = local_1.group;
-                    phi_1188_ = (_e550 + countOneBits(((_e533 & ~((4294967295u << bitcast<u32>((((_e529 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e539 = phi_1176_;
+                if _e539 {
+                    let _e541 = local_1.group_mask;
+                    let _e547 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e541)), 32u, (_e541 == 0u)));
+                    let _e551 = local_1.group_mask;
+                    let _e565 = local_1.group_mask;
+                    local_1.group_mask = (_e565 & ~((1u << bitcast<u32>((_e547 & 31u)))));
+                    let _e568 = local_1.group;
+                    phi_1207_ = (_e568 + countOneBits(((_e551 & ~((4294967295u << bitcast<u32>((((_e547 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1188_ = 4294967295u;
+                    phi_1207_ = 4294967295u;
                 }
-                let _e553 = phi_1188_;
-                phi_1190_ = _e152;
-                phi_1193_ = _e553;
+                let _e571 = phi_1207_;
+                phi_1209_ = _e170;
+                phi_1212_ = _e571;
                 loop {
-                    let _e555 = phi_1190_;
-                    let _e557 = phi_1193_;
-                    local_6 = _e555;
-                    let _e558 = (_e557 != 4294967295u);
-                    if _e558 {
-                        if (_e557 < _e74) {
+                    let _e573 = phi_1209_;
+                    let _e575 = phi_1212_;
+                    local_6 = _e573;
+                    let _e576 = (_e575 != 4294967295u);
+                    if _e576 {
+                        if (_e575 < _e75) {
                         } else {
                             return;
                         }
-                        let _e566 = nodes.member[(0u + _e557)].frame[3u];
-                        let _e591 = (bitcast<f32>((((_e566 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e296);
-                        let _e592 = (bitcast<f32>((((_e566 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e307);
-                        let _e593 = (bitcast<f32>((((_e566 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e318);
-                        let _e596 = nodes.member[(0u + _e557)].frame[0u];
-                        let _e600 = nodes.member[(0u + _e557)].frame[1u];
-                        let _e604 = nodes.member[(0u + _e557)].frame[2u];
-                        let _e612 = ((bitcast<f32>(_e596) - _e150.origin.x) * _e296);
-                        let _e613 = ((bitcast<f32>(_e600) - _e150.origin.y) * _e307);
-                        let _e614 = ((bitcast<f32>(_e604) - _e150.origin.z) * _e318);
-                        let _e622 = nodes.member[(0u + _e557)].x;
-                        if (_e296 < 0f) {
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e622.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.unnamed.word, _e622.w), _e633.unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_mask_LightPlace(_e622.x, _e639.unnamed_1.shift));
-                            phi_1278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e645.unnamed_1.word, _e622.y));
+                        let _e584 = nodes.member[(0u + _e575)].frame[3u];
+                        let _e609 = (bitcast<f32>((((_e584 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
+                        let _e610 = (bitcast<f32>((((_e584 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e325);
+                        let _e611 = (bitcast<f32>((((_e584 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e336);
+                        let _e614 = nodes.member[(0u + _e575)].frame[0u];
+                        let _e618 = nodes.member[(0u + _e575)].frame[1u];
+                        let _e622 = nodes.member[(0u + _e575)].frame[2u];
+                        let _e630 = ((bitcast<f32>(_e614) - _e168.origin.x) * _e314);
+                        let _e631 = ((bitcast<f32>(_e618) - _e168.origin.y) * _e325);
+                        let _e632 = ((bitcast<f32>(_e622) - _e168.origin.z) * _e336);
+                        let _e640 = nodes.member[(0u + _e575)].x;
+                        if (_e314 < 0f) {
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e651.unnamed.word, _e640.w), _e651.unnamed_1);
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_mask_LightPlace(_e640.x, _e657.unnamed_1.shift));
+                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_mask_LightPlace(_e663.unnamed_1.word, _e640.y));
                         } else {
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e622.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e661.unnamed.word, _e622.y), _e661.unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e667.unnamed, lt_mask_LightPlace(_e622.z, _e667.unnamed_1.shift));
-                            phi_1278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_mask_LightPlace(_e673.unnamed_1.word, _e622.w));
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.unnamed.word, _e640.y), _e679.unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_mask_LightPlace(_e640.z, _e685.unnamed_1.shift));
+                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e691.unnamed_1.word, _e640.w));
                         }
-                        let _e681 = phi_1278_;
-                        let _e691 = nodes.member[(0u + _e557)].y;
-                        if (_e307 < 0f) {
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e691.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.unnamed.word, _e691.w), _e702.unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e691.x, _e708.unnamed_1.shift));
-                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e714.unnamed_1.word, _e691.y));
+                        let _e699 = phi_1297_;
+                        let _e709 = nodes.member[(0u + _e575)].y;
+                        if (_e325 < 0f) {
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e720.unnamed.word, _e709.w), _e720.unnamed_1);
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_mask_LightPlace(_e709.x, _e726.unnamed_1.shift));
+                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e732.unnamed_1.word, _e709.y));
                         } else {
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e691.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e730.unnamed.word, _e691.y), _e730.unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e736.unnamed, lt_mask_LightPlace(_e691.z, _e736.unnamed_1.shift));
-                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_mask_LightPlace(_e742.unnamed_1.word, _e691.w));
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.unnamed.word, _e709.y), _e748.unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_mask_LightPlace(_e709.z, _e754.unnamed_1.shift));
+                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e760.unnamed_1.word, _e709.w));
                         }
-                        let _e750 = phi_1305_;
-                        let _e760 = nodes.member[(0u + _e557)].z;
-                        if (_e318 < 0f) {
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e760.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.unnamed.word, _e760.w), _e771.unnamed_1);
-                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e760.x, _e777.unnamed_1.shift));
-                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e783.unnamed_1.word, _e760.y));
+                        let _e768 = phi_1324_;
+                        let _e778 = nodes.member[(0u + _e575)].z;
+                        if (_e336 < 0f) {
+                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e789.unnamed.word, _e778.w), _e789.unnamed_1);
+                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_mask_LightPlace(_e778.x, _e795.unnamed_1.shift));
+                            phi_1351_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e801.unnamed_1.word, _e778.y));
                         } else {
-                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e760.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e799.unnamed.word, _e760.y), _e799.unnamed_1);
-                            let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e805.unnamed, lt_mask_LightPlace(_e760.z, _e805.unnamed_1.shift));
-                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_mask_LightPlace(_e811.unnamed_1.word, _e760.w));
+                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e817.unnamed.word, _e778.y), _e817.unnamed_1);
+                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e823.unnamed, lt_mask_LightPlace(_e778.z, _e823.unnamed_1.shift));
+                            phi_1351_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_mask_LightPlace(_e829.unnamed_1.word, _e778.w));
                         }
-                        let _e819 = phi_1332_;
-                        phi_1338_ = 0u;
-                        phi_1341_ = 0u;
+                        let _e837 = phi_1351_;
+                        phi_1357_ = 0u;
+                        phi_1360_ = 0u;
                         loop {
-                            let _e829 = phi_1338_;
-                            let _e831 = phi_1341_;
-                            local_2 = _e831;
-                            local_3 = _e831;
-                            local_4 = _e831;
-                            let _e832 = (_e829 < 8u);
-                            if _e832 {
-                                let _e834 = (_e829 >> bitcast<u32>(2i));
-                                let _e835 = (_e829 & 3u);
-                                if (_e834 == 0u) {
-                                    phi_1355_ = _e681.unnamed.word;
+                            let _e847 = phi_1357_;
+                            let _e849 = phi_1360_;
+                            local_2 = _e849;
+                            local_3 = _e849;
+                            local_4 = _e849;
+                            let _e850 = (_e847 < 8u);
+                            if _e850 {
+                                let _e852 = (_e847 >> bitcast<u32>(2i));
+                                let _e853 = (_e847 & 3u);
+                                if (_e852 == 0u) {
+                                    phi_1374_ = _e699.unnamed.word;
                                 } else {
-                                    phi_1355_ = _e681.unnamed.shift;
+                                    phi_1374_ = _e699.unnamed.shift;
                                 }
-                                let _e838 = phi_1355_;
-                                if (_e834 == 0u) {
-                                    phi_1365_ = _e750.unnamed.word;
+                                let _e856 = phi_1374_;
+                                if (_e852 == 0u) {
+                                    phi_1384_ = _e768.unnamed.word;
                                 } else {
-                                    phi_1365_ = _e750.unnamed.shift;
+                                    phi_1384_ = _e768.unnamed.shift;
                                 }
-                                let _e847 = phi_1365_;
-                                if (_e834 == 0u) {
-                                    phi_1375_ = _e819.unnamed.word;
+                                let _e865 = phi_1384_;
+                                if (_e852 == 0u) {
+                                    phi_1394_ = _e837.unnamed.word;
                                 } else {
-                                    phi_1375_ = _e819.unnamed.shift;
+                                    phi_1394_ = _e837.unnamed.shift;
                                 }
-                                let _e856 = phi_1375_;
-                                let _e869 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e838 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e591) + (_e612 - _e356)), ((f32(((_e847 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e592) + (_e613 - _e357)));
-                                let _e870 = core_intrinsics_maximum_number_nsz_f32_(_e869, ((f32(((_e856 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e593) + (_e614 - _e358)));
-                                if (_e834 == 0u) {
-                                    phi_1393_ = _e681.unnamed_1.word;
+                                let _e874 = phi_1394_;
+                                let _e887 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e374)), ((f32(((_e865 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e610) + (_e631 - _e375)));
+                                let _e888 = core_intrinsics_maximum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e611) + (_e632 - _e376)));
+                                if (_e852 == 0u) {
+                                    phi_1412_ = _e699.unnamed_1.word;
                                 } else {
-                                    phi_1393_ = _e681.unnamed_1.shift;
+                                    phi_1412_ = _e699.unnamed_1.shift;
                                 }
-                                let _e873 = phi_1393_;
-                                if (_e834 == 0u) {
-                                    phi_1403_ = _e750.unnamed_1.word;
+                                let _e891 = phi_1412_;
+                                if (_e852 == 0u) {
+                                    phi_1422_ = _e768.unnamed_1.word;
                                 } else {
-                                    phi_1403_ = _e750.unnamed_1.shift;
+                                    phi_1422_ = _e768.unnamed_1.shift;
                                 }
-                                let _e882 = phi_1403_;
-                                if (_e834 == 0u) {
-                                    phi_1413_ = _e819.unnamed_1.word;
+                                let _e900 = phi_1422_;
+                                if (_e852 == 0u) {
+                                    phi_1432_ = _e837.unnamed_1.word;
                                 } else {
-                                    phi_1413_ = _e819.unnamed_1.shift;
+                                    phi_1432_ = _e837.unnamed_1.shift;
                                 }
-                                let _e891 = phi_1413_;
-                                let _e904 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e873 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e591) + (_e612 + _e356)), ((f32(((_e882 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e592) + (_e613 + _e357)));
-                                let _e905 = core_intrinsics_minimum_number_nsz_f32_(_e904, ((f32(((_e891 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e593) + (_e614 + _e358)));
-                                if (_e870 <= _e905) {
-                                    if (_e870 <= _e555.t) {
-                                        if (_e905 >= _e150.tmin) {
-                                            if (_e834 == 0u) {
-                                                let _e912 = nodes.member[(0u + _e557)].links[2u];
-                                                phi_1449_ = _e912;
+                                let _e909 = phi_1432_;
+                                let _e922 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e891 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e609) + (_e630 + _e374)), ((f32(((_e900 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e610) + (_e631 + _e375)));
+                                let _e923 = core_intrinsics_minimum_number_nsz_f32_(_e922, ((f32(((_e909 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e611) + (_e632 + _e376)));
+                                if (_e888 <= _e923) {
+                                    if (_e888 <= _e573.t) {
+                                        if (_e923 >= _e168.tmin) {
+                                            if (_e852 == 0u) {
+                                                let _e930 = nodes.member[(0u + _e575)].links[2u];
+                                                phi_1468_ = _e930;
                                             } else {
-                                                let _e915 = nodes.member[(0u + _e557)].links[3u];
-                                                phi_1449_ = _e915;
+                                                let _e933 = nodes.member[(0u + _e575)].links[3u];
+                                                phi_1468_ = _e933;
                                             }
-                                            let _e917 = phi_1449_;
-                                            let _e922 = ((_e917 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u);
-                                            let _e923 = (_e922 & 31u);
-                                            if (_e923 >= 24u) {
-                                                phi_1462_ = (24u + ((_e923 - 24u) ^ _e417));
+                                            let _e935 = phi_1468_;
+                                            let _e940 = ((_e935 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u);
+                                            let _e941 = (_e940 & 31u);
+                                            if (_e941 >= 24u) {
+                                                phi_1481_ = (24u + ((_e941 - 24u) ^ _e435));
                                             } else {
-                                                phi_1462_ = _e923;
+                                                phi_1481_ = _e941;
                                             }
-                                            let _e929 = phi_1462_;
-                                            phi_1467_ = (_e831 | ((_e922 >> bitcast<u32>(5i)) << bitcast<u32>((_e929 & 31u))));
+                                            let _e947 = phi_1481_;
+                                            phi_1486_ = (_e849 | ((_e940 >> bitcast<u32>(5i)) << bitcast<u32>((_e947 & 31u))));
                                         } else {
-                                            phi_1467_ = _e831;
+                                            phi_1486_ = _e849;
                                         }
-                                        let _e937 = phi_1467_;
-                                        phi_1468_ = _e937;
+                                        let _e955 = phi_1486_;
+                                        phi_1487_ = _e955;
                                     } else {
-                                        phi_1468_ = _e831;
+                                        phi_1487_ = _e849;
                                     }
-                                    let _e939 = phi_1468_;
-                                    phi_1469_ = _e939;
+                                    let _e957 = phi_1487_;
+                                    phi_1488_ = _e957;
                                 } else {
-                                    phi_1469_ = _e831;
+                                    phi_1488_ = _e849;
                                 }
-                                let _e941 = phi_1469_;
-                                phi_1339_ = (_e829 + 1u);
-                                phi_1342_ = _e941;
+                                let _e959 = phi_1488_;
+                                phi_1358_ = (_e847 + 1u);
+                                phi_1361_ = _e959;
                             } else {
-                                phi_1339_ = u32();
-                                phi_1342_ = u32();
+                                phi_1358_ = u32();
+                                phi_1361_ = u32();
                             }
-                            let _e944 = phi_1339_;
-                            let _e946 = phi_1342_;
+                            let _e962 = phi_1358_;
+                            let _e964 = phi_1361_;
                             continue;
                             continuing {
-                                phi_1338_ = _e944;
-                                phi_1341_ = _e946;
-                                break if !(_e832);
+                                phi_1357_ = _e962;
+                                phi_1360_ = _e964;
+                                break if !(_e850);
                             }
                         }
-                        let _e950 = nodes.member[(0u + _e557)].links[0u];
-                        let _e954 = nodes.member[(0u + _e557)].frame[3u];
-                        let _e958 = local_2;
-                        if ((_e958 & 4278190080u) == 0u) {
+                        let _e968 = nodes.member[(0u + _e575)].links[0u];
+                        let _e972 = nodes.member[(0u + _e575)].frame[3u];
+                        let _e976 = local_2;
+                        if ((_e976 & 4278190080u) == 0u) {
                         } else {
-                            let _e962 = local_1.group_mask;
-                            if ((_e962 & 4278190080u) == 0u) {
+                            let _e980 = local_1.group_mask;
+                            if ((_e980 & 4278190080u) == 0u) {
                             } else {
-                                let _e966 = local_1.len;
-                                if (_e966 < 32u) {
-                                    let _e969 = local_1.group;
-                                    let _e971 = local_1.len;
-                                    if (_e971 < 32u) {
+                                let _e984 = local_1.len;
+                                if (_e984 < 32u) {
+                                    let _e987 = local_1.group;
+                                    let _e989 = local_1.len;
+                                    if (_e989 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e971)] = _e969;
-                                    let _e977 = local_1.group_mask;
-                                    let _e979 = local_1.len;
-                                    if (_e979 < 32u) {
+                                    local_1.first[(0u + _e989)] = _e987;
+                                    let _e995 = local_1.group_mask;
+                                    let _e997 = local_1.len;
+                                    if (_e997 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e979)] = _e977;
-                                    let _e986 = local_1.len;
-                                    local_1.len = (_e986 + 1u);
+                                    local_1.mask[(0u + _e997)] = _e995;
+                                    let _e1004 = local_1.len;
+                                    local_1.len = (_e1004 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e950);
-                            let _e990 = local_3;
-                            local_1.group_mask = ((_e990 & 4278190080u) | (_e954 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e968);
+                            let _e1008 = local_3;
+                            local_1.group_mask = ((_e1008 & 4278190080u) | (_e972 >> bitcast<u32>(24i)));
                         }
-                        let _e995 = local_4;
-                        phi_1527_ = _e555;
-                        phi_1530_ = (_e995 & 16777215u);
+                        let _e1013 = local_4;
+                        phi_1546_ = _e573;
+                        phi_1549_ = (_e1013 & 16777215u);
                         loop {
-                            let _e998 = phi_1527_;
-                            let _e1000 = phi_1530_;
-                            local_5 = _e998;
-                            if (_e1000 == 0u) {
-                                phi_1528_ = lt_bvh_Hit();
-                                phi_1531_ = u32();
-                                phi_2189_ = false;
+                            let _e1016 = phi_1546_;
+                            let _e1018 = phi_1549_;
+                            local_5 = _e1016;
+                            if (_e1018 == 0u) {
+                                phi_1547_ = lt_bvh_Hit();
+                                phi_1550_ = u32();
+                                phi_2208_ = false;
                             } else {
-                                let _e1004 = nodes.member[(0u + _e557)].links[1u];
-                                let _e1009 = ((0u + _e1004) + select(firstTrailingBit(_e1000), 32u, (_e1000 == 0u)));
-                                if (_e1009 < _e77) {
+                                let _e1022 = nodes.member[(0u + _e575)].links[1u];
+                                let _e1027 = ((0u + _e1022) + select(firstTrailingBit(_e1018), 32u, (_e1018 == 0u)));
+                                if (_e1027 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e1016 = triangles.member[(0u + _e1009)].v0_;
-                                let _e1019 = (_e1016.x - _e150.origin.x);
-                                let _e1022 = (_e1016.y - _e150.origin.y);
-                                let _e1025 = (_e1016.z - _e150.origin.z);
-                                if (_e384 == 0u) {
-                                    phi_1577_ = vec3<f32>(_e1022, _e1025, _e1019);
+                                let _e1034 = triangles.member[(0u + _e1027)].v0_;
+                                let _e1037 = (_e1034.x - _e168.origin.x);
+                                let _e1040 = (_e1034.y - _e168.origin.y);
+                                let _e1043 = (_e1034.z - _e168.origin.z);
+                                if (_e402 == 0u) {
+                                    phi_1596_ = vec3<f32>(_e1040, _e1043, _e1037);
                                 } else {
-                                    if (_e384 == 1u) {
-                                        phi_1576_ = vec3<f32>(_e1025, _e1019, _e1022);
+                                    if (_e402 == 1u) {
+                                        phi_1595_ = vec3<f32>(_e1043, _e1037, _e1040);
                                     } else {
-                                        phi_1576_ = (_e1016 - _e150.origin);
+                                        phi_1595_ = (_e1034 - _e168.origin);
                                     }
-                                    let _e1032 = phi_1576_;
-                                    phi_1577_ = _e1032;
+                                    let _e1050 = phi_1595_;
+                                    phi_1596_ = _e1050;
                                 }
-                                let _e1034 = phi_1577_;
-                                let _e1038 = (_e1034.x - (_e401 * _e1034.z));
-                                let _e1042 = (_e1034.y - (_e404 * _e1034.z));
-                                let _e1044 = triangles.member[(0u + _e1009)].v1_;
-                                let _e1047 = (_e1044.x - _e150.origin.x);
-                                let _e1050 = (_e1044.y - _e150.origin.y);
-                                let _e1053 = (_e1044.z - _e150.origin.z);
-                                if (_e384 == 0u) {
-                                    phi_1609_ = vec3<f32>(_e1050, _e1053, _e1047);
+                                let _e1052 = phi_1596_;
+                                let _e1056 = (_e1052.x - (_e419 * _e1052.z));
+                                let _e1060 = (_e1052.y - (_e422 * _e1052.z));
+                                let _e1062 = triangles.member[(0u + _e1027)].v1_;
+                                let _e1065 = (_e1062.x - _e168.origin.x);
+                                let _e1068 = (_e1062.y - _e168.origin.y);
+                                let _e1071 = (_e1062.z - _e168.origin.z);
+                                if (_e402 == 0u) {
+                                    phi_1628_ = vec3<f32>(_e1068, _e1071, _e1065);
                                 } else {
-                                    if (_e384 == 1u) {
-                                        phi_1608_ = vec3<f32>(_e1053, _e1047, _e1050);
+                                    if (_e402 == 1u) {
+                                        phi_1627_ = vec3<f32>(_e1071, _e1065, _e1068);
                                     } else {
-                                        phi_1608_ = (_e1044 - _e150.origin);
+                                        phi_1627_ = (_e1062 - _e168.origin);
                                     }
-                                    let _e1060 = phi_1608_;
-                                    phi_1609_ = _e1060;
+                                    let _e1078 = phi_1627_;
+                                    phi_1628_ = _e1078;
                                 }
-                                let _e1062 = phi_1609_;
-                                let _e1066 = (_e1062.x - (_e401 * _e1062.z));
-                                let _e1070 = (_e1062.y - (_e404 * _e1062.z));
-                                let _e1072 = triangles.member[(0u + _e1009)].v2_;
-                                let _e1075 = (_e1072.x - _e150.origin.x);
-                                let _e1078 = (_e1072.y - _e150.origin.y);
-                                let _e1081 = (_e1072.z - _e150.origin.z);
-                                if (_e384 == 0u) {
-                                    phi_1641_ = vec3<f32>(_e1078, _e1081, _e1075);
+                                let _e1080 = phi_1628_;
+                                let _e1084 = (_e1080.x - (_e419 * _e1080.z));
+                                let _e1088 = (_e1080.y - (_e422 * _e1080.z));
+                                let _e1090 = triangles.member[(0u + _e1027)].v2_;
+                                let _e1093 = (_e1090.x - _e168.origin.x);
+                                let _e1096 = (_e1090.y - _e168.origin.y);
+                                let _e1099 = (_e1090.z - _e168.origin.z);
+                                if (_e402 == 0u) {
+                                    phi_1660_ = vec3<f32>(_e1096, _e1099, _e1093);
                                 } else {
-                                    if (_e384 == 1u) {
-                                        phi_1640_ = vec3<f32>(_e1081, _e1075, _e1078);
+                                    if (_e402 == 1u) {
+                                        phi_1659_ = vec3<f32>(_e1099, _e1093, _e1096);
                                     } else {
-                                        phi_1640_ = (_e1072 - _e150.origin);
+                                        phi_1659_ = (_e1090 - _e168.origin);
                                     }
-                                    let _e1088 = phi_1640_;
-                                    phi_1641_ = _e1088;
+                                    let _e1106 = phi_1659_;
+                                    phi_1660_ = _e1106;
                                 }
-                                let _e1090 = phi_1641_;
-                                let _e1094 = (_e1090.x - (_e401 * _e1090.z));
-                                let _e1098 = (_e1090.y - (_e404 * _e1090.z));
-                                if (_e1066 < _e1094) {
-                                    phi_1660_ = true;
+                                let _e1108 = phi_1660_;
+                                let _e1112 = (_e1108.x - (_e419 * _e1108.z));
+                                let _e1116 = (_e1108.y - (_e422 * _e1108.z));
+                                if (_e1084 < _e1112) {
+                                    phi_1679_ = true;
                                 } else {
-                                    if (_e1066 == _e1094) {
-                                        phi_1659_ = (_e1070 < _e1098);
+                                    if (_e1084 == _e1112) {
+                                        phi_1678_ = (_e1088 < _e1116);
                                     } else {
-                                        phi_1659_ = false;
+                                        phi_1678_ = false;
                                     }
-                                    let _e1103 = phi_1659_;
-                                    phi_1660_ = _e1103;
+                                    let _e1121 = phi_1678_;
+                                    phi_1679_ = _e1121;
                                 }
-                                let _e1105 = phi_1660_;
-                                if _e1105 {
-                                    phi_1664_ = _e1098;
-                                    phi_1665_ = _e1094;
-                                    phi_1666_ = _e1070;
-                                    phi_1667_ = _e1066;
+                                let _e1123 = phi_1679_;
+                                if _e1123 {
+                                    phi_1683_ = _e1116;
+                                    phi_1684_ = _e1112;
+                                    phi_1685_ = _e1088;
+                                    phi_1686_ = _e1084;
                                 } else {
-                                    phi_1664_ = _e1070;
-                                    phi_1665_ = _e1066;
-                                    phi_1666_ = _e1098;
-                                    phi_1667_ = _e1094;
+                                    phi_1683_ = _e1088;
+                                    phi_1684_ = _e1084;
+                                    phi_1685_ = _e1116;
+                                    phi_1686_ = _e1112;
                                 }
-                                let _e1107 = phi_1664_;
-                                let _e1109 = phi_1665_;
-                                let _e1111 = phi_1666_;
-                                let _e1113 = phi_1667_;
-                                let _e1116 = ((_e1113 * _e1107) - (_e1111 * _e1109));
-                                if _e1105 {
-                                    phi_1675_ = -(_e1116);
+                                let _e1125 = phi_1683_;
+                                let _e1127 = phi_1684_;
+                                let _e1129 = phi_1685_;
+                                let _e1131 = phi_1686_;
+                                let _e1134 = ((_e1131 * _e1125) - (_e1129 * _e1127));
+                                if _e1123 {
+                                    phi_1694_ = -(_e1134);
                                 } else {
-                                    phi_1675_ = _e1116;
+                                    phi_1694_ = _e1134;
                                 }
-                                let _e1119 = phi_1675_;
-                                if (_e1094 < _e1038) {
-                                    phi_1686_ = true;
+                                let _e1137 = phi_1694_;
+                                if (_e1112 < _e1056) {
+                                    phi_1705_ = true;
                                 } else {
-                                    if (_e1094 == _e1038) {
-                                        phi_1685_ = (_e1098 < _e1042);
+                                    if (_e1112 == _e1056) {
+                                        phi_1704_ = (_e1116 < _e1060);
                                     } else {
-                                        phi_1685_ = false;
+                                        phi_1704_ = false;
                                     }
-                                    let _e1124 = phi_1685_;
-                                    phi_1686_ = _e1124;
+                                    let _e1142 = phi_1704_;
+                                    phi_1705_ = _e1142;
                                 }
-                                let _e1126 = phi_1686_;
-                                if _e1126 {
-                                    phi_1690_ = _e1042;
-                                    phi_1691_ = _e1038;
-                                    phi_1692_ = _e1098;
-                                    phi_1693_ = _e1094;
+                                let _e1144 = phi_1705_;
+                                if _e1144 {
+                                    phi_1709_ = _e1060;
+                                    phi_1710_ = _e1056;
+                                    phi_1711_ = _e1116;
+                                    phi_1712_ = _e1112;
                                 } else {
-                                    phi_1690_ = _e1098;
-                                    phi_1691_ = _e1094;
-                                    phi_1692_ = _e1042;
-                                    phi_1693_ = _e1038;
+                                    phi_1709_ = _e1116;
+                                    phi_1710_ = _e1112;
+                                    phi_1711_ = _e1060;
+                                    phi_1712_ = _e1056;
                                 }
-                                let _e1128 = phi_1690_;
-                                let _e1130 = phi_1691_;
-                                let _e1132 = phi_1692_;
-                                let _e1134 = phi_1693_;
-                                let _e1137 = ((_e1134 * _e1128) - (_e1132 * _e1130));
-                                if _e1126 {
-                                    phi_1701_ = -(_e1137);
+                                let _e1146 = phi_1709_;
+                                let _e1148 = phi_1710_;
+                                let _e1150 = phi_1711_;
+                                let _e1152 = phi_1712_;
+                                let _e1155 = ((_e1152 * _e1146) - (_e1150 * _e1148));
+                                if _e1144 {
+                                    phi_1720_ = -(_e1155);
                                 } else {
-                                    phi_1701_ = _e1137;
+                                    phi_1720_ = _e1155;
                                 }
-                                let _e1140 = phi_1701_;
-                                if (_e1038 < _e1066) {
-                                    phi_1712_ = true;
+                                let _e1158 = phi_1720_;
+                                if (_e1056 < _e1084) {
+                                    phi_1731_ = true;
                                 } else {
-                                    if (_e1038 == _e1066) {
-                                        phi_1711_ = (_e1042 < _e1070);
+                                    if (_e1056 == _e1084) {
+                                        phi_1730_ = (_e1060 < _e1088);
                                     } else {
-                                        phi_1711_ = false;
+                                        phi_1730_ = false;
                                     }
-                                    let _e1145 = phi_1711_;
-                                    phi_1712_ = _e1145;
+                                    let _e1163 = phi_1730_;
+                                    phi_1731_ = _e1163;
                                 }
-                                let _e1147 = phi_1712_;
-                                if _e1147 {
-                                    phi_1716_ = _e1070;
-                                    phi_1717_ = _e1066;
-                                    phi_1718_ = _e1042;
-                                    phi_1719_ = _e1038;
+                                let _e1165 = phi_1731_;
+                                if _e1165 {
+                                    phi_1735_ = _e1088;
+                                    phi_1736_ = _e1084;
+                                    phi_1737_ = _e1060;
+                                    phi_1738_ = _e1056;
                                 } else {
-                                    phi_1716_ = _e1042;
-                                    phi_1717_ = _e1038;
-                                    phi_1718_ = _e1070;
-                                    phi_1719_ = _e1066;
+                                    phi_1735_ = _e1060;
+                                    phi_1736_ = _e1056;
+                                    phi_1737_ = _e1088;
+                                    phi_1738_ = _e1084;
                                 }
-                                let _e1149 = phi_1716_;
-                                let _e1151 = phi_1717_;
-                                let _e1153 = phi_1718_;
-                                let _e1155 = phi_1719_;
-                                let _e1158 = ((_e1155 * _e1149) - (_e1153 * _e1151));
-                                if _e1147 {
-                                    phi_1727_ = -(_e1158);
+                                let _e1167 = phi_1735_;
+                                let _e1169 = phi_1736_;
+                                let _e1171 = phi_1737_;
+                                let _e1173 = phi_1738_;
+                                let _e1176 = ((_e1173 * _e1167) - (_e1171 * _e1169));
+                                if _e1165 {
+                                    phi_1746_ = -(_e1176);
                                 } else {
-                                    phi_1727_ = _e1158;
+                                    phi_1746_ = _e1176;
                                 }
-                                let _e1161 = phi_1727_;
-                                if (_e1119 >= 0f) {
-                                    if (_e1140 >= 0f) {
-                                        if (_e1161 >= 0f) {
-                                            phi_1742_ = ((_e1119 + _e1140) + _e1161);
-                                            phi_1743_ = false;
+                                let _e1179 = phi_1746_;
+                                if (_e1137 >= 0f) {
+                                    if (_e1158 >= 0f) {
+                                        if (_e1179 >= 0f) {
+                                            phi_1761_ = ((_e1137 + _e1158) + _e1179);
+                                            phi_1762_ = false;
                                         } else {
-                                            phi_1742_ = f32();
-                                            phi_1743_ = true;
+                                            phi_1761_ = f32();
+                                            phi_1762_ = true;
                                         }
-                                        let _e1168 = phi_1742_;
-                                        let _e1170 = phi_1743_;
-                                        phi_1744_ = _e1168;
-                                        phi_1745_ = _e1170;
+                                        let _e1186 = phi_1761_;
+                                        let _e1188 = phi_1762_;
+                                        phi_1763_ = _e1186;
+                                        phi_1764_ = _e1188;
                                     } else {
-                                        phi_1744_ = f32();
-                                        phi_1745_ = true;
+                                        phi_1763_ = f32();
+                                        phi_1764_ = true;
                                     }
-                                    let _e1172 = phi_1744_;
-                                    let _e1174 = phi_1745_;
-                                    phi_1746_ = _e1172;
-                                    phi_1747_ = _e1174;
+                                    let _e1190 = phi_1763_;
+                                    let _e1192 = phi_1764_;
+                                    phi_1765_ = _e1190;
+                                    phi_1766_ = _e1192;
                                 } else {
-                                    phi_1746_ = f32();
-                                    phi_1747_ = true;
+                                    phi_1765_ = f32();
+                                    phi_1766_ = true;
                                 }
-                                let _e1176 = phi_1746_;
-                                let _e1178 = phi_1747_;
-                                if _e1178 {
-                                    if (_e1119 <= 0f) {
-                                        if (_e1140 <= 0f) {
-                                            let _e1181 = (_e1161 <= 0f);
-                                            if _e1181 {
+                                let _e1194 = phi_1765_;
+                                let _e1196 = phi_1766_;
+                                if _e1196 {
+                                    if (_e1137 <= 0f) {
+                                        if (_e1158 <= 0f) {
+                                            let _e1199 = (_e1179 <= 0f);
+                                            if _e1199 {
                                             }
-                                            phi_1765_ = ((_e1119 + _e1140) + _e1161);
-                                            phi_1766_ = false;
-                                            phi_1767_ = _e1181;
+                                            phi_1784_ = ((_e1137 + _e1158) + _e1179);
+                                            phi_1785_ = false;
+                                            phi_1786_ = _e1199;
                                         } else {
-                                            phi_1765_ = f32();
-                                            phi_1766_ = true;
-                                            phi_1767_ = false;
+                                            phi_1784_ = f32();
+                                            phi_1785_ = true;
+                                            phi_1786_ = false;
                                         }
-                                        let _e1185 = phi_1765_;
-                                        let _e1187 = phi_1766_;
-                                        let _e1189 = phi_1767_;
-                                        phi_1768_ = _e1185;
-                                        phi_1769_ = _e1187;
-                                        phi_1770_ = _e1189;
+                                        let _e1203 = phi_1784_;
+                                        let _e1205 = phi_1785_;
+                                        let _e1207 = phi_1786_;
+                                        phi_1787_ = _e1203;
+                                        phi_1788_ = _e1205;
+                                        phi_1789_ = _e1207;
                                     } else {
-                                        phi_1768_ = f32();
-                                        phi_1769_ = true;
-                                        phi_1770_ = false;
+                                        phi_1787_ = f32();
+                                        phi_1788_ = true;
+                                        phi_1789_ = false;
                                     }
-                                    let _e1191 = phi_1768_;
-                                    let _e1193 = phi_1769_;
-                                    let _e1195 = phi_1770_;
-                                    if _e1193 {
-                                        phi_1774_ = false;
+                                    let _e1209 = phi_1787_;
+                                    let _e1211 = phi_1788_;
+                                    let _e1213 = phi_1789_;
+                                    if _e1211 {
+                                        phi_1793_ = false;
                                     } else {
-                                        phi_1774_ = _e1195;
+                                        phi_1793_ = _e1213;
                                     }
-                                    let _e1197 = phi_1774_;
-                                    phi_1775_ = _e1191;
-                                    phi_1776_ = _e1197;
+                                    let _e1215 = phi_1793_;
+                                    phi_1794_ = _e1209;
+                                    phi_1795_ = _e1215;
                                 } else {
-                                    phi_1775_ = _e1176;
-                                    phi_1776_ = true;
+                                    phi_1794_ = _e1194;
+                                    phi_1795_ = true;
                                 }
-                                let _e1199 = phi_1775_;
-                                let _e1201 = phi_1776_;
-                                if _e1201 {
-                                    let _e1202 = (_e1199 == 0f);
-                                    if _e1202 {
-                                        phi_2102_ = lt_bvh_triangle_Intersection();
-                                        phi_2103_ = false;
+                                let _e1217 = phi_1794_;
+                                let _e1219 = phi_1795_;
+                                if _e1219 {
+                                    let _e1220 = (_e1217 == 0f);
+                                    if _e1220 {
+                                        phi_2121_ = lt_bvh_triangle_Intersection();
+                                        phi_2122_ = false;
                                     } else {
-                                        let _e1204 = triangles.member[(0u + _e1009)].v0_;
-                                        let _e1207 = (_e1204.x - _e150.origin.x);
-                                        let _e1210 = (_e1204.y - _e150.origin.y);
-                                        let _e1213 = (_e1204.z - _e150.origin.z);
-                                        if (_e384 == 0u) {
-                                            phi_1807_ = vec3<f32>(_e1210, _e1213, _e1207);
+                                        let _e1222 = triangles.member[(0u + _e1027)].v0_;
+                                        let _e1225 = (_e1222.x - _e168.origin.x);
+                                        let _e1228 = (_e1222.y - _e168.origin.y);
+                                        let _e1231 = (_e1222.z - _e168.origin.z);
+                                        if (_e402 == 0u) {
+                                            phi_1826_ = vec3<f32>(_e1228, _e1231, _e1225);
                                         } else {
-                                            if (_e384 == 1u) {
-                                                phi_1806_ = vec3<f32>(_e1213, _e1207, _e1210);
+                                            if (_e402 == 1u) {
+                                                phi_1825_ = vec3<f32>(_e1231, _e1225, _e1228);
                                             } else {
-                                                phi_1806_ = (_e1204 - _e150.origin);
+                                                phi_1825_ = (_e1222 - _e168.origin);
                                             }
-                                            let _e1220 = phi_1806_;
-                                            phi_1807_ = _e1220;
+                                            let _e1238 = phi_1825_;
+                                            phi_1826_ = _e1238;
                                         }
-                                        let _e1222 = phi_1807_;
-                                        let _e1224 = triangles.member[(0u + _e1009)].v1_;
-                                        let _e1226 = triangles.member[(0u + _e1009)].v0_;
-                                        let _e1229 = (_e1224.x - _e1226.x);
-                                        let _e1232 = (_e1224.y - _e1226.y);
-                                        let _e1235 = (_e1224.z - _e1226.z);
-                                        if (_e384 == 0u) {
-                                            phi_1833_ = vec3<f32>(_e1232, _e1235, _e1229);
+                                        let _e1240 = phi_1826_;
+                                        let _e1242 = triangles.member[(0u + _e1027)].v1_;
+                                        let _e1244 = triangles.member[(0u + _e1027)].v0_;
+                                        let _e1247 = (_e1242.x - _e1244.x);
+                                        let _e1250 = (_e1242.y - _e1244.y);
+                                        let _e1253 = (_e1242.z - _e1244.z);
+                                        if (_e402 == 0u) {
+                                            phi_1852_ = vec3<f32>(_e1250, _e1253, _e1247);
                                         } else {
-                                            if (_e384 == 1u) {
-                                                phi_1832_ = vec3<f32>(_e1235, _e1229, _e1232);
+                                            if (_e402 == 1u) {
+                                                phi_1851_ = vec3<f32>(_e1253, _e1247, _e1250);
                                             } else {
-                                                phi_1832_ = (_e1224 - _e1226);
+                                                phi_1851_ = (_e1242 - _e1244);
                                             }
-                                            let _e1242 = phi_1832_;
-                                            phi_1833_ = _e1242;
+                                            let _e1260 = phi_1851_;
+                                            phi_1852_ = _e1260;
                                         }
-                                        let _e1244 = phi_1833_;
-                                        let _e1246 = triangles.member[(0u + _e1009)].v2_;
-                                        let _e1248 = triangles.member[(0u + _e1009)].v0_;
-                                        let _e1251 = (_e1246.x - _e1248.x);
-                                        let _e1254 = (_e1246.y - _e1248.y);
-                                        let _e1257 = (_e1246.z - _e1248.z);
-                                        if (_e384 == 0u) {
-                                            phi_1859_ = vec3<f32>(_e1254, _e1257, _e1251);
+                                        let _e1262 = phi_1852_;
+                                        let _e1264 = triangles.member[(0u + _e1027)].v2_;
+                                        let _e1266 = triangles.member[(0u + _e1027)].v0_;
+                                        let _e1269 = (_e1264.x - _e1266.x);
+                                        let _e1272 = (_e1264.y - _e1266.y);
+                                        let _e1275 = (_e1264.z - _e1266.z);
+                                        if (_e402 == 0u) {
+                                            phi_1878_ = vec3<f32>(_e1272, _e1275, _e1269);
                                         } else {
-                                            if (_e384 == 1u) {
-                                                phi_1858_ = vec3<f32>(_e1257, _e1251, _e1254);
+                                            if (_e402 == 1u) {
+                                                phi_1877_ = vec3<f32>(_e1275, _e1269, _e1272);
                                             } else {
-                                                phi_1858_ = (_e1246 - _e1248);
+                                                phi_1877_ = (_e1264 - _e1266);
                                             }
-                                            let _e1264 = phi_1858_;
-                                            phi_1859_ = _e1264;
+                                            let _e1282 = phi_1877_;
+                                            phi_1878_ = _e1282;
                                         }
-                                        let _e1266 = phi_1859_;
-                                        let _e1273 = ((_e1244.y * _e1266.z) - (_e1244.z * _e1266.y));
-                                        let _e1280 = ((_e1244.z * _e1266.x) - (_e1244.x * _e1266.z));
-                                        let _e1287 = ((_e1244.x * _e1266.y) - (_e1244.y * _e1266.x));
-                                        let _e1301 = (((1f / _e398.z) * (((_e1273 * _e1222.x) + (_e1280 * _e1222.y)) + (_e1287 * _e1222.z))) / (((_e1273 * _e401) + (_e1280 * _e404)) + _e1287));
-                                        if (_e1301 > _e150.tmin) {
-                                            if (_e1301 < _e150.tmax) {
-                                                let _e1307 = triangles.member[(0u + _e1009)].v0_;
-                                                let _e1309 = triangles.member[(0u + _e1009)].v1_;
-                                                if (_e1307.x < _e1309.x) {
-                                                    phi_1917_ = _e1307.x;
+                                        let _e1284 = phi_1878_;
+                                        let _e1291 = ((_e1262.y * _e1284.z) - (_e1262.z * _e1284.y));
+                                        let _e1298 = ((_e1262.z * _e1284.x) - (_e1262.x * _e1284.z));
+                                        let _e1305 = ((_e1262.x * _e1284.y) - (_e1262.y * _e1284.x));
+                                        let _e1319 = (((1f / _e416.z) * (((_e1291 * _e1240.x) + (_e1298 * _e1240.y)) + (_e1305 * _e1240.z))) / (((_e1291 * _e419) + (_e1298 * _e422)) + _e1305));
+                                        if (_e1319 > _e168.tmin) {
+                                            if (_e1319 < _e168.tmax) {
+                                                let _e1325 = triangles.member[(0u + _e1027)].v0_;
+                                                let _e1327 = triangles.member[(0u + _e1027)].v1_;
+                                                if (_e1325.x < _e1327.x) {
+                                                    phi_1936_ = _e1325.x;
                                                 } else {
-                                                    phi_1917_ = _e1309.x;
+                                                    phi_1936_ = _e1327.x;
                                                 }
-                                                let _e1316 = phi_1917_;
-                                                if (_e1307.y < _e1309.y) {
-                                                    phi_1926_ = _e1307.y;
+                                                let _e1334 = phi_1936_;
+                                                if (_e1325.y < _e1327.y) {
+                                                    phi_1945_ = _e1325.y;
                                                 } else {
-                                                    phi_1926_ = _e1309.y;
+                                                    phi_1945_ = _e1327.y;
                                                 }
-                                                let _e1323 = phi_1926_;
-                                                if (_e1307.z < _e1309.z) {
-                                                    phi_1935_ = _e1307.z;
+                                                let _e1341 = phi_1945_;
+                                                if (_e1325.z < _e1327.z) {
+                                                    phi_1954_ = _e1325.z;
                                                 } else {
-                                                    phi_1935_ = _e1309.z;
+                                                    phi_1954_ = _e1327.z;
                                                 }
-                                                let _e1330 = phi_1935_;
-                                                let _e1332 = triangles.member[(0u + _e1009)].v2_;
-                                                if (_e1316 < _e1332.x) {
-                                                    phi_1944_ = _e1316;
+                                                let _e1348 = phi_1954_;
+                                                let _e1350 = triangles.member[(0u + _e1027)].v2_;
+                                                if (_e1334 < _e1350.x) {
+                                                    phi_1963_ = _e1334;
                                                 } else {
-                                                    phi_1944_ = _e1332.x;
+                                                    phi_1963_ = _e1350.x;
                                                 }
-                                                let _e1337 = phi_1944_;
-                                                if (_e1323 < _e1332.y) {
-                                                    phi_1951_ = _e1323;
+                                                let _e1355 = phi_1963_;
+                                                if (_e1341 < _e1350.y) {
+                                                    phi_1970_ = _e1341;
                                                 } else {
-                                                    phi_1951_ = _e1332.y;
+                                                    phi_1970_ = _e1350.y;
                                                 }
-                                                let _e1342 = phi_1951_;
-                                                if (_e1330 < _e1332.z) {
-                                                    phi_1958_ = _e1330;
+                                                let _e1360 = phi_1970_;
+                                                if (_e1348 < _e1350.z) {
+                                                    phi_1977_ = _e1348;
                                                 } else {
-                                                    phi_1958_ = _e1332.z;
+                                                    phi_1977_ = _e1350.z;
                                                 }
-                                                let _e1347 = phi_1958_;
-                                                let _e1349 = triangles.member[(0u + _e1009)].v0_;
-                                                let _e1351 = triangles.member[(0u + _e1009)].v1_;
-                                                if (_e1349.x > _e1351.x) {
-                                                    phi_1971_ = _e1349.x;
+                                                let _e1365 = phi_1977_;
+                                                let _e1367 = triangles.member[(0u + _e1027)].v0_;
+                                                let _e1369 = triangles.member[(0u + _e1027)].v1_;
+                                                if (_e1367.x > _e1369.x) {
+                                                    phi_1990_ = _e1367.x;
                                                 } else {
-                                                    phi_1971_ = _e1351.x;
+                                                    phi_1990_ = _e1369.x;
                                                 }
-                                                let _e1358 = phi_1971_;
-                                                if (_e1349.y > _e1351.y) {
-                                                    phi_1980_ = _e1349.y;
+                                                let _e1376 = phi_1990_;
+                                                if (_e1367.y > _e1369.y) {
+                                                    phi_1999_ = _e1367.y;
                                                 } else {
-                                                    phi_1980_ = _e1351.y;
+                                                    phi_1999_ = _e1369.y;
                                                 }
-                                                let _e1365 = phi_1980_;
-                                                if (_e1349.z > _e1351.z) {
-                                                    phi_1989_ = _e1349.z;
+                                                let _e1383 = phi_1999_;
+                                                if (_e1367.z > _e1369.z) {
+                                                    phi_2008_ = _e1367.z;
                                                 } else {
-                                                    phi_1989_ = _e1351.z;
+                                                    phi_2008_ = _e1369.z;
                                                 }
-                                                let _e1372 = phi_1989_;
-                                                let _e1374 = triangles.member[(0u + _e1009)].v2_;
-                                                if (_e1358 > _e1374.x) {
-                                                    phi_1998_ = _e1358;
+                                                let _e1390 = phi_2008_;
+                                                let _e1392 = triangles.member[(0u + _e1027)].v2_;
+                                                if (_e1376 > _e1392.x) {
+                                                    phi_2017_ = _e1376;
                                                 } else {
-                                                    phi_1998_ = _e1374.x;
+                                                    phi_2017_ = _e1392.x;
                                                 }
-                                                let _e1379 = phi_1998_;
-                                                if (_e1365 > _e1374.y) {
-                                                    phi_2005_ = _e1365;
+                                                let _e1397 = phi_2017_;
+                                                if (_e1383 > _e1392.y) {
+                                                    phi_2024_ = _e1383;
                                                 } else {
-                                                    phi_2005_ = _e1374.y;
+                                                    phi_2024_ = _e1392.y;
                                                 }
-                                                let _e1384 = phi_2005_;
-                                                if (_e1372 > _e1374.z) {
-                                                    phi_2012_ = _e1372;
+                                                let _e1402 = phi_2024_;
+                                                if (_e1390 > _e1392.z) {
+                                                    phi_2031_ = _e1390;
                                                 } else {
-                                                    phi_2012_ = _e1374.z;
+                                                    phi_2031_ = _e1392.z;
                                                 }
-                                                let _e1389 = phi_2012_;
-                                                let _e1396 = ((_e1337 - _e150.origin.x) * _e296);
-                                                let _e1397 = ((_e1342 - _e150.origin.y) * _e307);
-                                                let _e1398 = ((_e1347 - _e150.origin.z) * _e318);
-                                                let _e1405 = ((_e1379 - _e150.origin.x) * _e296);
-                                                let _e1406 = ((_e1384 - _e150.origin.y) * _e307);
-                                                let _e1407 = ((_e1389 - _e150.origin.z) * _e318);
-                                                if (_e1396 < _e1405) {
-                                                    phi_2035_ = _e1396;
+                                                let _e1407 = phi_2031_;
+                                                let _e1414 = ((_e1355 - _e168.origin.x) * _e314);
+                                                let _e1415 = ((_e1360 - _e168.origin.y) * _e325);
+                                                let _e1416 = ((_e1365 - _e168.origin.z) * _e336);
+                                                let _e1423 = ((_e1397 - _e168.origin.x) * _e314);
+                                                let _e1424 = ((_e1402 - _e168.origin.y) * _e325);
+                                                let _e1425 = ((_e1407 - _e168.origin.z) * _e336);
+                                                if (_e1414 < _e1423) {
+                                                    phi_2054_ = _e1414;
                                                 } else {
-                                                    phi_2035_ = _e1405;
+                                                    phi_2054_ = _e1423;
                                                 }
-                                                let _e1410 = phi_2035_;
-                                                if (_e1397 < _e1406) {
-                                                    phi_2040_ = _e1397;
+                                                let _e1428 = phi_2054_;
+                                                if (_e1415 < _e1424) {
+                                                    phi_2059_ = _e1415;
                                                 } else {
-                                                    phi_2040_ = _e1406;
+                                                    phi_2059_ = _e1424;
                                                 }
-                                                let _e1413 = phi_2040_;
-                                                if (_e1398 < _e1407) {
-                                                    phi_2045_ = _e1398;
+                                                let _e1431 = phi_2059_;
+                                                if (_e1416 < _e1425) {
+                                                    phi_2064_ = _e1416;
                                                 } else {
-                                                    phi_2045_ = _e1407;
+                                                    phi_2064_ = _e1425;
                                                 }
-                                                let _e1416 = phi_2045_;
-                                                if (_e1396 > _e1405) {
-                                                    phi_2053_ = _e1396;
+                                                let _e1434 = phi_2064_;
+                                                if (_e1414 > _e1423) {
+                                                    phi_2072_ = _e1414;
                                                 } else {
-                                                    phi_2053_ = _e1405;
+                                                    phi_2072_ = _e1423;
                                                 }
-                                                let _e1422 = phi_2053_;
-                                                if (_e1397 > _e1406) {
-                                                    phi_2058_ = _e1397;
+                                                let _e1440 = phi_2072_;
+                                                if (_e1415 > _e1424) {
+                                                    phi_2077_ = _e1415;
                                                 } else {
-                                                    phi_2058_ = _e1406;
+                                                    phi_2077_ = _e1424;
                                                 }
-                                                let _e1425 = phi_2058_;
-                                                if (_e1398 > _e1407) {
-                                                    phi_2063_ = _e1398;
+                                                let _e1443 = phi_2077_;
+                                                if (_e1416 > _e1425) {
+                                                    phi_2082_ = _e1416;
                                                 } else {
-                                                    phi_2063_ = _e1407;
+                                                    phi_2082_ = _e1425;
                                                 }
-                                                let _e1428 = phi_2063_;
-                                                let _e1432 = core_intrinsics_maximum_number_nsz_f32_((_e1410 - _e363), (_e1413 - _e364));
-                                                let _e1433 = core_intrinsics_maximum_number_nsz_f32_(_e1432, (_e1416 - _e365));
-                                                let _e1434 = core_intrinsics_minimum_number_nsz_f32_((_e1422 + _e363), (_e1425 + _e364));
-                                                let _e1435 = core_intrinsics_minimum_number_nsz_f32_(_e1434, (_e1428 + _e365));
-                                                if (_e1433 > -300000000000000000000000000000000000000f) {
-                                                    phi_2075_ = _e1433;
+                                                let _e1446 = phi_2082_;
+                                                let _e1450 = core_intrinsics_maximum_number_nsz_f32_((_e1428 - _e381), (_e1431 - _e382));
+                                                let _e1451 = core_intrinsics_maximum_number_nsz_f32_(_e1450, (_e1434 - _e383));
+                                                let _e1452 = core_intrinsics_minimum_number_nsz_f32_((_e1440 + _e381), (_e1443 + _e382));
+                                                let _e1453 = core_intrinsics_minimum_number_nsz_f32_(_e1452, (_e1446 + _e383));
+                                                if (_e1451 > -300000000000000000000000000000000000000f) {
+                                                    phi_2094_ = _e1451;
                                                 } else {
-                                                    phi_2075_ = -300000000000000000000000000000000000000f;
+                                                    phi_2094_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1438 = phi_2075_;
-                                                if (_e1435 < 300000000000000000000000000000000000000f) {
-                                                    phi_2080_ = _e1435;
+                                                let _e1456 = phi_2094_;
+                                                if (_e1453 < 300000000000000000000000000000000000000f) {
+                                                    phi_2099_ = _e1453;
                                                 } else {
-                                                    phi_2080_ = 300000000000000000000000000000000000000f;
+                                                    phi_2099_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1441 = phi_2080_;
-                                                if (_e1301 < _e1438) {
-                                                    phi_2085_ = _e1438;
+                                                let _e1459 = phi_2099_;
+                                                if (_e1319 < _e1456) {
+                                                    phi_2104_ = _e1456;
                                                 } else {
-                                                    phi_2085_ = _e1301;
+                                                    phi_2104_ = _e1319;
                                                 }
-                                                let _e1444 = phi_2085_;
-                                                if (_e1444 > _e1441) {
-                                                    phi_2090_ = _e1441;
+                                                let _e1462 = phi_2104_;
+                                                if (_e1462 > _e1459) {
+                                                    phi_2109_ = _e1459;
                                                 } else {
-                                                    phi_2090_ = _e1444;
+                                                    phi_2109_ = _e1462;
                                                 }
-                                                let _e1447 = phi_2090_;
-                                                phi_2095_ = lt_bvh_triangle_Intersection(_e1447, (_e1140 / _e1199), (_e1161 / _e1199), (_e1438 <= _e1441));
-                                                phi_2096_ = false;
+                                                let _e1465 = phi_2109_;
+                                                phi_2114_ = lt_bvh_triangle_Intersection(_e1465, (_e1158 / _e1217), (_e1179 / _e1217), (_e1456 <= _e1459));
+                                                phi_2115_ = false;
                                             } else {
-                                                phi_2095_ = lt_bvh_triangle_Intersection();
-                                                phi_2096_ = true;
+                                                phi_2114_ = lt_bvh_triangle_Intersection();
+                                                phi_2115_ = true;
                                             }
-                                            let _e1453 = phi_2095_;
-                                            let _e1455 = phi_2096_;
-                                            phi_2097_ = _e1453;
-                                            phi_2098_ = _e1455;
+                                            let _e1471 = phi_2114_;
+                                            let _e1473 = phi_2115_;
+                                            phi_2116_ = _e1471;
+                                            phi_2117_ = _e1473;
                                         } else {
-                                            phi_2097_ = lt_bvh_triangle_Intersection();
-                                            phi_2098_ = true;
+                                            phi_2116_ = lt_bvh_triangle_Intersection();
+                                            phi_2117_ = true;
                                         }
-                                        let _e1457 = phi_2097_;
-                                        let _e1459 = phi_2098_;
-                                        if _e1459 {
+                                        let _e1475 = phi_2116_;
+                                        let _e1477 = phi_2117_;
+                                        if _e1477 {
                                         }
-                                        phi_2102_ = _e1457;
-                                        phi_2103_ = _e1459;
+                                        phi_2121_ = _e1475;
+                                        phi_2122_ = _e1477;
                                     }
-                                    let _e1461 = phi_2102_;
-                                    let _e1463 = phi_2103_;
-                                    phi_2104_ = _e1461;
-                                    phi_2105_ = _e1202;
-                                    phi_2106_ = _e1463;
+                                    let _e1479 = phi_2121_;
+                                    let _e1481 = phi_2122_;
+                                    phi_2123_ = _e1479;
+                                    phi_2124_ = _e1220;
+                                    phi_2125_ = _e1481;
                                 } else {
-                                    phi_2104_ = lt_bvh_triangle_Intersection();
-                                    phi_2105_ = true;
-                                    phi_2106_ = false;
+                                    phi_2123_ = lt_bvh_triangle_Intersection();
+                                    phi_2124_ = true;
+                                    phi_2125_ = false;
                                 }
-                                let _e1465 = phi_2104_;
-                                let _e1467 = phi_2105_;
-                                let _e1469 = phi_2106_;
-                                if _e1467 {
-                                    phi_2110_ = true;
+                                let _e1483 = phi_2123_;
+                                let _e1485 = phi_2124_;
+                                let _e1487 = phi_2125_;
+                                if _e1485 {
+                                    phi_2129_ = true;
                                 } else {
-                                    phi_2110_ = _e1469;
+                                    phi_2129_ = _e1487;
                                 }
-                                let _e1471 = phi_2110_;
-                                if _e1471 {
-                                    phi_2114_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1489 = phi_2129_;
+                                if _e1489 {
+                                    phi_2133_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2114_ = _e1465;
+                                    phi_2133_ = _e1483;
                                 }
-                                let _e1473 = phi_2114_;
-                                if _e1473.is_hit {
-                                    if (_e1473.t > _e150.tmin) {
-                                        if (_e1473.t < _e998.t) {
-                                            phi_2163_ = true;
+                                let _e1491 = phi_2133_;
+                                if _e1491.is_hit {
+                                    if (_e1491.t > _e168.tmin) {
+                                        if (_e1491.t < _e1016.t) {
+                                            phi_2182_ = true;
                                         } else {
-                                            if (_e1473.t == _e998.t) {
-                                                if (_e998.triangle != 4294967295u) {
-                                                    if (_e1009 < _e998.triangle) {
-                                                        phi_2154_ = true;
+                                            if (_e1491.t == _e1016.t) {
+                                                if (_e1016.triangle != 4294967295u) {
+                                                    if (_e1027 < _e1016.triangle) {
+                                                        phi_2173_ = true;
                                                     } else {
-                                                        if (_e1009 == _e998.triangle) {
-                                                            phi_2153_ = (4294967295u < _e998.instance);
+                                                        if (_e1027 == _e1016.triangle) {
+                                                            phi_2172_ = (4294967295u < _e1016.instance);
                                                         } else {
-                                                            phi_2153_ = false;
+                                                            phi_2172_ = false;
                                                         }
-                                                        let _e1492 = phi_2153_;
-                                                        phi_2154_ = _e1492;
+                                                        let _e1510 = phi_2172_;
+                                                        phi_2173_ = _e1510;
                                                     }
-                                                    let _e1494 = phi_2154_;
-                                                    phi_2155_ = _e1494;
-                                                    phi_2156_ = false;
+                                                    let _e1512 = phi_2173_;
+                                                    phi_2174_ = _e1512;
+                                                    phi_2175_ = false;
                                                 } else {
-                                                    phi_2155_ = bool();
-                                                    phi_2156_ = true;
+                                                    phi_2174_ = bool();
+                                                    phi_2175_ = true;
                                                 }
-                                                let _e1496 = phi_2155_;
-                                                let _e1498 = phi_2156_;
-                                                phi_2157_ = _e1496;
-                                                phi_2158_ = _e1498;
+                                                let _e1514 = phi_2174_;
+                                                let _e1516 = phi_2175_;
+                                                phi_2176_ = _e1514;
+                                                phi_2177_ = _e1516;
                                             } else {
-                                                phi_2157_ = bool();
-                                                phi_2158_ = true;
-                                            }
-                                            let _e1500 = phi_2157_;
-                                            let _e1502 = phi_2158_;
-                                            if _e1502 {
-                                                phi_2162_ = false;
-                                            } else {
-                                                phi_2162_ = _e1500;
-                                            }
-                                            let _e1504 = phi_2162_;
-                                            phi_2163_ = _e1504;
-                                        }
-                                        let _e1506 = phi_2163_;
-                                        if _e1506 {
-                                            let _e1508 = triangles.member[(0u + _e1009)].i0_;
-                                            if ((_e1508 & 2147483648u) == 0u) {
+                                                phi_2176_ = bool();
                                                 phi_2177_ = true;
+                                            }
+                                            let _e1518 = phi_2176_;
+                                            let _e1520 = phi_2177_;
+                                            if _e1520 {
+                                                phi_2181_ = false;
+                                            } else {
+                                                phi_2181_ = _e1518;
+                                            }
+                                            let _e1522 = phi_2181_;
+                                            phi_2182_ = _e1522;
+                                        }
+                                        let _e1524 = phi_2182_;
+                                        if _e1524 {
+                                            let _e1526 = triangles.member[(0u + _e1027)].i0_;
+                                            if ((_e1526 & 2147483648u) == 0u) {
+                                                phi_2196_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_2177_ = true;
+                                                phi_2196_ = true;
                                             }
-                                            let _e1512 = phi_2177_;
-                                            if _e1512 {
-                                                phi_2185_ = lt_bvh_Hit(_e1473.t, _e1473.u, _e1473.v, _e1009, 4294967295u);
+                                            let _e1530 = phi_2196_;
+                                            if _e1530 {
+                                                phi_2204_ = lt_bvh_Hit(_e1491.t, _e1491.u, _e1491.v, _e1027, 4294967295u);
                                             } else {
-                                                phi_2185_ = _e998;
+                                                phi_2204_ = _e1016;
                                             }
-                                            let _e1518 = phi_2185_;
-                                            phi_2186_ = _e1518;
+                                            let _e1536 = phi_2204_;
+                                            phi_2205_ = _e1536;
                                         } else {
-                                            phi_2186_ = _e998;
+                                            phi_2205_ = _e1016;
                                         }
-                                        let _e1520 = phi_2186_;
-                                        phi_2187_ = _e1520;
+                                        let _e1538 = phi_2205_;
+                                        phi_2206_ = _e1538;
                                     } else {
-                                        phi_2187_ = _e998;
+                                        phi_2206_ = _e1016;
                                     }
-                                    let _e1522 = phi_2187_;
-                                    phi_2188_ = _e1522;
+                                    let _e1540 = phi_2206_;
+                                    phi_2207_ = _e1540;
                                 } else {
-                                    phi_2188_ = _e998;
+                                    phi_2207_ = _e1016;
                                 }
-                                let _e1524 = phi_2188_;
-                                phi_1528_ = _e1524;
-                                phi_1531_ = (_e1000 & (_e1000 - 1u));
-                                phi_2189_ = true;
+                                let _e1542 = phi_2207_;
+                                phi_1547_ = _e1542;
+                                phi_1550_ = (_e1018 & (_e1018 - 1u));
+                                phi_2208_ = true;
                             }
-                            let _e1526 = phi_1528_;
-                            let _e1528 = phi_1531_;
-                            let _e1530 = phi_2189_;
+                            let _e1544 = phi_1547_;
+                            let _e1546 = phi_1550_;
+                            let _e1548 = phi_2208_;
                             continue;
                             continuing {
-                                phi_1527_ = _e1526;
-                                phi_1530_ = _e1528;
-                                break if !(_e1530);
+                                phi_1546_ = _e1544;
+                                phi_1549_ = _e1546;
+                                break if !(_e1548);
                             }
                         }
-                        let _e1533 = local_1.group_mask;
-                        if ((_e1533 & 4278190080u) == 0u) {
-                            let _e1537 = local_1.len;
-                            if (_e1537 == 0u) {
-                                phi_2228_ = false;
+                        let _e1551 = local_1.group_mask;
+                        if ((_e1551 & 4278190080u) == 0u) {
+                            let _e1555 = local_1.len;
+                            if (_e1555 == 0u) {
+                                phi_2247_ = false;
                             } else {
-                                let _e1541 = local_1.len;
-                                local_1.len = (_e1541 - 1u);
-                                let _e1544 = local_1.len;
-                                if (_e1544 < 32u) {
+                                let _e1559 = local_1.len;
+                                local_1.len = (_e1559 - 1u);
+                                let _e1562 = local_1.len;
+                                if (_e1562 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1549 = local_1.first[(0u + _e1544)];
-                                local_1.group = _e1549;
-                                let _e1552 = local_1.len;
-                                if (_e1552 < 32u) {
+                                let _e1567 = local_1.first[(0u + _e1562)];
+                                local_1.group = _e1567;
+                                let _e1570 = local_1.len;
+                                if (_e1570 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1557 = local_1.mask[(0u + _e1552)];
-                                local_1.group_mask = _e1557;
-                                phi_2228_ = true;
+                                let _e1575 = local_1.mask[(0u + _e1570)];
+                                local_1.group_mask = _e1575;
+                                phi_2247_ = true;
                             }
-                            let _e1560 = phi_2228_;
-                            phi_2229_ = _e1560;
+                            let _e1578 = phi_2247_;
+                            phi_2248_ = _e1578;
                         } else {
-                            phi_2229_ = true;
+                            phi_2248_ = true;
                         }
-                        let _e1562 = phi_2229_;
-                        if _e1562 {
-                            let _e1564 = local_1.group_mask;
-                            let _e1570 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1564)), 32u, (_e1564 == 0u)));
-                            let _e1574 = local_1.group_mask;
-                            let _e1588 = local_1.group_mask;
-                            local_1.group_mask = (_e1588 & ~((1u << bitcast<u32>((_e1570 & 31u)))));
-                            let _e1591 = local_1.group;
-                            phi_2260_ = (_e1591 + countOneBits(((_e1574 & ~((4294967295u << bitcast<u32>((((_e1570 - 24u) ^ _e417) & 31u))))) & 255u)));
+                        let _e1580 = phi_2248_;
+                        if _e1580 {
+                            let _e1582 = local_1.group_mask;
+                            let _e1588 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1582)), 32u, (_e1582 == 0u)));
+                            let _e1592 = local_1.group_mask;
+                            let _e1606 = local_1.group_mask;
+                            local_1.group_mask = (_e1606 & ~((1u << bitcast<u32>((_e1588 & 31u)))));
+                            let _e1609 = local_1.group;
+                            phi_2279_ = (_e1609 + countOneBits(((_e1592 & ~((4294967295u << bitcast<u32>((((_e1588 - 24u) ^ _e435) & 31u))))) & 255u)));
                         } else {
-                            phi_2260_ = 4294967295u;
+                            phi_2279_ = 4294967295u;
                         }
-                        let _e1594 = phi_2260_;
-                        let _e2436 = local_5;
-                        phi_1191_ = _e2436;
-                        phi_1194_ = _e1594;
+                        let _e1612 = phi_2279_;
+                        let _e2454 = local_5;
+                        phi_1210_ = _e2454;
+                        phi_1213_ = _e1612;
                     } else {
-                        phi_1191_ = lt_bvh_Hit();
-                        phi_1194_ = u32();
+                        phi_1210_ = lt_bvh_Hit();
+                        phi_1213_ = u32();
                     }
-                    let _e1596 = phi_1191_;
-                    let _e1598 = phi_1194_;
+                    let _e1614 = phi_1210_;
+                    let _e1616 = phi_1213_;
                     continue;
                     continuing {
-                        phi_1190_ = _e1596;
-                        phi_1193_ = _e1598;
-                        break if !(_e558);
+                        phi_1209_ = _e1614;
+                        phi_1212_ = _e1616;
+                        break if !(_e576);
                     }
                 }
-                let _e2440 = local_6;
-                phi_2261_ = _e2440;
+                let _e2458 = local_6;
+                phi_2280_ = _e2458;
             }
-            let _e1601 = phi_2261_;
-            phi_2262_ = _e1601;
-            phi_2263_ = _e214;
+            let _e1619 = phi_2280_;
+            phi_2281_ = _e1619;
+            phi_2282_ = _e232;
         } else {
-            phi_2262_ = lt_bvh_Hit();
-            phi_2263_ = true;
+            phi_2281_ = lt_bvh_Hit();
+            phi_2282_ = true;
         }
-        let _e1603 = phi_2262_;
-        let _e1605 = phi_2263_;
-        if _e1605 {
-            phi_2267_ = _e152;
+        let _e1621 = phi_2281_;
+        let _e1623 = phi_2282_;
+        if _e1623 {
+            phi_2286_ = _e170;
         } else {
-            phi_2267_ = _e1603;
+            phi_2286_ = _e1621;
         }
-        let _e1607 = phi_2267_;
-        if (_e1607.triangle != 4294967295u) {
-            let _e1613 = ((1f - _e1607.u) - _e1607.v);
-            if (_e1607.triangle < _e77) {
+        let _e1625 = phi_2286_;
+        if (_e1625.triangle != 4294967295u) {
+            let _e1631 = ((1f - _e1625.u) - _e1625.v);
+            if (_e1625.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1618 = triangles.member[(0u + _e1607.triangle)];
-            let _e1643 = (((_e1618.v0_.x * _e1613) + (_e1618.v1_.x * _e1607.u)) + (_e1618.v2_.x * _e1607.v));
-            let _e1644 = (((_e1618.v0_.y * _e1613) + (_e1618.v1_.y * _e1607.u)) + (_e1618.v2_.y * _e1607.v));
-            let _e1645 = (((_e1618.v0_.z * _e1613) + (_e1618.v1_.z * _e1607.u)) + (_e1618.v2_.z * _e1607.v));
-            let _e1648 = abs(_e1618.v0_.x);
-            let _e1650 = abs(_e1618.v0_.y);
-            let _e1652 = abs(_e1618.v0_.z);
-            let _e1654 = abs(_e1618.v1_.x);
-            let _e1656 = abs(_e1618.v1_.y);
-            let _e1658 = abs(_e1618.v1_.z);
-            if (_e1648 > _e1654) {
-                phi_2331_ = _e1648;
+            let _e1636 = triangles.member[(0u + _e1625.triangle)];
+            let _e1661 = (((_e1636.v0_.x * _e1631) + (_e1636.v1_.x * _e1625.u)) + (_e1636.v2_.x * _e1625.v));
+            let _e1662 = (((_e1636.v0_.y * _e1631) + (_e1636.v1_.y * _e1625.u)) + (_e1636.v2_.y * _e1625.v));
+            let _e1663 = (((_e1636.v0_.z * _e1631) + (_e1636.v1_.z * _e1625.u)) + (_e1636.v2_.z * _e1625.v));
+            let _e1666 = abs(_e1636.v0_.x);
+            let _e1668 = abs(_e1636.v0_.y);
+            let _e1670 = abs(_e1636.v0_.z);
+            let _e1672 = abs(_e1636.v1_.x);
+            let _e1674 = abs(_e1636.v1_.y);
+            let _e1676 = abs(_e1636.v1_.z);
+            if (_e1666 > _e1672) {
+                phi_2350_ = _e1666;
             } else {
-                phi_2331_ = _e1654;
+                phi_2350_ = _e1672;
             }
-            let _e1661 = phi_2331_;
-            if (_e1650 > _e1656) {
-                phi_2336_ = _e1650;
+            let _e1679 = phi_2350_;
+            if (_e1668 > _e1674) {
+                phi_2355_ = _e1668;
             } else {
-                phi_2336_ = _e1656;
+                phi_2355_ = _e1674;
             }
-            let _e1664 = phi_2336_;
-            if (_e1652 > _e1658) {
-                phi_2341_ = _e1652;
+            let _e1682 = phi_2355_;
+            if (_e1670 > _e1676) {
+                phi_2360_ = _e1670;
             } else {
-                phi_2341_ = _e1658;
+                phi_2360_ = _e1676;
             }
-            let _e1667 = phi_2341_;
-            let _e1669 = abs(_e1618.v2_.x);
-            let _e1671 = abs(_e1618.v2_.y);
-            let _e1673 = abs(_e1618.v2_.z);
-            if (_e1661 > _e1669) {
-                phi_2352_ = _e1661;
+            let _e1685 = phi_2360_;
+            let _e1687 = abs(_e1636.v2_.x);
+            let _e1689 = abs(_e1636.v2_.y);
+            let _e1691 = abs(_e1636.v2_.z);
+            if (_e1679 > _e1687) {
+                phi_2371_ = _e1679;
             } else {
-                phi_2352_ = _e1669;
+                phi_2371_ = _e1687;
             }
-            let _e1676 = phi_2352_;
-            if (_e1664 > _e1671) {
-                phi_2357_ = _e1664;
+            let _e1694 = phi_2371_;
+            if (_e1682 > _e1689) {
+                phi_2376_ = _e1682;
             } else {
-                phi_2357_ = _e1671;
+                phi_2376_ = _e1689;
             }
-            let _e1679 = phi_2357_;
-            if (_e1667 > _e1673) {
-                phi_2362_ = _e1667;
+            let _e1697 = phi_2376_;
+            if (_e1685 > _e1691) {
+                phi_2381_ = _e1685;
             } else {
-                phi_2362_ = _e1673;
+                phi_2381_ = _e1691;
             }
-            let _e1682 = phi_2362_;
-            let _e1685 = (_e1618.v1_.x - _e1618.v0_.x);
-            let _e1688 = (_e1618.v1_.y - _e1618.v0_.y);
-            let _e1691 = (_e1618.v1_.z - _e1618.v0_.z);
-            let _e1694 = (_e1618.v2_.x - _e1618.v0_.x);
-            let _e1697 = (_e1618.v2_.y - _e1618.v0_.y);
-            let _e1700 = (_e1618.v2_.z - _e1618.v0_.z);
-            let _e1704 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1688), abs(_e1691));
-            let _e1705 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1685), _e1704);
-            let _e1706 = (_e1685 / _e1705);
-            let _e1707 = (_e1688 / _e1705);
-            let _e1708 = (_e1691 / _e1705);
-            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1697), abs(_e1700));
-            let _e1713 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1694), _e1712);
-            let _e1714 = (_e1694 / _e1713);
-            let _e1715 = (_e1697 / _e1713);
-            let _e1716 = (_e1700 / _e1713);
-            let _e1719 = ((_e1707 * _e1716) - (_e1715 * _e1708));
-            let _e1722 = ((_e1708 * _e1714) - (_e1716 * _e1706));
-            let _e1725 = ((_e1706 * _e1715) - (_e1714 * _e1707));
-            let _e1727 = p.member.eye;
-            let _e1740 = (1f / sqrt((((_e1719 * _e1719) + (_e1722 * _e1722)) + (_e1725 * _e1725))));
-            let _e1741 = (_e1719 * _e1740);
-            let _e1742 = (_e1722 * _e1740);
-            let _e1743 = (_e1725 * _e1740);
-            if ((((_e1741 * (_e1727.x - _e1643)) + (_e1742 * (_e1727.y - _e1644))) + (_e1743 * (_e1727.z - _e1645))) < 0f) {
-                phi_2438_ = vec3<f32>(-(_e1741), -(_e1742), -(_e1743));
+            let _e1700 = phi_2381_;
+            let _e1703 = (_e1636.v1_.x - _e1636.v0_.x);
+            let _e1706 = (_e1636.v1_.y - _e1636.v0_.y);
+            let _e1709 = (_e1636.v1_.z - _e1636.v0_.z);
+            let _e1712 = (_e1636.v2_.x - _e1636.v0_.x);
+            let _e1715 = (_e1636.v2_.y - _e1636.v0_.y);
+            let _e1718 = (_e1636.v2_.z - _e1636.v0_.z);
+            let _e1722 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1706), abs(_e1709));
+            let _e1723 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1703), _e1722);
+            let _e1724 = (_e1703 / _e1723);
+            let _e1725 = (_e1706 / _e1723);
+            let _e1726 = (_e1709 / _e1723);
+            let _e1730 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1715), abs(_e1718));
+            let _e1731 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1712), _e1730);
+            let _e1732 = (_e1712 / _e1731);
+            let _e1733 = (_e1715 / _e1731);
+            let _e1734 = (_e1718 / _e1731);
+            let _e1737 = ((_e1725 * _e1734) - (_e1733 * _e1726));
+            let _e1740 = ((_e1726 * _e1732) - (_e1734 * _e1724));
+            let _e1743 = ((_e1724 * _e1733) - (_e1732 * _e1725));
+            let _e1745 = p.member.eye;
+            let _e1758 = (1f / sqrt((((_e1737 * _e1737) + (_e1740 * _e1740)) + (_e1743 * _e1743))));
+            let _e1759 = (_e1737 * _e1758);
+            let _e1760 = (_e1740 * _e1758);
+            let _e1761 = (_e1743 * _e1758);
+            if ((((_e1759 * (_e1745.x - _e1661)) + (_e1760 * (_e1745.y - _e1662))) + (_e1761 * (_e1745.z - _e1663))) < 0f) {
+                phi_2457_ = vec3<f32>(-(_e1759), -(_e1760), -(_e1761));
             } else {
-                phi_2438_ = vec3<f32>(_e1741, _e1742, _e1743);
+                phi_2457_ = vec3<f32>(_e1759, _e1760, _e1761);
             }
-            let _e1756 = phi_2438_;
-            if (_e1607.triangle < _e77) {
+            let _e1774 = phi_2457_;
+            if (_e1625.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1761 = triangles.member[(0u + _e1607.triangle)];
-            let _e1763 = (_e1761.i0_ & 2147483647u);
-            if (_e1763 < _e80) {
+            let _e1779 = triangles.member[(0u + _e1625.triangle)];
+            let _e1781 = (_e1779.i0_ & 2147483647u);
+            if (_e1781 < _e81) {
             } else {
                 return;
             }
-            let _e1769 = vertices.member[(0u + _e1763)];
-            if (_e1761.i1_ < _e80) {
+            let _e1787 = vertices.member[(0u + _e1781)];
+            if (_e1779.i1_ < _e81) {
             } else {
                 return;
             }
-            let _e1773 = vertices.member[(0u + _e1761.i1_)];
-            if (_e1761.i2_ < _e80) {
+            let _e1791 = vertices.member[(0u + _e1779.i1_)];
+            if (_e1779.i2_ < _e81) {
             } else {
                 return;
             }
-            let _e1777 = vertices.member[(0u + _e1761.i2_)];
-            let _e1778 = array<abi_Vertex, 3>(_e1769, _e1773, _e1777);
-            if (_e1778[0].material < arrayLength((&materials.member))) {
+            let _e1795 = vertices.member[(0u + _e1779.i2_)];
+            let _e1796 = array<abi_Vertex, 3>(_e1787, _e1791, _e1795);
+            if (_e1796[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1784 = materials.member[(0u + _e1778[0].material)];
-            let _e1801 = (1f / 255f);
-            let _e1820 = (1f / 255f);
-            let _e1842 = (1f / 255f);
-            if (_e1784.color_size == 0u) {
-                phi_2681_ = vec3<f32>(1f, 1f, 1f);
+            let _e1802 = materials.member[(0u + _e1796[0].material)];
+            let _e1819 = (1f / 255f);
+            let _e1838 = (1f / 255f);
+            let _e1860 = (1f / 255f);
+            if (_e1802.color_size == 0u) {
+                phi_2700_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1784.color_offset;
-                local.size = _e1784.color_size;
-                local.flags = _e1784.flags;
-                let _e1885 = _lt_shaders_texture_TextureView_quad((&local), (((_e1778[0].u * _e1613) + (_e1778[1].u * _e1607.u)) + (_e1778[2].u * _e1607.v)), (((_e1778[0].v * _e1613) + (_e1778[1].v * _e1607.u)) + (_e1778[2].v * _e1607.v)));
-                if (_e1885.indices[0] < _e89) {
+                local.offset = _e1802.color_offset;
+                local.size = _e1802.color_size;
+                local.flags = _e1802.flags;
+                let _e1903 = _lt_shaders_texture_TextureView_quad((&local), (((_e1796[0].u * _e1631) + (_e1796[1].u * _e1625.u)) + (_e1796[2].u * _e1625.v)), (((_e1796[0].v * _e1631) + (_e1796[1].v * _e1625.u)) + (_e1796[2].v * _e1625.v)));
+                if (_e1903.indices[0] < _e90) {
                 } else {
                     return;
                 }
-                let _e1891 = color_texels.member[(0u + _e1885.indices[0])];
-                let _e1902 = (1f / 255f);
-                if (_e1885.indices[1] < _e89) {
+                let _e1909 = color_texels.member[(0u + _e1903.indices[0])];
+                let _e1920 = (1f / 255f);
+                if (_e1903.indices[1] < _e90) {
                 } else {
                     return;
                 }
-                let _e1916 = color_texels.member[(0u + _e1885.indices[1])];
-                let _e1927 = (1f / 255f);
-                if (_e1885.indices[2] < _e89) {
+                let _e1934 = color_texels.member[(0u + _e1903.indices[1])];
+                let _e1945 = (1f / 255f);
+                if (_e1903.indices[2] < _e90) {
                 } else {
                     return;
                 }
-                let _e1944 = color_texels.member[(0u + _e1885.indices[2])];
-                let _e1955 = (1f / 255f);
-                if (_e1885.indices[3] < _e89) {
+                let _e1962 = color_texels.member[(0u + _e1903.indices[2])];
+                let _e1973 = (1f / 255f);
+                if (_e1903.indices[3] < _e90) {
                 } else {
                     return;
                 }
-                let _e1972 = color_texels.member[(0u + _e1885.indices[3])];
-                let _e1983 = (1f / 255f);
-                let _e1992 = (((((f32((_e1891 & 255u)) * _e1902) * _e1885.weights.x) + ((f32((_e1916 & 255u)) * _e1927) * _e1885.weights.y)) + ((f32((_e1944 & 255u)) * _e1955) * _e1885.weights.z)) + ((f32((_e1972 & 255u)) * _e1983) * _e1885.weights.w));
-                let _e1993 = (((((f32(((_e1891 >> bitcast<u32>(8i)) & 255u)) * _e1902) * _e1885.weights.x) + ((f32(((_e1916 >> bitcast<u32>(8i)) & 255u)) * _e1927) * _e1885.weights.y)) + ((f32(((_e1944 >> bitcast<u32>(8i)) & 255u)) * _e1955) * _e1885.weights.z)) + ((f32(((_e1972 >> bitcast<u32>(8i)) & 255u)) * _e1983) * _e1885.weights.w));
-                let _e1994 = (((((f32(((_e1891 >> bitcast<u32>(16i)) & 255u)) * _e1902) * _e1885.weights.x) + ((f32(((_e1916 >> bitcast<u32>(16i)) & 255u)) * _e1927) * _e1885.weights.y)) + ((f32(((_e1944 >> bitcast<u32>(16i)) & 255u)) * _e1955) * _e1885.weights.z)) + ((f32(((_e1972 >> bitcast<u32>(16i)) & 255u)) * _e1983) * _e1885.weights.w));
-                phi_2681_ = vec3<f32>((_e1992 * _e1992), (_e1993 * _e1993), (_e1994 * _e1994));
+                let _e1990 = color_texels.member[(0u + _e1903.indices[3])];
+                let _e2001 = (1f / 255f);
+                let _e2010 = (((((f32((_e1909 & 255u)) * _e1920) * _e1903.weights.x) + ((f32((_e1934 & 255u)) * _e1945) * _e1903.weights.y)) + ((f32((_e1962 & 255u)) * _e1973) * _e1903.weights.z)) + ((f32((_e1990 & 255u)) * _e2001) * _e1903.weights.w));
+                let _e2011 = (((((f32(((_e1909 >> bitcast<u32>(8i)) & 255u)) * _e1920) * _e1903.weights.x) + ((f32(((_e1934 >> bitcast<u32>(8i)) & 255u)) * _e1945) * _e1903.weights.y)) + ((f32(((_e1962 >> bitcast<u32>(8i)) & 255u)) * _e1973) * _e1903.weights.z)) + ((f32(((_e1990 >> bitcast<u32>(8i)) & 255u)) * _e2001) * _e1903.weights.w));
+                let _e2012 = (((((f32(((_e1909 >> bitcast<u32>(16i)) & 255u)) * _e1920) * _e1903.weights.x) + ((f32(((_e1934 >> bitcast<u32>(16i)) & 255u)) * _e1945) * _e1903.weights.y)) + ((f32(((_e1962 >> bitcast<u32>(16i)) & 255u)) * _e1973) * _e1903.weights.z)) + ((f32(((_e1990 >> bitcast<u32>(16i)) & 255u)) * _e2001) * _e1903.weights.w));
+                phi_2700_ = vec3<f32>((_e2010 * _e2010), (_e2011 * _e2011), (_e2012 * _e2012));
             }
-            let _e2000 = phi_2681_;
-            let _e2002 = ((_e1784.base_color.x * ((((f32((_e1778[0].color & 255u)) * _e1801) * _e1613) + ((f32((_e1778[1].color & 255u)) * _e1820) * _e1607.u)) + ((f32((_e1778[2].color & 255u)) * _e1842) * _e1607.v))) * _e2000.x);
-            let _e2004 = ((_e1784.base_color.y * ((((f32(((_e1778[0].color >> bitcast<u32>(8i)) & 255u)) * _e1801) * _e1613) + ((f32(((_e1778[1].color >> bitcast<u32>(8i)) & 255u)) * _e1820) * _e1607.u)) + ((f32(((_e1778[2].color >> bitcast<u32>(8i)) & 255u)) * _e1842) * _e1607.v))) * _e2000.y);
-            let _e2006 = ((_e1784.base_color.z * ((((f32(((_e1778[0].color >> bitcast<u32>(16i)) & 255u)) * _e1801) * _e1613) + ((f32(((_e1778[1].color >> bitcast<u32>(16i)) & 255u)) * _e1820) * _e1607.u)) + ((f32(((_e1778[2].color >> bitcast<u32>(16i)) & 255u)) * _e1842) * _e1607.v))) * _e2000.z);
-            let _e2007 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1679, _e1682);
-            let _e2008 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1676, _e2007);
-            if ((_e1784.flags & 2u) == 0u) {
-                phi_2696_ = 0u;
+            let _e2018 = phi_2700_;
+            let _e2020 = ((_e1802.base_color.x * ((((f32((_e1796[0].color & 255u)) * _e1819) * _e1631) + ((f32((_e1796[1].color & 255u)) * _e1838) * _e1625.u)) + ((f32((_e1796[2].color & 255u)) * _e1860) * _e1625.v))) * _e2018.x);
+            let _e2022 = ((_e1802.base_color.y * ((((f32(((_e1796[0].color >> bitcast<u32>(8i)) & 255u)) * _e1819) * _e1631) + ((f32(((_e1796[1].color >> bitcast<u32>(8i)) & 255u)) * _e1838) * _e1625.u)) + ((f32(((_e1796[2].color >> bitcast<u32>(8i)) & 255u)) * _e1860) * _e1625.v))) * _e2018.y);
+            let _e2024 = ((_e1802.base_color.z * ((((f32(((_e1796[0].color >> bitcast<u32>(16i)) & 255u)) * _e1819) * _e1631) + ((f32(((_e1796[1].color >> bitcast<u32>(16i)) & 255u)) * _e1838) * _e1625.u)) + ((f32(((_e1796[2].color >> bitcast<u32>(16i)) & 255u)) * _e1860) * _e1625.v))) * _e2018.z);
+            let _e2025 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1697, _e1700);
+            let _e2026 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1694, _e2025);
+            if ((_e1802.flags & 2u) == 0u) {
+                phi_2715_ = 0u;
             } else {
-                phi_2696_ = 1u;
+                phi_2715_ = 1u;
             }
-            let _e2013 = phi_2696_;
-            if (_e1778[0].normal == 2147516416u) {
-                phi_2899_ = _e1756;
+            let _e2031 = phi_2715_;
+            if (_e1796[0].normal == 2147516416u) {
+                phi_2918_ = _e1774;
             } else {
-                let _e2026 = (f32((bitcast<i32>((_e1778[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2032 = (f32((bitcast<i32>(_e1778[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2036 = ((1f - abs(_e2026)) - abs(_e2032));
-                if (_e2036 < 0f) {
-                    phi_2723_ = -(_e2036);
+                let _e2044 = (f32((bitcast<i32>((_e1796[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2050 = (f32((bitcast<i32>(_e1796[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2054 = ((1f - abs(_e2044)) - abs(_e2050));
+                if (_e2054 < 0f) {
+                    phi_2742_ = -(_e2054);
                 } else {
-                    phi_2723_ = 0f;
+                    phi_2742_ = 0f;
                 }
-                let _e2040 = phi_2723_;
-                if (_e2026 < 0f) {
-                    phi_2730_ = (_e2026 + _e2040);
+                let _e2058 = phi_2742_;
+                if (_e2044 < 0f) {
+                    phi_2749_ = (_e2044 + _e2058);
                 } else {
-                    phi_2730_ = (_e2026 - _e2040);
+                    phi_2749_ = (_e2044 - _e2058);
                 }
-                let _e2045 = phi_2730_;
-                if (_e2032 < 0f) {
-                    phi_2737_ = (_e2032 + _e2040);
+                let _e2063 = phi_2749_;
+                if (_e2050 < 0f) {
+                    phi_2756_ = (_e2050 + _e2058);
                 } else {
-                    phi_2737_ = (_e2032 - _e2040);
+                    phi_2756_ = (_e2050 - _e2058);
                 }
-                let _e2050 = phi_2737_;
-                let _e2057 = (1f / sqrt((((_e2045 * _e2045) + (_e2050 * _e2050)) + (_e2036 * _e2036))));
-                let _e2073 = (f32((bitcast<i32>((_e1778[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2079 = (f32((bitcast<i32>(_e1778[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2083 = ((1f - abs(_e2073)) - abs(_e2079));
-                if (_e2083 < 0f) {
-                    phi_2772_ = -(_e2083);
+                let _e2068 = phi_2756_;
+                let _e2075 = (1f / sqrt((((_e2063 * _e2063) + (_e2068 * _e2068)) + (_e2054 * _e2054))));
+                let _e2091 = (f32((bitcast<i32>((_e1796[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2097 = (f32((bitcast<i32>(_e1796[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2101 = ((1f - abs(_e2091)) - abs(_e2097));
+                if (_e2101 < 0f) {
+                    phi_2791_ = -(_e2101);
                 } else {
-                    phi_2772_ = 0f;
+                    phi_2791_ = 0f;
                 }
-                let _e2087 = phi_2772_;
-                if (_e2073 < 0f) {
-                    phi_2779_ = (_e2073 + _e2087);
+                let _e2105 = phi_2791_;
+                if (_e2091 < 0f) {
+                    phi_2798_ = (_e2091 + _e2105);
                 } else {
-                    phi_2779_ = (_e2073 - _e2087);
+                    phi_2798_ = (_e2091 - _e2105);
                 }
-                let _e2092 = phi_2779_;
-                if (_e2079 < 0f) {
-                    phi_2786_ = (_e2079 + _e2087);
+                let _e2110 = phi_2798_;
+                if (_e2097 < 0f) {
+                    phi_2805_ = (_e2097 + _e2105);
                 } else {
-                    phi_2786_ = (_e2079 - _e2087);
+                    phi_2805_ = (_e2097 - _e2105);
                 }
-                let _e2097 = phi_2786_;
-                let _e2104 = (1f / sqrt((((_e2092 * _e2092) + (_e2097 * _e2097)) + (_e2083 * _e2083))));
-                let _e2123 = (f32((bitcast<i32>((_e1778[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2129 = (f32((bitcast<i32>(_e1778[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2133 = ((1f - abs(_e2123)) - abs(_e2129));
-                if (_e2133 < 0f) {
-                    phi_2824_ = -(_e2133);
+                let _e2115 = phi_2805_;
+                let _e2122 = (1f / sqrt((((_e2110 * _e2110) + (_e2115 * _e2115)) + (_e2101 * _e2101))));
+                let _e2141 = (f32((bitcast<i32>((_e1796[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2147 = (f32((bitcast<i32>(_e1796[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2151 = ((1f - abs(_e2141)) - abs(_e2147));
+                if (_e2151 < 0f) {
+                    phi_2843_ = -(_e2151);
                 } else {
-                    phi_2824_ = 0f;
+                    phi_2843_ = 0f;
                 }
-                let _e2137 = phi_2824_;
-                if (_e2123 < 0f) {
-                    phi_2831_ = (_e2123 + _e2137);
+                let _e2155 = phi_2843_;
+                if (_e2141 < 0f) {
+                    phi_2850_ = (_e2141 + _e2155);
                 } else {
-                    phi_2831_ = (_e2123 - _e2137);
+                    phi_2850_ = (_e2141 - _e2155);
                 }
-                let _e2142 = phi_2831_;
-                if (_e2129 < 0f) {
-                    phi_2838_ = (_e2129 + _e2137);
+                let _e2160 = phi_2850_;
+                if (_e2147 < 0f) {
+                    phi_2857_ = (_e2147 + _e2155);
                 } else {
-                    phi_2838_ = (_e2129 - _e2137);
+                    phi_2857_ = (_e2147 - _e2155);
                 }
-                let _e2147 = phi_2838_;
-                let _e2154 = (1f / sqrt((((_e2142 * _e2142) + (_e2147 * _e2147)) + (_e2133 * _e2133))));
-                let _e2165 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2045 * _e2057) * _e1613) + ((_e2092 * _e2104) * _e1607.u)) + ((_e2142 * _e2154) * _e1607.v)), ((((_e2050 * _e2057) * _e1613) + ((_e2097 * _e2104) * _e1607.u)) + ((_e2147 * _e2154) * _e1607.v)), ((((_e2036 * _e2057) * _e1613) + ((_e2083 * _e2104) * _e1607.u)) + ((_e2133 * _e2154) * _e1607.v))));
-                let _e2177 = sqrt((((_e2165.x * _e2165.x) + (_e2165.y * _e2165.y)) + (_e2165.z * _e2165.z)));
-                if (_e2177 > 0f) {
-                    let _e2180 = (_e2165.x / _e2177);
-                    let _e2182 = (_e2165.y / _e2177);
-                    let _e2184 = (_e2165.z / _e2177);
-                    if ((((_e2180 * _e1756.x) + (_e2182 * _e1756.y)) + (_e2184 * _e1756.z)) < 0f) {
-                        phi_2897_ = vec3<f32>(-(_e2180), -(_e2182), -(_e2184));
+                let _e2165 = phi_2857_;
+                let _e2172 = (1f / sqrt((((_e2160 * _e2160) + (_e2165 * _e2165)) + (_e2151 * _e2151))));
+                let _e2183 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2063 * _e2075) * _e1631) + ((_e2110 * _e2122) * _e1625.u)) + ((_e2160 * _e2172) * _e1625.v)), ((((_e2068 * _e2075) * _e1631) + ((_e2115 * _e2122) * _e1625.u)) + ((_e2165 * _e2172) * _e1625.v)), ((((_e2054 * _e2075) * _e1631) + ((_e2101 * _e2122) * _e1625.u)) + ((_e2151 * _e2172) * _e1625.v))));
+                let _e2195 = sqrt((((_e2183.x * _e2183.x) + (_e2183.y * _e2183.y)) + (_e2183.z * _e2183.z)));
+                if (_e2195 > 0f) {
+                    let _e2198 = (_e2183.x / _e2195);
+                    let _e2200 = (_e2183.y / _e2195);
+                    let _e2202 = (_e2183.z / _e2195);
+                    if ((((_e2198 * _e1774.x) + (_e2200 * _e1774.y)) + (_e2202 * _e1774.z)) < 0f) {
+                        phi_2916_ = vec3<f32>(-(_e2198), -(_e2200), -(_e2202));
                     } else {
-                        phi_2897_ = (_e2165 / vec3(_e2177));
+                        phi_2916_ = (_e2183 / vec3(_e2195));
                     }
-                    let _e2201 = phi_2897_;
-                    phi_2898_ = _e2201;
+                    let _e2219 = phi_2916_;
+                    phi_2917_ = _e2219;
                 } else {
-                    phi_2898_ = _e1756;
+                    phi_2917_ = _e1774;
                 }
-                let _e2203 = phi_2898_;
-                phi_2899_ = _e2203;
+                let _e2221 = phi_2917_;
+                phi_2918_ = _e2221;
             }
-            let _e2205 = phi_2899_;
-            if (_e2002 > 0f) {
-                if (_e2002 < 1f) {
-                    phi_2908_ = _e2002;
+            let _e2223 = phi_2918_;
+            if (_e2020 > 0f) {
+                if (_e2020 < 1f) {
+                    phi_2927_ = _e2020;
                 } else {
-                    phi_2908_ = 1f;
+                    phi_2927_ = 1f;
                 }
-                let _e2209 = phi_2908_;
-                phi_2909_ = _e2209;
+                let _e2227 = phi_2927_;
+                phi_2928_ = _e2227;
             } else {
-                phi_2909_ = 0f;
+                phi_2928_ = 0f;
             }
-            let _e2211 = phi_2909_;
-            if (_e2004 > 0f) {
-                if (_e2004 < 1f) {
-                    phi_2919_ = _e2004;
+            let _e2229 = phi_2928_;
+            if (_e2022 > 0f) {
+                if (_e2022 < 1f) {
+                    phi_2938_ = _e2022;
                 } else {
-                    phi_2919_ = 1f;
+                    phi_2938_ = 1f;
                 }
-                let _e2216 = phi_2919_;
-                phi_2920_ = _e2216;
+                let _e2234 = phi_2938_;
+                phi_2939_ = _e2234;
             } else {
-                phi_2920_ = 0f;
+                phi_2939_ = 0f;
             }
-            let _e2218 = phi_2920_;
-            if (_e2006 > 0f) {
-                if (_e2006 < 1f) {
-                    phi_2930_ = _e2006;
+            let _e2236 = phi_2939_;
+            if (_e2024 > 0f) {
+                if (_e2024 < 1f) {
+                    phi_2949_ = _e2024;
                 } else {
-                    phi_2930_ = 1f;
+                    phi_2949_ = 1f;
                 }
-                let _e2223 = phi_2930_;
-                phi_2931_ = _e2223;
+                let _e2241 = phi_2949_;
+                phi_2950_ = _e2241;
             } else {
-                phi_2931_ = 0f;
+                phi_2950_ = 0f;
             }
-            let _e2225 = phi_2931_;
-            let _e2228 = ((sqrt(_e2211) * 255f) + 0.5f);
-            let _e2237 = ((sqrt(_e2218) * 255f) + 0.5f);
-            let _e2249 = ((sqrt(_e2225) * 255f) + 0.5f);
-            phi_2966_ = abi_Sample(vec3<f32>(_e1643, _e1644, _e1645), _e2008, _e1756, _e2013, _e2205, ((select(select(u32(_e2228), 0u, (_e2228 < bitcast<f32>(0u))), 4294967295u, (_e2228 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2237), 0u, (_e2237 < bitcast<f32>(0u))), 4294967295u, (_e2237 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2249), 0u, (_e2249 < bitcast<f32>(0u))), 4294967295u, (_e2249 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2243 = phi_2950_;
+            let _e2246 = ((sqrt(_e2229) * 255f) + 0.5f);
+            let _e2255 = ((sqrt(_e2236) * 255f) + 0.5f);
+            let _e2267 = ((sqrt(_e2243) * 255f) + 0.5f);
+            phi_2985_ = abi_Sample(vec3<f32>(_e1661, _e1662, _e1663), _e2026, _e1774, _e2031, _e2223, ((select(select(u32(_e2246), 0u, (_e2246 < bitcast<f32>(0u))), 4294967295u, (_e2246 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2255), 0u, (_e2255 < bitcast<f32>(0u))), 4294967295u, (_e2255 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2267), 0u, (_e2267 < bitcast<f32>(0u))), 4294967295u, (_e2267 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2966_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2985_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2263 = phi_2966_;
-        if (_e95.shift < arrayLength((&samples.member))) {
+        let _e2281 = phi_2985_;
+        if (_e96.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e95.shift)] = _e2263;
+        samples.member[(0u + _e96.shift)] = _e2281;
     }
     return;
 }

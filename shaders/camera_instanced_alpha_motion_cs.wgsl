@@ -2,13 +2,13 @@ struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
     right: vec3<f32>,
-    pad0_: u32,
+    layers_behind: u32,
     up: vec3<f32>,
     pad1_: u32,
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -184,430 +184,430 @@ var<storage> before: type_26;
 var<storage, read_write> past: type_26;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_231_: lt_mask_LightPlace;
-    var phi_232_: bool;
     var phi_233_: lt_mask_LightPlace;
     var phi_234_: bool;
-    var phi_239_: lt_mask_LightPlace;
+    var phi_235_: lt_mask_LightPlace;
+    var phi_236_: bool;
+    var phi_241_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_231_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_232_ = false;
+            phi_233_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_234_ = false;
         } else {
-            phi_231_ = lt_mask_LightPlace();
-            phi_232_ = true;
+            phi_233_ = lt_mask_LightPlace();
+            phi_234_ = true;
         }
-        let _e84 = phi_231_;
-        let _e86 = phi_232_;
-        phi_233_ = _e84;
-        phi_234_ = _e86;
+        let _e85 = phi_233_;
+        let _e87 = phi_234_;
+        phi_235_ = _e85;
+        phi_236_ = _e87;
     } else {
-        phi_233_ = lt_mask_LightPlace();
-        phi_234_ = true;
+        phi_235_ = lt_mask_LightPlace();
+        phi_236_ = true;
     }
-    let _e88 = phi_233_;
-    let _e90 = phi_234_;
-    if _e90 {
-        phi_239_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e89 = phi_235_;
+    let _e91 = phi_236_;
+    if _e91 {
+        phi_241_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_239_ = _e88;
+        phi_241_ = _e89;
     }
-    let _e95 = phi_239_;
-    return lt_mask_LightPlace(_e95.word, _e95.shift);
+    let _e96 = phi_241_;
+    return lt_mask_LightPlace(_e96.word, _e96.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_254_: bool;
-    var phi_258_: f32;
+    var phi_256_: bool;
+    var phi_260_: f32;
 
     if (param_3 != param_3) {
-        phi_254_ = true;
+        phi_256_ = true;
     } else {
-        let _e74 = (param_4 >= param_3);
-        if _e74 {
+        let _e75 = (param_4 >= param_3);
+        if _e75 {
         }
-        phi_254_ = _e74;
+        phi_256_ = _e75;
     }
-    let _e76 = phi_254_;
-    if _e76 {
-        phi_258_ = param_4;
+    let _e77 = phi_256_;
+    if _e77 {
+        phi_260_ = param_4;
     } else {
-        phi_258_ = param_3;
+        phi_260_ = param_3;
     }
-    let _e78 = phi_258_;
-    return _e78;
+    let _e79 = phi_260_;
+    return _e79;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_270_: bool;
-    var phi_274_: f32;
+    var phi_272_: bool;
+    var phi_276_: f32;
 
     if (param_5 != param_5) {
-        phi_270_ = true;
+        phi_272_ = true;
     } else {
-        let _e74 = (param_6 <= param_5);
-        if _e74 {
+        let _e75 = (param_6 <= param_5);
+        if _e75 {
         }
-        phi_270_ = _e74;
+        phi_272_ = _e75;
     }
-    let _e76 = phi_270_;
-    if _e76 {
-        phi_274_ = param_6;
+    let _e77 = phi_272_;
+    if _e77 {
+        phi_276_ = param_6;
     } else {
-        phi_274_ = param_5;
+        phi_276_ = param_5;
     }
-    let _e78 = phi_274_;
-    return _e78;
+    let _e79 = phi_276_;
+    return _e79;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_316_: f32;
-    var phi_321_: f32;
-    var phi_322_: bool;
+    var phi_318_: f32;
     var phi_323_: f32;
     var phi_324_: bool;
-    var phi_328_: f32;
-    var phi_354_: f32;
-    var phi_359_: f32;
-    var phi_360_: bool;
+    var phi_325_: f32;
+    var phi_326_: bool;
+    var phi_330_: f32;
+    var phi_356_: f32;
     var phi_361_: f32;
     var phi_362_: bool;
-    var phi_366_: f32;
-    var phi_374_: f32;
-    var phi_375_: f32;
+    var phi_363_: f32;
+    var phi_364_: bool;
+    var phi_368_: f32;
     var phi_376_: f32;
-    var phi_385_: f32;
-    var phi_386_: f32;
-    var phi_404_: u32;
-    var phi_418_: u32;
-    var phi_425_: u32;
-    var phi_430_: u32;
-    var phi_436_: u32;
-    var phi_441_: u32;
-    var phi_443_: texture_Axis;
-    var phi_471_: f32;
-    var phi_476_: f32;
-    var phi_477_: bool;
+    var phi_377_: f32;
+    var phi_378_: f32;
+    var phi_387_: f32;
+    var phi_388_: f32;
+    var phi_406_: u32;
+    var phi_420_: u32;
+    var phi_427_: u32;
+    var phi_432_: u32;
+    var phi_438_: u32;
+    var phi_443_: u32;
+    var phi_445_: texture_Axis;
+    var phi_473_: f32;
     var phi_478_: f32;
     var phi_479_: bool;
-    var phi_483_: f32;
-    var phi_509_: f32;
-    var phi_514_: f32;
-    var phi_515_: bool;
+    var phi_480_: f32;
+    var phi_481_: bool;
+    var phi_485_: f32;
+    var phi_511_: f32;
     var phi_516_: f32;
     var phi_517_: bool;
-    var phi_521_: f32;
-    var phi_529_: f32;
-    var phi_530_: f32;
+    var phi_518_: f32;
+    var phi_519_: bool;
+    var phi_523_: f32;
     var phi_531_: f32;
-    var phi_540_: f32;
-    var phi_541_: f32;
-    var phi_559_: u32;
-    var phi_573_: u32;
-    var phi_580_: u32;
-    var phi_585_: u32;
-    var phi_591_: u32;
-    var phi_596_: u32;
-    var phi_598_: texture_Axis;
+    var phi_532_: f32;
+    var phi_533_: f32;
+    var phi_542_: f32;
+    var phi_543_: f32;
+    var phi_561_: u32;
+    var phi_575_: u32;
+    var phi_582_: u32;
+    var phi_587_: u32;
+    var phi_593_: u32;
+    var phi_598_: u32;
+    var phi_600_: texture_Axis;
 
-    let _e75 = (*param_7).size;
-    let _e76 = (_e75 & 65535u);
-    let _e78 = (*param_7).size;
-    let _e80 = (_e78 >> bitcast<u32>(16i));
-    let _e82 = (*param_7).flags;
-    let _e84 = ((_e82 & 4u) != 0u);
-    let _e86 = (*param_7).flags;
-    let _e89 = ((_e86 >> bitcast<u32>(4u)) & 3u);
-    if (_e89 == 0u) {
+    let _e76 = (*param_7).size;
+    let _e77 = (_e76 & 65535u);
+    let _e79 = (*param_7).size;
+    let _e81 = (_e79 >> bitcast<u32>(16i));
+    let _e83 = (*param_7).flags;
+    let _e85 = ((_e83 & 4u) != 0u);
+    let _e87 = (*param_7).flags;
+    let _e90 = ((_e87 >> bitcast<u32>(4u)) & 3u);
+    if (_e90 == 0u) {
         if (param_8 > -8388608f) {
-            let _e102 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
-            if (_e102 > param_8) {
-                phi_316_ = 1f;
+            let _e103 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e103 > param_8) {
+                phi_318_ = 1f;
             } else {
-                phi_316_ = 0f;
+                phi_318_ = 0f;
             }
-            let _e105 = phi_316_;
+            let _e106 = phi_318_;
             if (param_8 < 8388608f) {
-                phi_321_ = (_e102 - _e105);
-                phi_322_ = false;
+                phi_323_ = (_e103 - _e106);
+                phi_324_ = false;
             } else {
-                phi_321_ = f32();
-                phi_322_ = true;
+                phi_323_ = f32();
+                phi_324_ = true;
             }
-            let _e108 = phi_321_;
-            let _e110 = phi_322_;
-            phi_323_ = _e108;
-            phi_324_ = _e110;
+            let _e109 = phi_323_;
+            let _e111 = phi_324_;
+            phi_325_ = _e109;
+            phi_326_ = _e111;
         } else {
-            phi_323_ = f32();
-            phi_324_ = true;
+            phi_325_ = f32();
+            phi_326_ = true;
         }
-        let _e112 = phi_323_;
-        let _e114 = phi_324_;
-        if _e114 {
-            phi_328_ = param_8;
+        let _e113 = phi_325_;
+        let _e115 = phi_326_;
+        if _e115 {
+            phi_330_ = param_8;
         } else {
-            phi_328_ = _e112;
+            phi_330_ = _e113;
         }
-        let _e116 = phi_328_;
-        phi_376_ = (param_8 - _e116);
+        let _e117 = phi_330_;
+        phi_378_ = (param_8 - _e117);
     } else {
-        if (_e89 == 1u) {
-            let _e119 = (param_8 * 0.5f);
-            if (_e119 > -8388608f) {
-                let _e131 = f32(select(0i, select(select(i32(_e119), i32(-2147483648), (_e119 < bitcast<f32>(3472883712u))), 2147483647i, (_e119 > bitcast<f32>(1325400063u))), (_e119 == _e119)));
-                if (_e131 > _e119) {
-                    phi_354_ = 1f;
+        if (_e90 == 1u) {
+            let _e120 = (param_8 * 0.5f);
+            if (_e120 > -8388608f) {
+                let _e132 = f32(select(0i, select(select(i32(_e120), i32(-2147483648), (_e120 < bitcast<f32>(3472883712u))), 2147483647i, (_e120 > bitcast<f32>(1325400063u))), (_e120 == _e120)));
+                if (_e132 > _e120) {
+                    phi_356_ = 1f;
                 } else {
-                    phi_354_ = 0f;
+                    phi_356_ = 0f;
                 }
-                let _e134 = phi_354_;
-                if (_e119 < 8388608f) {
-                    phi_359_ = (_e131 - _e134);
-                    phi_360_ = false;
+                let _e135 = phi_356_;
+                if (_e120 < 8388608f) {
+                    phi_361_ = (_e132 - _e135);
+                    phi_362_ = false;
                 } else {
-                    phi_359_ = f32();
-                    phi_360_ = true;
+                    phi_361_ = f32();
+                    phi_362_ = true;
                 }
-                let _e137 = phi_359_;
-                let _e139 = phi_360_;
-                phi_361_ = _e137;
-                phi_362_ = _e139;
+                let _e138 = phi_361_;
+                let _e140 = phi_362_;
+                phi_363_ = _e138;
+                phi_364_ = _e140;
             } else {
-                phi_361_ = f32();
-                phi_362_ = true;
+                phi_363_ = f32();
+                phi_364_ = true;
             }
-            let _e141 = phi_361_;
-            let _e143 = phi_362_;
-            if _e143 {
-                phi_366_ = _e119;
+            let _e142 = phi_363_;
+            let _e144 = phi_364_;
+            if _e144 {
+                phi_368_ = _e120;
             } else {
-                phi_366_ = _e141;
+                phi_368_ = _e142;
             }
-            let _e145 = phi_366_;
-            let _e147 = (param_8 - (2f * _e145));
-            if (_e147 > 1f) {
-                phi_374_ = (2f - _e147);
+            let _e146 = phi_368_;
+            let _e148 = (param_8 - (2f * _e146));
+            if (_e148 > 1f) {
+                phi_376_ = (2f - _e148);
             } else {
-                phi_374_ = _e147;
+                phi_376_ = _e148;
             }
-            let _e151 = phi_374_;
-            phi_375_ = _e151;
+            let _e152 = phi_376_;
+            phi_377_ = _e152;
         } else {
-            phi_375_ = param_8;
+            phi_377_ = param_8;
         }
-        let _e153 = phi_375_;
-        phi_376_ = _e153;
+        let _e154 = phi_377_;
+        phi_378_ = _e154;
     }
-    let _e155 = phi_376_;
-    if (_e155 > 0f) {
-        if (_e155 < 1f) {
-            phi_385_ = _e155;
+    let _e156 = phi_378_;
+    if (_e156 > 0f) {
+        if (_e156 < 1f) {
+            phi_387_ = _e156;
         } else {
-            phi_385_ = 1f;
+            phi_387_ = 1f;
         }
-        let _e159 = phi_385_;
-        phi_386_ = _e159;
+        let _e160 = phi_387_;
+        phi_388_ = _e160;
     } else {
-        phi_386_ = 0f;
+        phi_388_ = 0f;
     }
-    let _e161 = phi_386_;
-    let _e162 = (_e76 - 1u);
-    let _e164 = (_e161 * f32(_e76));
-    if _e84 {
-        let _e171 = select(select(u32(_e164), 0u, (_e164 < bitcast<f32>(0u))), 4294967295u, (_e164 > bitcast<f32>(1333788671u)));
-        if (_e162 < _e171) {
-            phi_404_ = _e162;
+    let _e162 = phi_388_;
+    let _e163 = (_e77 - 1u);
+    let _e165 = (_e162 * f32(_e77));
+    if _e85 {
+        let _e172 = select(select(u32(_e165), 0u, (_e165 < bitcast<f32>(0u))), 4294967295u, (_e165 > bitcast<f32>(1333788671u)));
+        if (_e163 < _e172) {
+            phi_406_ = _e163;
         } else {
-            phi_404_ = _e171;
+            phi_406_ = _e172;
         }
-        let _e174 = phi_404_;
-        phi_443_ = texture_Axis(_e174, _e174, 0f);
+        let _e175 = phi_406_;
+        phi_445_ = texture_Axis(_e175, _e175, 0f);
     } else {
-        let _e176 = (_e164 + 0.5f);
-        let _e183 = select(select(u32(_e176), 0u, (_e176 < bitcast<f32>(0u))), 4294967295u, (_e176 > bitcast<f32>(1333788671u)));
-        if (_e76 < _e183) {
-            phi_418_ = _e76;
+        let _e177 = (_e165 + 0.5f);
+        let _e184 = select(select(u32(_e177), 0u, (_e177 < bitcast<f32>(0u))), 4294967295u, (_e177 > bitcast<f32>(1333788671u)));
+        if (_e77 < _e184) {
+            phi_420_ = _e77;
         } else {
-            phi_418_ = _e183;
+            phi_420_ = _e184;
         }
-        let _e186 = phi_418_;
-        if (_e89 == 0u) {
-            phi_425_ = _e162;
+        let _e187 = phi_420_;
+        if (_e90 == 0u) {
+            phi_427_ = _e163;
         } else {
-            phi_425_ = 0u;
+            phi_427_ = 0u;
         }
-        let _e191 = phi_425_;
-        if (_e89 == 0u) {
-            phi_430_ = 0u;
+        let _e192 = phi_427_;
+        if (_e90 == 0u) {
+            phi_432_ = 0u;
         } else {
-            phi_430_ = _e162;
+            phi_432_ = _e163;
         }
-        let _e194 = phi_430_;
-        if (_e186 == 0u) {
-            phi_436_ = _e191;
+        let _e195 = phi_432_;
+        if (_e187 == 0u) {
+            phi_438_ = _e192;
         } else {
-            phi_436_ = (_e186 - 1u);
+            phi_438_ = (_e187 - 1u);
         }
-        let _e198 = phi_436_;
-        if (_e186 > _e162) {
-            phi_441_ = _e194;
+        let _e199 = phi_438_;
+        if (_e187 > _e163) {
+            phi_443_ = _e195;
         } else {
-            phi_441_ = _e186;
+            phi_443_ = _e187;
         }
-        let _e201 = phi_441_;
-        phi_443_ = texture_Axis(_e198, _e201, (_e176 - f32(_e186)));
+        let _e202 = phi_443_;
+        phi_445_ = texture_Axis(_e199, _e202, (_e177 - f32(_e187)));
     }
-    let _e204 = phi_443_;
-    let _e206 = (*param_7).flags;
-    let _e209 = ((_e206 >> bitcast<u32>(6u)) & 3u);
-    if (_e209 == 0u) {
+    let _e205 = phi_445_;
+    let _e207 = (*param_7).flags;
+    let _e210 = ((_e207 >> bitcast<u32>(6u)) & 3u);
+    if (_e210 == 0u) {
         if (param_9 > -8388608f) {
-            let _e222 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
-            if (_e222 > param_9) {
-                phi_471_ = 1f;
+            let _e223 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e223 > param_9) {
+                phi_473_ = 1f;
             } else {
-                phi_471_ = 0f;
+                phi_473_ = 0f;
             }
-            let _e225 = phi_471_;
+            let _e226 = phi_473_;
             if (param_9 < 8388608f) {
-                phi_476_ = (_e222 - _e225);
-                phi_477_ = false;
+                phi_478_ = (_e223 - _e226);
+                phi_479_ = false;
             } else {
-                phi_476_ = f32();
-                phi_477_ = true;
+                phi_478_ = f32();
+                phi_479_ = true;
             }
-            let _e228 = phi_476_;
-            let _e230 = phi_477_;
-            phi_478_ = _e228;
-            phi_479_ = _e230;
+            let _e229 = phi_478_;
+            let _e231 = phi_479_;
+            phi_480_ = _e229;
+            phi_481_ = _e231;
         } else {
-            phi_478_ = f32();
-            phi_479_ = true;
+            phi_480_ = f32();
+            phi_481_ = true;
         }
-        let _e232 = phi_478_;
-        let _e234 = phi_479_;
-        if _e234 {
-            phi_483_ = param_9;
+        let _e233 = phi_480_;
+        let _e235 = phi_481_;
+        if _e235 {
+            phi_485_ = param_9;
         } else {
-            phi_483_ = _e232;
+            phi_485_ = _e233;
         }
-        let _e236 = phi_483_;
-        phi_531_ = (param_9 - _e236);
+        let _e237 = phi_485_;
+        phi_533_ = (param_9 - _e237);
     } else {
-        if (_e209 == 1u) {
-            let _e239 = (param_9 * 0.5f);
-            if (_e239 > -8388608f) {
-                let _e251 = f32(select(0i, select(select(i32(_e239), i32(-2147483648), (_e239 < bitcast<f32>(3472883712u))), 2147483647i, (_e239 > bitcast<f32>(1325400063u))), (_e239 == _e239)));
-                if (_e251 > _e239) {
-                    phi_509_ = 1f;
+        if (_e210 == 1u) {
+            let _e240 = (param_9 * 0.5f);
+            if (_e240 > -8388608f) {
+                let _e252 = f32(select(0i, select(select(i32(_e240), i32(-2147483648), (_e240 < bitcast<f32>(3472883712u))), 2147483647i, (_e240 > bitcast<f32>(1325400063u))), (_e240 == _e240)));
+                if (_e252 > _e240) {
+                    phi_511_ = 1f;
                 } else {
-                    phi_509_ = 0f;
+                    phi_511_ = 0f;
                 }
-                let _e254 = phi_509_;
-                if (_e239 < 8388608f) {
-                    phi_514_ = (_e251 - _e254);
-                    phi_515_ = false;
+                let _e255 = phi_511_;
+                if (_e240 < 8388608f) {
+                    phi_516_ = (_e252 - _e255);
+                    phi_517_ = false;
                 } else {
-                    phi_514_ = f32();
-                    phi_515_ = true;
+                    phi_516_ = f32();
+                    phi_517_ = true;
                 }
-                let _e257 = phi_514_;
-                let _e259 = phi_515_;
-                phi_516_ = _e257;
-                phi_517_ = _e259;
+                let _e258 = phi_516_;
+                let _e260 = phi_517_;
+                phi_518_ = _e258;
+                phi_519_ = _e260;
             } else {
-                phi_516_ = f32();
-                phi_517_ = true;
+                phi_518_ = f32();
+                phi_519_ = true;
             }
-            let _e261 = phi_516_;
-            let _e263 = phi_517_;
-            if _e263 {
-                phi_521_ = _e239;
+            let _e262 = phi_518_;
+            let _e264 = phi_519_;
+            if _e264 {
+                phi_523_ = _e240;
             } else {
-                phi_521_ = _e261;
+                phi_523_ = _e262;
             }
-            let _e265 = phi_521_;
-            let _e267 = (param_9 - (2f * _e265));
-            if (_e267 > 1f) {
-                phi_529_ = (2f - _e267);
+            let _e266 = phi_523_;
+            let _e268 = (param_9 - (2f * _e266));
+            if (_e268 > 1f) {
+                phi_531_ = (2f - _e268);
             } else {
-                phi_529_ = _e267;
+                phi_531_ = _e268;
             }
-            let _e271 = phi_529_;
-            phi_530_ = _e271;
+            let _e272 = phi_531_;
+            phi_532_ = _e272;
         } else {
-            phi_530_ = param_9;
+            phi_532_ = param_9;
         }
-        let _e273 = phi_530_;
-        phi_531_ = _e273;
+        let _e274 = phi_532_;
+        phi_533_ = _e274;
     }
-    let _e275 = phi_531_;
-    if (_e275 > 0f) {
-        if (_e275 < 1f) {
-            phi_540_ = _e275;
+    let _e276 = phi_533_;
+    if (_e276 > 0f) {
+        if (_e276 < 1f) {
+            phi_542_ = _e276;
         } else {
-            phi_540_ = 1f;
+            phi_542_ = 1f;
         }
-        let _e279 = phi_540_;
-        phi_541_ = _e279;
+        let _e280 = phi_542_;
+        phi_543_ = _e280;
     } else {
-        phi_541_ = 0f;
+        phi_543_ = 0f;
     }
-    let _e281 = phi_541_;
-    let _e282 = (_e80 - 1u);
-    let _e284 = (_e281 * f32(_e80));
-    if _e84 {
-        let _e291 = select(select(u32(_e284), 0u, (_e284 < bitcast<f32>(0u))), 4294967295u, (_e284 > bitcast<f32>(1333788671u)));
-        if (_e282 < _e291) {
-            phi_559_ = _e282;
+    let _e282 = phi_543_;
+    let _e283 = (_e81 - 1u);
+    let _e285 = (_e282 * f32(_e81));
+    if _e85 {
+        let _e292 = select(select(u32(_e285), 0u, (_e285 < bitcast<f32>(0u))), 4294967295u, (_e285 > bitcast<f32>(1333788671u)));
+        if (_e283 < _e292) {
+            phi_561_ = _e283;
         } else {
-            phi_559_ = _e291;
+            phi_561_ = _e292;
         }
-        let _e294 = phi_559_;
-        phi_598_ = texture_Axis(_e294, _e294, 0f);
+        let _e295 = phi_561_;
+        phi_600_ = texture_Axis(_e295, _e295, 0f);
     } else {
-        let _e296 = (_e284 + 0.5f);
-        let _e303 = select(select(u32(_e296), 0u, (_e296 < bitcast<f32>(0u))), 4294967295u, (_e296 > bitcast<f32>(1333788671u)));
-        if (_e80 < _e303) {
-            phi_573_ = _e80;
+        let _e297 = (_e285 + 0.5f);
+        let _e304 = select(select(u32(_e297), 0u, (_e297 < bitcast<f32>(0u))), 4294967295u, (_e297 > bitcast<f32>(1333788671u)));
+        if (_e81 < _e304) {
+            phi_575_ = _e81;
         } else {
-            phi_573_ = _e303;
+            phi_575_ = _e304;
         }
-        let _e306 = phi_573_;
-        if (_e209 == 0u) {
-            phi_580_ = _e282;
+        let _e307 = phi_575_;
+        if (_e210 == 0u) {
+            phi_582_ = _e283;
         } else {
-            phi_580_ = 0u;
+            phi_582_ = 0u;
         }
-        let _e311 = phi_580_;
-        if (_e209 == 0u) {
-            phi_585_ = 0u;
+        let _e312 = phi_582_;
+        if (_e210 == 0u) {
+            phi_587_ = 0u;
         } else {
-            phi_585_ = _e282;
+            phi_587_ = _e283;
         }
-        let _e314 = phi_585_;
-        if (_e306 == 0u) {
-            phi_591_ = _e311;
+        let _e315 = phi_587_;
+        if (_e307 == 0u) {
+            phi_593_ = _e312;
         } else {
-            phi_591_ = (_e306 - 1u);
+            phi_593_ = (_e307 - 1u);
         }
-        let _e318 = phi_591_;
-        if (_e306 > _e282) {
-            phi_596_ = _e314;
+        let _e319 = phi_593_;
+        if (_e307 > _e283) {
+            phi_598_ = _e315;
         } else {
-            phi_596_ = _e306;
+            phi_598_ = _e307;
         }
-        let _e321 = phi_596_;
-        phi_598_ = texture_Axis(_e318, _e321, (_e296 - f32(_e306)));
+        let _e322 = phi_598_;
+        phi_600_ = texture_Axis(_e319, _e322, (_e297 - f32(_e307)));
     }
-    let _e324 = phi_598_;
-    let _e328 = (*param_7).offset;
-    let _e335 = (*param_7).offset;
-    let _e342 = (*param_7).offset;
-    let _e349 = (*param_7).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e328 + (_e324.low * _e76)) + _e204.low), ((_e335 + (_e324.low * _e76)) + _e204.high), ((_e342 + (_e324.high * _e76)) + _e204.low), ((_e349 + (_e324.high * _e76)) + _e204.high)), vec4<f32>(((1f - _e204.fraction) * (1f - _e324.fraction)), (_e204.fraction * (1f - _e324.fraction)), ((1f - _e204.fraction) * _e324.fraction), (_e204.fraction * _e324.fraction)));
+    let _e325 = phi_600_;
+    let _e329 = (*param_7).offset;
+    let _e336 = (*param_7).offset;
+    let _e343 = (*param_7).offset;
+    let _e350 = (*param_7).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e329 + (_e325.low * _e77)) + _e205.low), ((_e336 + (_e325.low * _e77)) + _e205.high), ((_e343 + (_e325.high * _e77)) + _e205.low), ((_e350 + (_e325.high * _e77)) + _e205.high)), vec4<f32>(((1f - _e205.fraction) * (1f - _e325.fraction)), (_e205.fraction * (1f - _e325.fraction)), ((1f - _e205.fraction) * _e325.fraction), (_e205.fraction * _e325.fraction)));
 }
 
 fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
@@ -615,15 +615,15 @@ fn _lt_bvh_ray_Ray_new(param_10: vec3<f32>, param_11: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
-    var phi_657_: f32;
+    var phi_659_: f32;
 
     if (param_12 > param_13) {
-        phi_657_ = param_12;
+        phi_659_ = param_12;
     } else {
-        phi_657_ = param_13;
+        phi_659_ = param_13;
     }
-    let _e75 = phi_657_;
-    return _e75;
+    let _e76 = phi_659_;
+    return _e76;
 }
 
 fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_14: vec3<f32>) -> vec3<f32> {
@@ -634,2549 +634,2551 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_797_: bool;
-    var phi_798_: bool;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_804_: bool;
+    var phi_816_: bool;
     var phi_817_: bool;
     var phi_818_: bool;
     var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_824_: bool;
+    var phi_823_: bool;
+    var phi_836_: bool;
     var phi_837_: bool;
     var phi_838_: bool;
     var phi_839_: bool;
     var phi_843_: bool;
-    var phi_844_: bool;
-    var phi_845_: bool;
-    var phi_846_: bool;
-    var phi_847_: bool;
-    var phi_851_: bool;
-    var phi_927_: f32;
-    var phi_934_: f32;
-    var phi_942_: f32;
-    var phi_949_: f32;
-    var phi_957_: f32;
-    var phi_964_: f32;
-    var phi_987_: f32;
-    var phi_992_: f32;
-    var phi_997_: f32;
-    var phi_1002_: f32;
-    var phi_1007_: f32;
-    var phi_1026_: u32;
-    var phi_1031_: u32;
-    var phi_1036_: u32;
-    var phi_1150_: bool;
-    var phi_1151_: bool;
-    var phi_1182_: u32;
-    var phi_1184_: u32;
-    var phi_1187_: lt_bvh_Hit;
-    var phi_1272_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1299_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1326_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1332_: u32;
-    var phi_1335_: u32;
-    var phi_1349_: u32;
-    var phi_1359_: u32;
-    var phi_1369_: u32;
-    var phi_1387_: u32;
-    var phi_1397_: u32;
-    var phi_1407_: u32;
-    var phi_1443_: u32;
-    var phi_1456_: u32;
-    var phi_1461_: u32;
+    var phi_856_: bool;
+    var phi_857_: bool;
+    var phi_858_: bool;
+    var phi_862_: bool;
+    var phi_863_: bool;
+    var phi_864_: bool;
+    var phi_865_: bool;
+    var phi_866_: bool;
+    var phi_870_: bool;
+    var phi_946_: f32;
+    var phi_953_: f32;
+    var phi_961_: f32;
+    var phi_968_: f32;
+    var phi_976_: f32;
+    var phi_983_: f32;
+    var phi_1006_: f32;
+    var phi_1011_: f32;
+    var phi_1016_: f32;
+    var phi_1021_: f32;
+    var phi_1026_: f32;
+    var phi_1045_: u32;
+    var phi_1050_: u32;
+    var phi_1055_: u32;
+    var phi_1169_: bool;
+    var phi_1170_: bool;
+    var phi_1201_: u32;
+    var phi_1203_: u32;
+    var phi_1206_: lt_bvh_Hit;
+    var phi_1291_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1318_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1345_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1351_: u32;
+    var phi_1354_: u32;
+    var phi_1368_: u32;
+    var phi_1378_: u32;
+    var phi_1388_: u32;
+    var phi_1406_: u32;
+    var phi_1416_: u32;
+    var phi_1426_: u32;
     var phi_1462_: u32;
-    var phi_1463_: u32;
-    var phi_1333_: u32;
-    var phi_1336_: u32;
+    var phi_1475_: u32;
+    var phi_1480_: u32;
+    var phi_1481_: u32;
+    var phi_1482_: u32;
+    var phi_1352_: u32;
+    var phi_1355_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1521_: u32;
-    var phi_1524_: lt_bvh_Hit;
-    var phi_1579_: f32;
-    var phi_1584_: f32;
-    var phi_1589_: f32;
-    var phi_1597_: f32;
-    var phi_1602_: f32;
-    var phi_1607_: f32;
-    var phi_1739_: bool;
-    var phi_1740_: bool;
-    var phi_1741_: bool;
-    var phi_1742_: bool;
-    var phi_1746_: bool;
+    var phi_1540_: u32;
+    var phi_1543_: lt_bvh_Hit;
+    var phi_1598_: f32;
+    var phi_1603_: f32;
+    var phi_1608_: f32;
+    var phi_1616_: f32;
+    var phi_1621_: f32;
+    var phi_1626_: f32;
+    var phi_1758_: bool;
     var phi_1759_: bool;
     var phi_1760_: bool;
     var phi_1761_: bool;
-    var phi_1762_: bool;
-    var phi_1766_: bool;
+    var phi_1765_: bool;
+    var phi_1778_: bool;
     var phi_1779_: bool;
     var phi_1780_: bool;
     var phi_1781_: bool;
     var phi_1785_: bool;
-    var phi_1786_: bool;
-    var phi_1787_: bool;
-    var phi_1788_: bool;
-    var phi_1789_: bool;
-    var phi_1793_: bool;
-    var phi_1863_: f32;
-    var phi_1870_: f32;
-    var phi_1877_: f32;
-    var phi_1884_: f32;
-    var phi_1891_: f32;
-    var phi_1898_: f32;
-    var phi_1915_: f32;
-    var phi_1920_: f32;
-    var phi_1925_: f32;
-    var phi_1930_: f32;
-    var phi_1935_: f32;
-    var phi_1961_: bool;
-    var phi_1962_: bool;
-    var phi_1970_: u32;
-    var phi_1971_: u32;
-    var phi_1982_: vec3<f32>;
-    var phi_1983_: vec3<f32>;
-    var phi_1996_: u32;
-    var phi_2001_: u32;
-    var phi_2006_: u32;
-    var phi_2120_: bool;
-    var phi_2121_: bool;
-    var phi_2152_: u32;
-    var phi_2154_: lt_bvh_Hit;
-    var phi_2157_: u32;
-    var phi_2238_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2265_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2292_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2298_: u32;
-    var phi_2301_: u32;
-    var phi_2315_: u32;
-    var phi_2325_: u32;
-    var phi_2335_: u32;
-    var phi_2353_: u32;
-    var phi_2363_: u32;
-    var phi_2373_: u32;
-    var phi_2409_: u32;
-    var phi_2422_: u32;
-    var phi_2427_: u32;
+    var phi_1798_: bool;
+    var phi_1799_: bool;
+    var phi_1800_: bool;
+    var phi_1804_: bool;
+    var phi_1805_: bool;
+    var phi_1806_: bool;
+    var phi_1807_: bool;
+    var phi_1808_: bool;
+    var phi_1812_: bool;
+    var phi_1882_: f32;
+    var phi_1889_: f32;
+    var phi_1896_: f32;
+    var phi_1903_: f32;
+    var phi_1910_: f32;
+    var phi_1917_: f32;
+    var phi_1934_: f32;
+    var phi_1939_: f32;
+    var phi_1944_: f32;
+    var phi_1949_: f32;
+    var phi_1954_: f32;
+    var phi_1980_: bool;
+    var phi_1981_: bool;
+    var phi_1989_: u32;
+    var phi_1990_: u32;
+    var phi_2001_: vec3<f32>;
+    var phi_2002_: vec3<f32>;
+    var phi_2015_: u32;
+    var phi_2020_: u32;
+    var phi_2025_: u32;
+    var phi_2139_: bool;
+    var phi_2140_: bool;
+    var phi_2171_: u32;
+    var phi_2173_: lt_bvh_Hit;
+    var phi_2176_: u32;
+    var phi_2257_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2284_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2311_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2317_: u32;
+    var phi_2320_: u32;
+    var phi_2334_: u32;
+    var phi_2344_: u32;
+    var phi_2354_: u32;
+    var phi_2372_: u32;
+    var phi_2382_: u32;
+    var phi_2392_: u32;
     var phi_2428_: u32;
-    var phi_2429_: u32;
-    var phi_2299_: u32;
-    var phi_2302_: u32;
+    var phi_2441_: u32;
+    var phi_2446_: u32;
+    var phi_2447_: u32;
+    var phi_2448_: u32;
+    var phi_2318_: u32;
+    var phi_2321_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2487_: lt_bvh_Hit;
-    var phi_2490_: u32;
-    var phi_2534_: vec3<f32>;
-    var phi_2535_: vec3<f32>;
-    var phi_2564_: vec3<f32>;
-    var phi_2565_: vec3<f32>;
-    var phi_2594_: vec3<f32>;
-    var phi_2595_: vec3<f32>;
-    var phi_2613_: bool;
-    var phi_2614_: bool;
-    var phi_2618_: f32;
-    var phi_2619_: f32;
-    var phi_2620_: f32;
-    var phi_2621_: f32;
-    var phi_2629_: f32;
-    var phi_2639_: bool;
-    var phi_2640_: bool;
-    var phi_2644_: f32;
-    var phi_2645_: f32;
-    var phi_2646_: f32;
-    var phi_2647_: f32;
-    var phi_2655_: f32;
-    var phi_2665_: bool;
-    var phi_2666_: bool;
-    var phi_2670_: f32;
-    var phi_2671_: f32;
-    var phi_2672_: f32;
-    var phi_2673_: f32;
-    var phi_2681_: f32;
-    var phi_2696_: f32;
-    var phi_2697_: bool;
-    var phi_2698_: f32;
-    var phi_2699_: bool;
+    var phi_2506_: lt_bvh_Hit;
+    var phi_2509_: u32;
+    var phi_2553_: vec3<f32>;
+    var phi_2554_: vec3<f32>;
+    var phi_2583_: vec3<f32>;
+    var phi_2584_: vec3<f32>;
+    var phi_2613_: vec3<f32>;
+    var phi_2614_: vec3<f32>;
+    var phi_2632_: bool;
+    var phi_2633_: bool;
+    var phi_2637_: f32;
+    var phi_2638_: f32;
+    var phi_2639_: f32;
+    var phi_2640_: f32;
+    var phi_2648_: f32;
+    var phi_2658_: bool;
+    var phi_2659_: bool;
+    var phi_2663_: f32;
+    var phi_2664_: f32;
+    var phi_2665_: f32;
+    var phi_2666_: f32;
+    var phi_2674_: f32;
+    var phi_2684_: bool;
+    var phi_2685_: bool;
+    var phi_2689_: f32;
+    var phi_2690_: f32;
+    var phi_2691_: f32;
+    var phi_2692_: f32;
     var phi_2700_: f32;
-    var phi_2701_: bool;
+    var phi_2715_: f32;
+    var phi_2716_: bool;
+    var phi_2717_: f32;
+    var phi_2718_: bool;
     var phi_2719_: f32;
     var phi_2720_: bool;
-    var phi_2721_: bool;
-    var phi_2722_: f32;
-    var phi_2723_: bool;
-    var phi_2724_: bool;
-    var phi_2728_: bool;
-    var phi_2729_: f32;
-    var phi_2730_: bool;
-    var phi_2758_: vec3<f32>;
-    var phi_2759_: vec3<f32>;
-    var phi_2784_: vec3<f32>;
-    var phi_2785_: vec3<f32>;
-    var phi_2810_: vec3<f32>;
-    var phi_2811_: vec3<f32>;
-    var phi_2867_: f32;
-    var phi_2876_: f32;
-    var phi_2885_: f32;
-    var phi_2894_: f32;
-    var phi_2901_: f32;
-    var phi_2908_: f32;
-    var phi_2921_: f32;
-    var phi_2930_: f32;
-    var phi_2939_: f32;
-    var phi_2948_: f32;
-    var phi_2955_: f32;
-    var phi_2962_: f32;
-    var phi_2979_: f32;
-    var phi_2984_: f32;
-    var phi_2989_: f32;
-    var phi_2997_: f32;
-    var phi_3002_: f32;
-    var phi_3007_: f32;
-    var phi_3019_: f32;
-    var phi_3024_: f32;
-    var phi_3029_: f32;
-    var phi_3034_: f32;
-    var phi_3039_: lt_bvh_triangle_Intersection;
-    var phi_3040_: bool;
-    var phi_3041_: lt_bvh_triangle_Intersection;
-    var phi_3042_: bool;
-    var phi_3046_: lt_bvh_triangle_Intersection;
-    var phi_3047_: bool;
-    var phi_3048_: lt_bvh_triangle_Intersection;
-    var phi_3049_: bool;
-    var phi_3050_: bool;
-    var phi_3054_: bool;
+    var phi_2738_: f32;
+    var phi_2739_: bool;
+    var phi_2740_: bool;
+    var phi_2741_: f32;
+    var phi_2742_: bool;
+    var phi_2743_: bool;
+    var phi_2747_: bool;
+    var phi_2748_: f32;
+    var phi_2749_: bool;
+    var phi_2777_: vec3<f32>;
+    var phi_2778_: vec3<f32>;
+    var phi_2803_: vec3<f32>;
+    var phi_2804_: vec3<f32>;
+    var phi_2829_: vec3<f32>;
+    var phi_2830_: vec3<f32>;
+    var phi_2886_: f32;
+    var phi_2895_: f32;
+    var phi_2904_: f32;
+    var phi_2913_: f32;
+    var phi_2920_: f32;
+    var phi_2927_: f32;
+    var phi_2940_: f32;
+    var phi_2949_: f32;
+    var phi_2958_: f32;
+    var phi_2967_: f32;
+    var phi_2974_: f32;
+    var phi_2981_: f32;
+    var phi_2998_: f32;
+    var phi_3003_: f32;
+    var phi_3008_: f32;
+    var phi_3016_: f32;
+    var phi_3021_: f32;
+    var phi_3026_: f32;
+    var phi_3038_: f32;
+    var phi_3043_: f32;
+    var phi_3048_: f32;
+    var phi_3053_: f32;
     var phi_3058_: lt_bvh_triangle_Intersection;
-    var phi_3096_: bool;
-    var phi_3097_: bool;
-    var phi_3098_: bool;
-    var phi_3099_: bool;
-    var phi_3100_: bool;
-    var phi_3101_: bool;
-    var phi_3105_: bool;
-    var phi_3106_: bool;
-    var phi_3309_: f32;
-    var phi_3312_: bool;
-    var phi_3313_: bool;
-    var phi_3317_: bool;
-    var phi_3325_: lt_bvh_Hit;
-    var phi_3326_: lt_bvh_Hit;
-    var phi_3327_: lt_bvh_Hit;
-    var phi_3328_: lt_bvh_Hit;
-    var phi_2488_: lt_bvh_Hit;
-    var phi_2491_: u32;
-    var phi_3329_: bool;
-    var phi_3368_: bool;
-    var phi_3369_: bool;
-    var phi_3400_: u32;
-    var phi_2155_: lt_bvh_Hit;
-    var phi_2158_: u32;
-    var phi_3401_: lt_bvh_Hit;
-    var phi_3402_: lt_bvh_Hit;
-    var phi_3403_: bool;
-    var phi_3407_: lt_bvh_Hit;
-    var phi_3408_: lt_bvh_Hit;
-    var phi_3409_: lt_bvh_Hit;
-    var phi_3410_: lt_bvh_Hit;
-    var phi_1522_: u32;
-    var phi_1525_: lt_bvh_Hit;
-    var phi_3411_: bool;
-    var phi_3450_: bool;
-    var phi_3451_: bool;
-    var phi_3482_: u32;
-    var phi_1185_: u32;
-    var phi_1188_: lt_bvh_Hit;
-    var phi_3483_: lt_bvh_Hit;
-    var phi_3484_: lt_bvh_Hit;
-    var phi_3485_: bool;
-    var phi_3489_: lt_bvh_Hit;
-    var phi_3677_: f32;
-    var phi_3682_: f32;
-    var phi_3687_: f32;
-    var phi_3695_: f32;
-    var phi_3700_: f32;
-    var phi_3705_: f32;
-    var phi_3769_: vec3<f32>;
-    var phi_3890_: u32;
-    var phi_3917_: f32;
-    var phi_3924_: f32;
-    var phi_3931_: f32;
-    var phi_3966_: f32;
-    var phi_3973_: f32;
-    var phi_3980_: f32;
-    var phi_4018_: f32;
-    var phi_4025_: f32;
-    var phi_4032_: f32;
-    var phi_4118_: vec3<f32>;
-    var phi_4119_: vec3<f32>;
-    var phi_4120_: vec3<f32>;
-    var phi_4129_: f32;
-    var phi_4130_: f32;
-    var phi_4140_: f32;
-    var phi_4141_: f32;
-    var phi_4151_: f32;
-    var phi_4152_: f32;
-    var phi_4187_: abi_Sample;
-    var phi_4410_: vec3<f32>;
+    var phi_3059_: bool;
+    var phi_3060_: lt_bvh_triangle_Intersection;
+    var phi_3061_: bool;
+    var phi_3065_: lt_bvh_triangle_Intersection;
+    var phi_3066_: bool;
+    var phi_3067_: lt_bvh_triangle_Intersection;
+    var phi_3068_: bool;
+    var phi_3069_: bool;
+    var phi_3073_: bool;
+    var phi_3077_: lt_bvh_triangle_Intersection;
+    var phi_3115_: bool;
+    var phi_3116_: bool;
+    var phi_3117_: bool;
+    var phi_3118_: bool;
+    var phi_3119_: bool;
+    var phi_3120_: bool;
+    var phi_3124_: bool;
+    var phi_3125_: bool;
+    var phi_3328_: f32;
+    var phi_3331_: bool;
+    var phi_3332_: bool;
+    var phi_3336_: bool;
+    var phi_3344_: lt_bvh_Hit;
+    var phi_3345_: lt_bvh_Hit;
+    var phi_3346_: lt_bvh_Hit;
+    var phi_3347_: lt_bvh_Hit;
+    var phi_2507_: lt_bvh_Hit;
+    var phi_2510_: u32;
+    var phi_3348_: bool;
+    var phi_3387_: bool;
+    var phi_3388_: bool;
+    var phi_3419_: u32;
+    var phi_2174_: lt_bvh_Hit;
+    var phi_2177_: u32;
+    var phi_3420_: lt_bvh_Hit;
+    var phi_3421_: lt_bvh_Hit;
+    var phi_3422_: bool;
+    var phi_3426_: lt_bvh_Hit;
+    var phi_3427_: lt_bvh_Hit;
+    var phi_3428_: lt_bvh_Hit;
+    var phi_3429_: lt_bvh_Hit;
+    var phi_1541_: u32;
+    var phi_1544_: lt_bvh_Hit;
+    var phi_3430_: bool;
+    var phi_3469_: bool;
+    var phi_3470_: bool;
+    var phi_3501_: u32;
+    var phi_1204_: u32;
+    var phi_1207_: lt_bvh_Hit;
+    var phi_3502_: lt_bvh_Hit;
+    var phi_3503_: lt_bvh_Hit;
+    var phi_3504_: bool;
+    var phi_3508_: lt_bvh_Hit;
+    var phi_3696_: f32;
+    var phi_3701_: f32;
+    var phi_3706_: f32;
+    var phi_3714_: f32;
+    var phi_3719_: f32;
+    var phi_3724_: f32;
+    var phi_3788_: vec3<f32>;
+    var phi_3909_: u32;
+    var phi_3936_: f32;
+    var phi_3943_: f32;
+    var phi_3950_: f32;
+    var phi_3985_: f32;
+    var phi_3992_: f32;
+    var phi_3999_: f32;
+    var phi_4037_: f32;
+    var phi_4044_: f32;
+    var phi_4051_: f32;
+    var phi_4137_: vec3<f32>;
+    var phi_4138_: vec3<f32>;
+    var phi_4139_: vec3<f32>;
+    var phi_4148_: f32;
+    var phi_4149_: f32;
+    var phi_4159_: f32;
+    var phi_4160_: f32;
+    var phi_4170_: f32;
+    var phi_4171_: f32;
+    var phi_4206_: abi_Sample;
+    var phi_4429_: vec3<f32>;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
 
-    let _e74 = id_1;
-    let _e78 = arrayLength((&nodes.member));
-    let _e81 = arrayLength((&triangles.member));
-    let _e84 = arrayLength((&vertices.member));
-    let _e87 = arrayLength((&materials.member));
-    let _e93 = arrayLength((&instances.member));
-    let _e96 = arrayLength((&alpha_texels.member));
-    let _e99 = arrayLength((&before.member));
-    let _e105 = p.member.size[0u];
-    let _e107 = p.member.size[1u];
-    let _e108 = lt_shaders_entry_pixel_index(_e74, _e105, _e107);
-    if (bitcast<i32>(_e108.word) != 0i) {
-        let _e114 = p.member.root;
-        let _e118 = p.member.eye;
-        let _e123 = p.member.size[0u];
-        let _e127 = ((((f32(_e74.x) + 0.5f) / f32(_e123)) * 2f) - 1f);
-        let _e132 = p.member.size[1u];
-        let _e136 = (1f - (((f32(_e74.y) + 0.5f) / f32(_e132)) * 2f));
-        let _e138 = p.member.forward;
-        let _e140 = p.member.right;
-        let _e154 = p.member.up;
-        let _e165 = _lt_bvh_ray_Ray_new(_e118, vec3<f32>(((_e138.x + (_e140.x * _e127)) + (_e154.x * _e136)), ((_e138.y + (_e140.y * _e127)) + (_e154.y * _e136)), ((_e138.z + (_e140.z * _e127)) + (_e154.z * _e136))));
-        let _e167 = lt_bvh_Hit(_e165.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e170 = abs(_e165.direction.x);
-        let _e172 = abs(_e165.direction.y);
-        let _e174 = abs(_e165.direction.z);
-        if (abs(_e165.origin.x) < 1000000000000000f) {
-            if (abs(_e165.origin.y) < 1000000000000000f) {
-                phi_797_ = (abs(_e165.origin.z) < 1000000000000000f);
-                phi_798_ = false;
+    let _e75 = id_1;
+    let _e79 = arrayLength((&nodes.member));
+    let _e82 = arrayLength((&triangles.member));
+    let _e85 = arrayLength((&vertices.member));
+    let _e88 = arrayLength((&materials.member));
+    let _e94 = arrayLength((&instances.member));
+    let _e97 = arrayLength((&alpha_texels.member));
+    let _e100 = arrayLength((&before.member));
+    let _e106 = p.member.size[0u];
+    let _e108 = p.member.size[1u];
+    let _e109 = lt_shaders_entry_pixel_index(_e75, _e106, _e108);
+    if (bitcast<i32>(_e109.word) != 0i) {
+        let _e115 = p.member.root;
+        let _e119 = p.member.eye;
+        let _e122 = p.member.grid[0u];
+        let _e124 = p.member.grid[1u];
+        let _e143 = p.member.size[0u];
+        let _e147 = ((((f32(_e75.x) + ((f32((_e75.y & (_e124 - 1u))) + 0.5f) / f32(_e124))) / f32(_e143)) * 2f) - 1f);
+        let _e150 = p.member.size[1u];
+        let _e154 = (1f - (((f32(_e75.y) + ((f32((_e75.x & (_e122 - 1u))) + 0.5f) / f32(_e122))) / f32(_e150)) * 2f));
+        let _e156 = p.member.forward;
+        let _e158 = p.member.right;
+        let _e172 = p.member.up;
+        let _e183 = _lt_bvh_ray_Ray_new(_e119, vec3<f32>(((_e156.x + (_e158.x * _e147)) + (_e172.x * _e154)), ((_e156.y + (_e158.y * _e147)) + (_e172.y * _e154)), ((_e156.z + (_e158.z * _e147)) + (_e172.z * _e154))));
+        let _e185 = lt_bvh_Hit(_e183.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e188 = abs(_e183.direction.x);
+        let _e190 = abs(_e183.direction.y);
+        let _e192 = abs(_e183.direction.z);
+        if (abs(_e183.origin.x) < 1000000000000000f) {
+            if (abs(_e183.origin.y) < 1000000000000000f) {
+                phi_816_ = (abs(_e183.origin.z) < 1000000000000000f);
+                phi_817_ = false;
             } else {
-                phi_797_ = bool();
-                phi_798_ = true;
+                phi_816_ = bool();
+                phi_817_ = true;
             }
-            let _e186 = phi_797_;
-            let _e188 = phi_798_;
-            phi_799_ = _e186;
-            phi_800_ = _e188;
+            let _e204 = phi_816_;
+            let _e206 = phi_817_;
+            phi_818_ = _e204;
+            phi_819_ = _e206;
         } else {
-            phi_799_ = bool();
-            phi_800_ = true;
+            phi_818_ = bool();
+            phi_819_ = true;
         }
-        let _e190 = phi_799_;
-        let _e192 = phi_800_;
-        if _e192 {
-            phi_804_ = false;
+        let _e208 = phi_818_;
+        let _e210 = phi_819_;
+        if _e210 {
+            phi_823_ = false;
         } else {
-            phi_804_ = _e190;
+            phi_823_ = _e208;
         }
-        let _e194 = phi_804_;
-        if _e194 {
-            if (_e170 < 1000000000000000f) {
-                if (_e172 < 1000000000000000f) {
-                    phi_817_ = (_e174 < 1000000000000000f);
-                    phi_818_ = false;
+        let _e212 = phi_823_;
+        if _e212 {
+            if (_e188 < 1000000000000000f) {
+                if (_e190 < 1000000000000000f) {
+                    phi_836_ = (_e192 < 1000000000000000f);
+                    phi_837_ = false;
                 } else {
-                    phi_817_ = bool();
-                    phi_818_ = true;
+                    phi_836_ = bool();
+                    phi_837_ = true;
                 }
-                let _e199 = phi_817_;
-                let _e201 = phi_818_;
-                phi_819_ = _e199;
-                phi_820_ = _e201;
+                let _e217 = phi_836_;
+                let _e219 = phi_837_;
+                phi_838_ = _e217;
+                phi_839_ = _e219;
             } else {
-                phi_819_ = bool();
-                phi_820_ = true;
+                phi_838_ = bool();
+                phi_839_ = true;
             }
-            let _e203 = phi_819_;
-            let _e205 = phi_820_;
-            if _e205 {
-                phi_824_ = false;
+            let _e221 = phi_838_;
+            let _e223 = phi_839_;
+            if _e223 {
+                phi_843_ = false;
             } else {
-                phi_824_ = _e203;
+                phi_843_ = _e221;
             }
-            let _e207 = phi_824_;
-            if _e207 {
-                if (_e170 > 0f) {
-                    phi_838_ = bool();
-                    phi_839_ = true;
+            let _e225 = phi_843_;
+            if _e225 {
+                if (_e188 > 0f) {
+                    phi_857_ = bool();
+                    phi_858_ = true;
                 } else {
-                    let _e209 = (_e172 > 0f);
-                    if _e209 {
-                        phi_837_ = bool();
+                    let _e227 = (_e190 > 0f);
+                    if _e227 {
+                        phi_856_ = bool();
                     } else {
-                        phi_837_ = (_e174 > 0f);
+                        phi_856_ = (_e192 > 0f);
                     }
-                    let _e212 = phi_837_;
-                    phi_838_ = _e212;
-                    phi_839_ = _e209;
+                    let _e230 = phi_856_;
+                    phi_857_ = _e230;
+                    phi_858_ = _e227;
                 }
-                let _e214 = phi_838_;
-                let _e216 = phi_839_;
-                if _e216 {
-                    phi_843_ = true;
+                let _e232 = phi_857_;
+                let _e234 = phi_858_;
+                if _e234 {
+                    phi_862_ = true;
                 } else {
-                    phi_843_ = _e214;
+                    phi_862_ = _e232;
                 }
-                let _e218 = phi_843_;
-                phi_844_ = _e218;
-                phi_845_ = false;
+                let _e236 = phi_862_;
+                phi_863_ = _e236;
+                phi_864_ = false;
             } else {
-                phi_844_ = bool();
-                phi_845_ = true;
+                phi_863_ = bool();
+                phi_864_ = true;
             }
-            let _e220 = phi_844_;
-            let _e222 = phi_845_;
-            phi_846_ = _e220;
-            phi_847_ = _e222;
+            let _e238 = phi_863_;
+            let _e240 = phi_864_;
+            phi_865_ = _e238;
+            phi_866_ = _e240;
         } else {
-            phi_846_ = bool();
-            phi_847_ = true;
+            phi_865_ = bool();
+            phi_866_ = true;
         }
-        let _e224 = phi_846_;
-        let _e226 = phi_847_;
-        if _e226 {
-            phi_851_ = false;
+        let _e242 = phi_865_;
+        let _e244 = phi_866_;
+        if _e244 {
+            phi_870_ = false;
         } else {
-            phi_851_ = _e224;
+            phi_870_ = _e242;
         }
-        let _e228 = phi_851_;
-        if _e228 {
-            let _e229 = (_e114 >= _e78);
-            if _e229 {
-                phi_3483_ = lt_bvh_Hit();
+        let _e246 = phi_870_;
+        if _e246 {
+            let _e247 = (_e115 >= _e79);
+            if _e247 {
+                phi_3502_ = lt_bvh_Hit();
             } else {
-                if (_e114 < _e78) {
+                if (_e115 < _e79) {
                 } else {
                     return;
                 }
-                let _e235 = nodes.member[(0u + _e114)].frame[0u];
-                let _e239 = nodes.member[(0u + _e114)].frame[1u];
-                let _e243 = nodes.member[(0u + _e114)].frame[2u];
-                let _e247 = nodes.member[(0u + _e114)].frame[0u];
-                let _e251 = nodes.member[(0u + _e114)].frame[1u];
-                let _e255 = nodes.member[(0u + _e114)].frame[2u];
-                let _e259 = nodes.member[(0u + _e114)].frame[3u];
-                let _e298 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165.direction.x), abs(_e165.direction.y));
-                let _e299 = core_intrinsics_maximum_number_nsz_f32_(_e298, abs(_e165.direction.z));
-                let _e300 = (_e299 * 0.0000000000009094947f);
-                if (abs(_e165.direction.x) < _e300) {
-                    phi_927_ = _e300;
+                let _e253 = nodes.member[(0u + _e115)].frame[0u];
+                let _e257 = nodes.member[(0u + _e115)].frame[1u];
+                let _e261 = nodes.member[(0u + _e115)].frame[2u];
+                let _e265 = nodes.member[(0u + _e115)].frame[0u];
+                let _e269 = nodes.member[(0u + _e115)].frame[1u];
+                let _e273 = nodes.member[(0u + _e115)].frame[2u];
+                let _e277 = nodes.member[(0u + _e115)].frame[3u];
+                let _e316 = core_intrinsics_maximum_number_nsz_f32_(abs(_e183.direction.x), abs(_e183.direction.y));
+                let _e317 = core_intrinsics_maximum_number_nsz_f32_(_e316, abs(_e183.direction.z));
+                let _e318 = (_e317 * 0.0000000000009094947f);
+                if (abs(_e183.direction.x) < _e318) {
+                    phi_946_ = _e318;
                 } else {
-                    phi_927_ = abs(_e165.direction.x);
+                    phi_946_ = abs(_e183.direction.x);
                 }
-                let _e306 = phi_927_;
-                if (_e165.direction.x < 0f) {
-                    phi_934_ = (-1f / _e306);
+                let _e324 = phi_946_;
+                if (_e183.direction.x < 0f) {
+                    phi_953_ = (-1f / _e324);
                 } else {
-                    phi_934_ = (1f / _e306);
+                    phi_953_ = (1f / _e324);
                 }
-                let _e311 = phi_934_;
-                if (abs(_e165.direction.y) < _e300) {
-                    phi_942_ = _e300;
+                let _e329 = phi_953_;
+                if (abs(_e183.direction.y) < _e318) {
+                    phi_961_ = _e318;
                 } else {
-                    phi_942_ = abs(_e165.direction.y);
+                    phi_961_ = abs(_e183.direction.y);
                 }
-                let _e317 = phi_942_;
-                if (_e165.direction.y < 0f) {
-                    phi_949_ = (-1f / _e317);
+                let _e335 = phi_961_;
+                if (_e183.direction.y < 0f) {
+                    phi_968_ = (-1f / _e335);
                 } else {
-                    phi_949_ = (1f / _e317);
+                    phi_968_ = (1f / _e335);
                 }
-                let _e322 = phi_949_;
-                if (abs(_e165.direction.z) < _e300) {
-                    phi_957_ = _e300;
+                let _e340 = phi_968_;
+                if (abs(_e183.direction.z) < _e318) {
+                    phi_976_ = _e318;
                 } else {
-                    phi_957_ = abs(_e165.direction.z);
+                    phi_976_ = abs(_e183.direction.z);
                 }
-                let _e328 = phi_957_;
-                if (_e165.direction.z < 0f) {
-                    phi_964_ = (-1f / _e328);
+                let _e346 = phi_976_;
+                if (_e183.direction.z < 0f) {
+                    phi_983_ = (-1f / _e346);
                 } else {
-                    phi_964_ = (1f / _e328);
+                    phi_983_ = (1f / _e346);
                 }
-                let _e333 = phi_964_;
-                let _e340 = abs((bitcast<f32>(_e235) - _e165.origin.x));
-                let _e341 = abs((bitcast<f32>(_e239) - _e165.origin.y));
-                let _e342 = abs((bitcast<f32>(_e243) - _e165.origin.z));
-                let _e349 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e259 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
-                let _e350 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e259 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
-                let _e351 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e259 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
-                if (_e340 > _e349) {
-                    phi_987_ = _e340;
+                let _e351 = phi_983_;
+                let _e358 = abs((bitcast<f32>(_e253) - _e183.origin.x));
+                let _e359 = abs((bitcast<f32>(_e257) - _e183.origin.y));
+                let _e360 = abs((bitcast<f32>(_e261) - _e183.origin.z));
+                let _e367 = abs(((bitcast<f32>(_e265) + (bitcast<f32>((((_e277 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e183.origin.x));
+                let _e368 = abs(((bitcast<f32>(_e269) + (bitcast<f32>((((_e277 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e183.origin.y));
+                let _e369 = abs(((bitcast<f32>(_e273) + (bitcast<f32>((((_e277 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e183.origin.z));
+                if (_e358 > _e367) {
+                    phi_1006_ = _e358;
                 } else {
-                    phi_987_ = _e349;
+                    phi_1006_ = _e367;
                 }
-                let _e354 = phi_987_;
-                if (_e341 > _e350) {
-                    phi_992_ = _e341;
+                let _e372 = phi_1006_;
+                if (_e359 > _e368) {
+                    phi_1011_ = _e359;
                 } else {
-                    phi_992_ = _e350;
+                    phi_1011_ = _e368;
                 }
-                let _e357 = phi_992_;
-                if (_e342 > _e351) {
-                    phi_997_ = _e342;
+                let _e375 = phi_1011_;
+                if (_e360 > _e369) {
+                    phi_1016_ = _e360;
                 } else {
-                    phi_997_ = _e351;
+                    phi_1016_ = _e369;
                 }
-                let _e360 = phi_997_;
-                if (_e354 > _e357) {
-                    phi_1002_ = _e354;
+                let _e378 = phi_1016_;
+                if (_e372 > _e375) {
+                    phi_1021_ = _e372;
                 } else {
-                    phi_1002_ = _e357;
+                    phi_1021_ = _e375;
                 }
-                let _e363 = phi_1002_;
-                if (_e363 > _e360) {
-                    phi_1007_ = _e363;
+                let _e381 = phi_1021_;
+                if (_e381 > _e378) {
+                    phi_1026_ = _e381;
                 } else {
-                    phi_1007_ = _e360;
+                    phi_1026_ = _e378;
                 }
-                let _e366 = phi_1007_;
-                let _e370 = (_e366 * 0.0000019073486f);
-                let _e371 = (abs(_e311) * _e370);
-                let _e372 = (abs(_e322) * _e370);
-                let _e373 = (abs(_e333) * _e370);
-                let _e377 = (_e366 * 0.0000009536743f);
-                let _e378 = (abs(_e311) * _e377);
-                let _e379 = (abs(_e322) * _e377);
-                let _e380 = (abs(_e333) * _e377);
-                if (_e311 < 0f) {
-                    phi_1026_ = 0u;
+                let _e384 = phi_1026_;
+                let _e388 = (_e384 * 0.0000019073486f);
+                let _e389 = (abs(_e329) * _e388);
+                let _e390 = (abs(_e340) * _e388);
+                let _e391 = (abs(_e351) * _e388);
+                let _e395 = (_e384 * 0.0000009536743f);
+                let _e396 = (abs(_e329) * _e395);
+                let _e397 = (abs(_e340) * _e395);
+                let _e398 = (abs(_e351) * _e395);
+                if (_e329 < 0f) {
+                    phi_1045_ = 0u;
                 } else {
-                    phi_1026_ = 1u;
+                    phi_1045_ = 1u;
                 }
-                let _e383 = phi_1026_;
-                if (_e322 < 0f) {
-                    phi_1031_ = 0u;
+                let _e401 = phi_1045_;
+                if (_e340 < 0f) {
+                    phi_1050_ = 0u;
                 } else {
-                    phi_1031_ = 2u;
+                    phi_1050_ = 2u;
                 }
-                let _e386 = phi_1031_;
-                if (_e333 < 0f) {
-                    phi_1036_ = 0u;
+                let _e404 = phi_1050_;
+                if (_e351 < 0f) {
+                    phi_1055_ = 0u;
                 } else {
-                    phi_1036_ = 4u;
+                    phi_1055_ = 4u;
                 }
-                let _e389 = phi_1036_;
-                let _e391 = ((_e383 | _e386) | _e389);
-                let _e392 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e392.first[0], _e392.first[1], _e392.first[2], _e392.first[3], _e392.first[4], _e392.first[5], _e392.first[6], _e392.first[7], _e392.first[8], _e392.first[9], _e392.first[10], _e392.first[11], _e392.first[12], _e392.first[13], _e392.first[14], _e392.first[15], _e392.first[16], _e392.first[17], _e392.first[18], _e392.first[19], _e392.first[20], _e392.first[21], _e392.first[22], _e392.first[23], _e392.first[24], _e392.first[25], _e392.first[26], _e392.first[27], _e392.first[28], _e392.first[29], _e392.first[30], _e392.first[31]), array<u32, 32>(_e392.mask[0], _e392.mask[1], _e392.mask[2], _e392.mask[3], _e392.mask[4], _e392.mask[5], _e392.mask[6], _e392.mask[7], _e392.mask[8], _e392.mask[9], _e392.mask[10], _e392.mask[11], _e392.mask[12], _e392.mask[13], _e392.mask[14], _e392.mask[15], _e392.mask[16], _e392.mask[17], _e392.mask[18], _e392.mask[19], _e392.mask[20], _e392.mask[21], _e392.mask[22], _e392.mask[23], _e392.mask[24], _e392.mask[25], _e392.mask[26], _e392.mask[27], _e392.mask[28], _e392.mask[29], _e392.mask[30], _e392.mask[31]), _e392.len, _e392.group, _e392.group_mask);
-                let _e466 = local_2.group_mask;
-                if ((_e466 & 4278190080u) == 0u) {
-                    let _e470 = local_2.len;
-                    if (_e470 == 0u) {
-                        phi_1150_ = false;
+                let _e407 = phi_1055_;
+                let _e409 = ((_e401 | _e404) | _e407);
+                let _e410 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e115, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e410.first[0], _e410.first[1], _e410.first[2], _e410.first[3], _e410.first[4], _e410.first[5], _e410.first[6], _e410.first[7], _e410.first[8], _e410.first[9], _e410.first[10], _e410.first[11], _e410.first[12], _e410.first[13], _e410.first[14], _e410.first[15], _e410.first[16], _e410.first[17], _e410.first[18], _e410.first[19], _e410.first[20], _e410.first[21], _e410.first[22], _e410.first[23], _e410.first[24], _e410.first[25], _e410.first[26], _e410.first[27], _e410.first[28], _e410.first[29], _e410.first[30], _e410.first[31]), array<u32, 32>(_e410.mask[0], _e410.mask[1], _e410.mask[2], _e410.mask[3], _e410.mask[4], _e410.mask[5], _e410.mask[6], _e410.mask[7], _e410.mask[8], _e410.mask[9], _e410.mask[10], _e410.mask[11], _e410.mask[12], _e410.mask[13], _e410.mask[14], _e410.mask[15], _e410.mask[16], _e410.mask[17], _e410.mask[18], _e410.mask[19], _e410.mask[20], _e410.mask[21], _e410.mask[22], _e410.mask[23], _e410.mask[24], _e410.mask[25], _e410.mask[26], _e410.mask[27], _e410.mask[28], _e410.mask[29], _e410.mask[30], _e410.mask[31]), _e410.len, _e410.group, _e410.group_mask);
+                let _e484 = local_2.group_mask;
+                if ((_e484 & 4278190080u) == 0u) {
+                    let _e488 = local_2.len;
+                    if (_e488 == 0u) {
+                        phi_1169_ = false;
                     } else {
-                        let _e474 = local_2.len;
-                        local_2.len = (_e474 - 1u);
-                        let _e477 = local_2.len;
-                        if (_e477 < 32u) {
+                        let _e492 = local_2.len;
+                        local_2.len = (_e492 - 1u);
+                        let _e495 = local_2.len;
+                        if (_e495 < 32u) {
                         } else {
                             return;
                         }
-                        let _e482 = local_2.first[(0u + _e477)];
-                        local_2.group = _e482;
-                        let _e485 = local_2.len;
-                        if (_e485 < 32u) {
+                        let _e500 = local_2.first[(0u + _e495)];
+                        local_2.group = _e500;
+                        let _e503 = local_2.len;
+                        if (_e503 < 32u) {
                         } else {
                             return;
                         }
-                        let _e490 = local_2.mask[(0u + _e485)];
-                        local_2.group_mask = _e490;
-                        phi_1150_ = true;
+                        let _e508 = local_2.mask[(0u + _e503)];
+                        local_2.group_mask = _e508;
+                        phi_1169_ = true;
                     }
-                    let _e493 = phi_1150_;
-                    phi_1151_ = _e493;
+                    let _e511 = phi_1169_;
+                    phi_1170_ = _e511;
                 } else {
-                    phi_1151_ = true;
+                    phi_1170_ = true;
                 }
-                let _e495 = phi_1151_;
-                if _e495 {
-                    let _e497 = local_2.group_mask;
-                    let _e503 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e497)), 32u, (_e497 == 0u)));
-                    let _e507 = local_2.group_mask;
-                    let _e521 = local_2.group_mask;
-                    local_2.group_mask = (_e521 & ~((1u << bitcast<u32>((_e503 & 31u)))));
-                    let _e524 = local_2.group;
-                    phi_1182_ = (_e524 + countOneBits(((_e507 & ~((4294967295u << bitcast<u32>((((_e503 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e513 = phi_1170_;
+                if _e513 {
+                    let _e515 = local_2.group_mask;
+                    let _e521 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e515)), 32u, (_e515 == 0u)));
+                    let _e525 = local_2.group_mask;
+                    let _e539 = local_2.group_mask;
+                    local_2.group_mask = (_e539 & ~((1u << bitcast<u32>((_e521 & 31u)))));
+                    let _e542 = local_2.group;
+                    phi_1201_ = (_e542 + countOneBits(((_e525 & ~((4294967295u << bitcast<u32>((((_e521 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1182_ = 4294967295u;
+                    phi_1201_ = 4294967295u;
                 }
-                let _e527 = phi_1182_;
-                phi_1184_ = _e527;
-                phi_1187_ = _e167;
+                let _e545 = phi_1201_;
+                phi_1203_ = _e545;
+                phi_1206_ = _e185;
                 loop {
-                    let _e529 = phi_1184_;
-                    let _e531 = phi_1187_;
-                    local_12 = _e531;
-                    let _e532 = (_e529 != 4294967295u);
-                    if _e532 {
-                        if (_e529 < _e78) {
+                    let _e547 = phi_1203_;
+                    let _e549 = phi_1206_;
+                    local_12 = _e549;
+                    let _e550 = (_e547 != 4294967295u);
+                    if _e550 {
+                        if (_e547 < _e79) {
                         } else {
                             return;
                         }
-                        let _e540 = nodes.member[(0u + _e529)].frame[3u];
-                        let _e565 = (bitcast<f32>((((_e540 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
-                        let _e566 = (bitcast<f32>((((_e540 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e322);
-                        let _e567 = (bitcast<f32>((((_e540 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e333);
-                        let _e570 = nodes.member[(0u + _e529)].frame[0u];
-                        let _e574 = nodes.member[(0u + _e529)].frame[1u];
-                        let _e578 = nodes.member[(0u + _e529)].frame[2u];
-                        let _e586 = ((bitcast<f32>(_e570) - _e165.origin.x) * _e311);
-                        let _e587 = ((bitcast<f32>(_e574) - _e165.origin.y) * _e322);
-                        let _e588 = ((bitcast<f32>(_e578) - _e165.origin.z) * _e333);
-                        let _e596 = nodes.member[(0u + _e529)].x;
-                        if (_e311 < 0f) {
-                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e596.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e607.unnamed.word, _e596.w), _e607.unnamed_1);
-                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e613.unnamed, lt_mask_LightPlace(_e596.x, _e613.unnamed_1.shift));
-                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_mask_LightPlace(_e619.unnamed_1.word, _e596.y));
+                        let _e558 = nodes.member[(0u + _e547)].frame[3u];
+                        let _e583 = (bitcast<f32>((((_e558 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e329);
+                        let _e584 = (bitcast<f32>((((_e558 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e340);
+                        let _e585 = (bitcast<f32>((((_e558 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e351);
+                        let _e588 = nodes.member[(0u + _e547)].frame[0u];
+                        let _e592 = nodes.member[(0u + _e547)].frame[1u];
+                        let _e596 = nodes.member[(0u + _e547)].frame[2u];
+                        let _e604 = ((bitcast<f32>(_e588) - _e183.origin.x) * _e329);
+                        let _e605 = ((bitcast<f32>(_e592) - _e183.origin.y) * _e340);
+                        let _e606 = ((bitcast<f32>(_e596) - _e183.origin.z) * _e351);
+                        let _e614 = nodes.member[(0u + _e547)].x;
+                        if (_e329 < 0f) {
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e614.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e625.unnamed.word, _e614.w), _e625.unnamed_1);
+                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e631.unnamed, lt_mask_LightPlace(_e614.x, _e631.unnamed_1.shift));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e637.unnamed, lt_mask_LightPlace(_e637.unnamed_1.word, _e614.y));
                         } else {
-                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e596.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e635.unnamed.word, _e596.y), _e635.unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_mask_LightPlace(_e596.z, _e641.unnamed_1.shift));
-                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e647.unnamed_1.word, _e596.w));
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e614.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e653.unnamed.word, _e614.y), _e653.unnamed_1);
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e659.unnamed, lt_mask_LightPlace(_e614.z, _e659.unnamed_1.shift));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_mask_LightPlace(_e665.unnamed_1.word, _e614.w));
                         }
-                        let _e655 = phi_1272_;
-                        let _e665 = nodes.member[(0u + _e529)].y;
-                        if (_e322 < 0f) {
-                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e676.unnamed.word, _e665.w), _e676.unnamed_1);
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_mask_LightPlace(_e665.x, _e682.unnamed_1.shift));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e688.unnamed_1.word, _e665.y));
+                        let _e673 = phi_1291_;
+                        let _e683 = nodes.member[(0u + _e547)].y;
+                        if (_e340 < 0f) {
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e683.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e694.unnamed.word, _e683.w), _e694.unnamed_1);
+                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_mask_LightPlace(_e683.x, _e700.unnamed_1.shift));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e706.unnamed, lt_mask_LightPlace(_e706.unnamed_1.word, _e683.y));
                         } else {
-                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e704.unnamed.word, _e665.y), _e704.unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_mask_LightPlace(_e665.z, _e710.unnamed_1.shift));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e716.unnamed_1.word, _e665.w));
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e683.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e722.unnamed.word, _e683.y), _e722.unnamed_1);
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e728.unnamed, lt_mask_LightPlace(_e683.z, _e728.unnamed_1.shift));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_mask_LightPlace(_e734.unnamed_1.word, _e683.w));
                         }
-                        let _e724 = phi_1299_;
-                        let _e734 = nodes.member[(0u + _e529)].z;
-                        if (_e333 < 0f) {
-                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e745.unnamed.word, _e734.w), _e745.unnamed_1);
-                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_mask_LightPlace(_e734.x, _e751.unnamed_1.shift));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e757.unnamed_1.word, _e734.y));
+                        let _e742 = phi_1318_;
+                        let _e752 = nodes.member[(0u + _e547)].z;
+                        if (_e351 < 0f) {
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e752.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e763.unnamed.word, _e752.w), _e763.unnamed_1);
+                            let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_mask_LightPlace(_e752.x, _e769.unnamed_1.shift));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e775.unnamed, lt_mask_LightPlace(_e775.unnamed_1.word, _e752.y));
                         } else {
-                            let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e773.unnamed.word, _e734.y), _e773.unnamed_1);
-                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_mask_LightPlace(_e734.z, _e779.unnamed_1.shift));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_mask_LightPlace(_e785.unnamed_1.word, _e734.w));
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e752.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e791.unnamed.word, _e752.y), _e791.unnamed_1);
+                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_mask_LightPlace(_e752.z, _e797.unnamed_1.shift));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e803.unnamed, lt_mask_LightPlace(_e803.unnamed_1.word, _e752.w));
                         }
-                        let _e793 = phi_1326_;
-                        phi_1332_ = 0u;
-                        phi_1335_ = 0u;
+                        let _e811 = phi_1345_;
+                        phi_1351_ = 0u;
+                        phi_1354_ = 0u;
                         loop {
-                            let _e803 = phi_1332_;
-                            let _e805 = phi_1335_;
-                            local_3 = _e805;
-                            local_4 = _e805;
-                            local_5 = _e805;
-                            let _e806 = (_e803 < 8u);
-                            if _e806 {
-                                let _e808 = (_e803 >> bitcast<u32>(2i));
-                                let _e809 = (_e803 & 3u);
-                                if (_e808 == 0u) {
-                                    phi_1349_ = _e655.unnamed.word;
+                            let _e821 = phi_1351_;
+                            let _e823 = phi_1354_;
+                            local_3 = _e823;
+                            local_4 = _e823;
+                            local_5 = _e823;
+                            let _e824 = (_e821 < 8u);
+                            if _e824 {
+                                let _e826 = (_e821 >> bitcast<u32>(2i));
+                                let _e827 = (_e821 & 3u);
+                                if (_e826 == 0u) {
+                                    phi_1368_ = _e673.unnamed.word;
                                 } else {
-                                    phi_1349_ = _e655.unnamed.shift;
+                                    phi_1368_ = _e673.unnamed.shift;
                                 }
-                                let _e812 = phi_1349_;
-                                if (_e808 == 0u) {
-                                    phi_1359_ = _e724.unnamed.word;
+                                let _e830 = phi_1368_;
+                                if (_e826 == 0u) {
+                                    phi_1378_ = _e742.unnamed.word;
                                 } else {
-                                    phi_1359_ = _e724.unnamed.shift;
+                                    phi_1378_ = _e742.unnamed.shift;
                                 }
-                                let _e821 = phi_1359_;
-                                if (_e808 == 0u) {
-                                    phi_1369_ = _e793.unnamed.word;
+                                let _e839 = phi_1378_;
+                                if (_e826 == 0u) {
+                                    phi_1388_ = _e811.unnamed.word;
                                 } else {
-                                    phi_1369_ = _e793.unnamed.shift;
+                                    phi_1388_ = _e811.unnamed.shift;
                                 }
-                                let _e830 = phi_1369_;
-                                let _e843 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e812 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e565) + (_e586 - _e371)), ((f32(((_e821 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e566) + (_e587 - _e372)));
-                                let _e844 = core_intrinsics_maximum_number_nsz_f32_(_e843, ((f32(((_e830 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e567) + (_e588 - _e373)));
-                                if (_e808 == 0u) {
-                                    phi_1387_ = _e655.unnamed_1.word;
+                                let _e848 = phi_1388_;
+                                let _e861 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e830 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e583) + (_e604 - _e389)), ((f32(((_e839 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e584) + (_e605 - _e390)));
+                                let _e862 = core_intrinsics_maximum_number_nsz_f32_(_e861, ((f32(((_e848 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e585) + (_e606 - _e391)));
+                                if (_e826 == 0u) {
+                                    phi_1406_ = _e673.unnamed_1.word;
                                 } else {
-                                    phi_1387_ = _e655.unnamed_1.shift;
+                                    phi_1406_ = _e673.unnamed_1.shift;
                                 }
-                                let _e847 = phi_1387_;
-                                if (_e808 == 0u) {
-                                    phi_1397_ = _e724.unnamed_1.word;
+                                let _e865 = phi_1406_;
+                                if (_e826 == 0u) {
+                                    phi_1416_ = _e742.unnamed_1.word;
                                 } else {
-                                    phi_1397_ = _e724.unnamed_1.shift;
+                                    phi_1416_ = _e742.unnamed_1.shift;
                                 }
-                                let _e856 = phi_1397_;
-                                if (_e808 == 0u) {
-                                    phi_1407_ = _e793.unnamed_1.word;
+                                let _e874 = phi_1416_;
+                                if (_e826 == 0u) {
+                                    phi_1426_ = _e811.unnamed_1.word;
                                 } else {
-                                    phi_1407_ = _e793.unnamed_1.shift;
+                                    phi_1426_ = _e811.unnamed_1.shift;
                                 }
-                                let _e865 = phi_1407_;
-                                let _e878 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e847 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e565) + (_e586 + _e371)), ((f32(((_e856 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e566) + (_e587 + _e372)));
-                                let _e879 = core_intrinsics_minimum_number_nsz_f32_(_e878, ((f32(((_e865 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e567) + (_e588 + _e373)));
-                                if (_e844 <= _e879) {
-                                    if (_e844 <= _e531.t) {
-                                        if (_e879 >= _e165.tmin) {
-                                            if (_e808 == 0u) {
-                                                let _e886 = nodes.member[(0u + _e529)].links[2u];
-                                                phi_1443_ = _e886;
+                                let _e883 = phi_1426_;
+                                let _e896 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e865 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e583) + (_e604 + _e389)), ((f32(((_e874 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e584) + (_e605 + _e390)));
+                                let _e897 = core_intrinsics_minimum_number_nsz_f32_(_e896, ((f32(((_e883 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e585) + (_e606 + _e391)));
+                                if (_e862 <= _e897) {
+                                    if (_e862 <= _e549.t) {
+                                        if (_e897 >= _e183.tmin) {
+                                            if (_e826 == 0u) {
+                                                let _e904 = nodes.member[(0u + _e547)].links[2u];
+                                                phi_1462_ = _e904;
                                             } else {
-                                                let _e889 = nodes.member[(0u + _e529)].links[3u];
-                                                phi_1443_ = _e889;
+                                                let _e907 = nodes.member[(0u + _e547)].links[3u];
+                                                phi_1462_ = _e907;
                                             }
-                                            let _e891 = phi_1443_;
-                                            let _e896 = ((_e891 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u);
-                                            let _e897 = (_e896 & 31u);
-                                            if (_e897 >= 24u) {
-                                                phi_1456_ = (24u + ((_e897 - 24u) ^ _e391));
+                                            let _e909 = phi_1462_;
+                                            let _e914 = ((_e909 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u);
+                                            let _e915 = (_e914 & 31u);
+                                            if (_e915 >= 24u) {
+                                                phi_1475_ = (24u + ((_e915 - 24u) ^ _e409));
                                             } else {
-                                                phi_1456_ = _e897;
+                                                phi_1475_ = _e915;
                                             }
-                                            let _e903 = phi_1456_;
-                                            phi_1461_ = (_e805 | ((_e896 >> bitcast<u32>(5i)) << bitcast<u32>((_e903 & 31u))));
+                                            let _e921 = phi_1475_;
+                                            phi_1480_ = (_e823 | ((_e914 >> bitcast<u32>(5i)) << bitcast<u32>((_e921 & 31u))));
                                         } else {
-                                            phi_1461_ = _e805;
+                                            phi_1480_ = _e823;
                                         }
-                                        let _e911 = phi_1461_;
-                                        phi_1462_ = _e911;
+                                        let _e929 = phi_1480_;
+                                        phi_1481_ = _e929;
                                     } else {
-                                        phi_1462_ = _e805;
+                                        phi_1481_ = _e823;
                                     }
-                                    let _e913 = phi_1462_;
-                                    phi_1463_ = _e913;
+                                    let _e931 = phi_1481_;
+                                    phi_1482_ = _e931;
                                 } else {
-                                    phi_1463_ = _e805;
+                                    phi_1482_ = _e823;
                                 }
-                                let _e915 = phi_1463_;
-                                phi_1333_ = (_e803 + 1u);
-                                phi_1336_ = _e915;
+                                let _e933 = phi_1482_;
+                                phi_1352_ = (_e821 + 1u);
+                                phi_1355_ = _e933;
                             } else {
-                                phi_1333_ = u32();
-                                phi_1336_ = u32();
+                                phi_1352_ = u32();
+                                phi_1355_ = u32();
                             }
-                            let _e918 = phi_1333_;
-                            let _e920 = phi_1336_;
+                            let _e936 = phi_1352_;
+                            let _e938 = phi_1355_;
                             continue;
                             continuing {
-                                phi_1332_ = _e918;
-                                phi_1335_ = _e920;
-                                break if !(_e806);
+                                phi_1351_ = _e936;
+                                phi_1354_ = _e938;
+                                break if !(_e824);
                             }
                         }
-                        let _e924 = nodes.member[(0u + _e529)].links[0u];
-                        let _e928 = nodes.member[(0u + _e529)].frame[3u];
-                        let _e932 = local_3;
-                        if ((_e932 & 4278190080u) == 0u) {
+                        let _e942 = nodes.member[(0u + _e547)].links[0u];
+                        let _e946 = nodes.member[(0u + _e547)].frame[3u];
+                        let _e950 = local_3;
+                        if ((_e950 & 4278190080u) == 0u) {
                         } else {
-                            let _e936 = local_2.group_mask;
-                            if ((_e936 & 4278190080u) == 0u) {
+                            let _e954 = local_2.group_mask;
+                            if ((_e954 & 4278190080u) == 0u) {
                             } else {
-                                let _e940 = local_2.len;
-                                if (_e940 < 32u) {
-                                    let _e943 = local_2.group;
-                                    let _e945 = local_2.len;
-                                    if (_e945 < 32u) {
+                                let _e958 = local_2.len;
+                                if (_e958 < 32u) {
+                                    let _e961 = local_2.group;
+                                    let _e963 = local_2.len;
+                                    if (_e963 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e945)] = _e943;
-                                    let _e951 = local_2.group_mask;
-                                    let _e953 = local_2.len;
-                                    if (_e953 < 32u) {
+                                    local_2.first[(0u + _e963)] = _e961;
+                                    let _e969 = local_2.group_mask;
+                                    let _e971 = local_2.len;
+                                    if (_e971 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e953)] = _e951;
-                                    let _e960 = local_2.len;
-                                    local_2.len = (_e960 + 1u);
+                                    local_2.mask[(0u + _e971)] = _e969;
+                                    let _e978 = local_2.len;
+                                    local_2.len = (_e978 + 1u);
                                 }
                             }
-                            local_2.group = (_e114 + _e924);
-                            let _e964 = local_4;
-                            local_2.group_mask = ((_e964 & 4278190080u) | (_e928 >> bitcast<u32>(24i)));
+                            local_2.group = (_e115 + _e942);
+                            let _e982 = local_4;
+                            local_2.group_mask = ((_e982 & 4278190080u) | (_e946 >> bitcast<u32>(24i)));
                         }
-                        let _e969 = local_5;
-                        phi_1521_ = (_e969 & 16777215u);
-                        phi_1524_ = _e531;
+                        let _e987 = local_5;
+                        phi_1540_ = (_e987 & 16777215u);
+                        phi_1543_ = _e549;
                         loop {
-                            let _e972 = phi_1521_;
-                            let _e974 = phi_1524_;
-                            local_11 = _e974;
-                            if (_e972 == 0u) {
-                                phi_1522_ = u32();
-                                phi_1525_ = lt_bvh_Hit();
-                                phi_3411_ = false;
+                            let _e990 = phi_1540_;
+                            let _e992 = phi_1543_;
+                            local_11 = _e992;
+                            if (_e990 == 0u) {
+                                phi_1541_ = u32();
+                                phi_1544_ = lt_bvh_Hit();
+                                phi_3430_ = false;
                             } else {
-                                let _e978 = nodes.member[(0u + _e529)].links[1u];
-                                let _e982 = (_e978 + select(firstTrailingBit(_e972), 32u, (_e972 == 0u)));
-                                if (_e982 < _e93) {
+                                let _e996 = nodes.member[(0u + _e547)].links[1u];
+                                let _e1000 = (_e996 + select(firstTrailingBit(_e990), 32u, (_e990 == 0u)));
+                                if (_e1000 < _e94) {
                                 } else {
                                     return;
                                 }
-                                let _e989 = instances.member[(0u + _e982)].low_world;
-                                let _e991 = instances.member[(0u + _e982)].high_world;
-                                let _e1001 = ((_e989.x - _e165.origin.x) * _e311);
-                                let _e1002 = ((_e989.y - _e165.origin.y) * _e322);
-                                let _e1003 = ((_e989.z - _e165.origin.z) * _e333);
-                                let _e1013 = ((_e991.x - _e165.origin.x) * _e311);
-                                let _e1014 = ((_e991.y - _e165.origin.y) * _e322);
-                                let _e1015 = ((_e991.z - _e165.origin.z) * _e333);
-                                if (_e1001 < _e1013) {
-                                    phi_1579_ = _e1001;
+                                let _e1007 = instances.member[(0u + _e1000)].low_world;
+                                let _e1009 = instances.member[(0u + _e1000)].high_world;
+                                let _e1019 = ((_e1007.x - _e183.origin.x) * _e329);
+                                let _e1020 = ((_e1007.y - _e183.origin.y) * _e340);
+                                let _e1021 = ((_e1007.z - _e183.origin.z) * _e351);
+                                let _e1031 = ((_e1009.x - _e183.origin.x) * _e329);
+                                let _e1032 = ((_e1009.y - _e183.origin.y) * _e340);
+                                let _e1033 = ((_e1009.z - _e183.origin.z) * _e351);
+                                if (_e1019 < _e1031) {
+                                    phi_1598_ = _e1019;
                                 } else {
-                                    phi_1579_ = _e1013;
+                                    phi_1598_ = _e1031;
                                 }
-                                let _e1018 = phi_1579_;
-                                if (_e1002 < _e1014) {
-                                    phi_1584_ = _e1002;
+                                let _e1036 = phi_1598_;
+                                if (_e1020 < _e1032) {
+                                    phi_1603_ = _e1020;
                                 } else {
-                                    phi_1584_ = _e1014;
+                                    phi_1603_ = _e1032;
                                 }
-                                let _e1021 = phi_1584_;
-                                if (_e1003 < _e1015) {
-                                    phi_1589_ = _e1003;
+                                let _e1039 = phi_1603_;
+                                if (_e1021 < _e1033) {
+                                    phi_1608_ = _e1021;
                                 } else {
-                                    phi_1589_ = _e1015;
+                                    phi_1608_ = _e1033;
                                 }
-                                let _e1024 = phi_1589_;
-                                if (_e1001 > _e1013) {
-                                    phi_1597_ = _e1001;
+                                let _e1042 = phi_1608_;
+                                if (_e1019 > _e1031) {
+                                    phi_1616_ = _e1019;
                                 } else {
-                                    phi_1597_ = _e1013;
+                                    phi_1616_ = _e1031;
                                 }
-                                let _e1030 = phi_1597_;
-                                if (_e1002 > _e1014) {
-                                    phi_1602_ = _e1002;
+                                let _e1048 = phi_1616_;
+                                if (_e1020 > _e1032) {
+                                    phi_1621_ = _e1020;
                                 } else {
-                                    phi_1602_ = _e1014;
+                                    phi_1621_ = _e1032;
                                 }
-                                let _e1033 = phi_1602_;
-                                if (_e1003 > _e1015) {
-                                    phi_1607_ = _e1003;
+                                let _e1051 = phi_1621_;
+                                if (_e1021 > _e1033) {
+                                    phi_1626_ = _e1021;
                                 } else {
-                                    phi_1607_ = _e1015;
+                                    phi_1626_ = _e1033;
                                 }
-                                let _e1036 = phi_1607_;
-                                let _e1040 = core_intrinsics_maximum_number_nsz_f32_((_e1018 - _e378), (_e1021 - _e379));
-                                let _e1041 = core_intrinsics_maximum_number_nsz_f32_(_e1040, (_e1024 - _e380));
-                                let _e1042 = core_intrinsics_minimum_number_nsz_f32_((_e1030 + _e378), (_e1033 + _e379));
-                                let _e1043 = core_intrinsics_minimum_number_nsz_f32_(_e1042, (_e1036 + _e380));
-                                if (_e1041 <= _e1043) {
-                                    if (_e1041 <= _e974.t) {
-                                        if (_e1043 >= _e165.tmin) {
-                                            let _e1055 = instances.member[(0u + _e982)].world_to_object[0u];
-                                            let _e1066 = ((((_e1055.x * _e165.origin.x) + (_e1055.y * _e165.origin.y)) + (_e1055.z * _e165.origin.z)) + (_e1055.w * 1f));
-                                            let _e1068 = instances.member[(0u + _e982)].world_to_object[1u];
-                                            let _e1079 = ((((_e1068.x * _e165.origin.x) + (_e1068.y * _e165.origin.y)) + (_e1068.z * _e165.origin.z)) + (_e1068.w * 1f));
-                                            let _e1081 = instances.member[(0u + _e982)].world_to_object[2u];
-                                            let _e1092 = ((((_e1081.x * _e165.origin.x) + (_e1081.y * _e165.origin.y)) + (_e1081.z * _e165.origin.z)) + (_e1081.w * 1f));
-                                            let _e1099 = instances.member[(0u + _e982)].world_to_object[0u];
-                                            let _e1110 = ((((_e1099.x * _e165.direction.x) + (_e1099.y * _e165.direction.y)) + (_e1099.z * _e165.direction.z)) + (_e1099.w * 0f));
-                                            let _e1112 = instances.member[(0u + _e982)].world_to_object[1u];
-                                            let _e1123 = ((((_e1112.x * _e165.direction.x) + (_e1112.y * _e165.direction.y)) + (_e1112.z * _e165.direction.z)) + (_e1112.w * 0f));
-                                            let _e1125 = instances.member[(0u + _e982)].world_to_object[2u];
-                                            let _e1136 = ((((_e1125.x * _e165.direction.x) + (_e1125.y * _e165.direction.y)) + (_e1125.z * _e165.direction.z)) + (_e1125.w * 0f));
-                                            let _e1141 = instances.member[(0u + _e982)].root;
-                                            let _e1143 = instances.member[(0u + _e982)].first_triangle;
-                                            let _e1144 = abs(_e1110);
-                                            let _e1145 = abs(_e1123);
-                                            let _e1146 = abs(_e1136);
-                                            if (abs(_e1066) < 1000000000000000f) {
-                                                if (abs(_e1079) < 1000000000000000f) {
-                                                    phi_1739_ = (abs(_e1092) < 1000000000000000f);
-                                                    phi_1740_ = false;
+                                let _e1054 = phi_1626_;
+                                let _e1058 = core_intrinsics_maximum_number_nsz_f32_((_e1036 - _e396), (_e1039 - _e397));
+                                let _e1059 = core_intrinsics_maximum_number_nsz_f32_(_e1058, (_e1042 - _e398));
+                                let _e1060 = core_intrinsics_minimum_number_nsz_f32_((_e1048 + _e396), (_e1051 + _e397));
+                                let _e1061 = core_intrinsics_minimum_number_nsz_f32_(_e1060, (_e1054 + _e398));
+                                if (_e1059 <= _e1061) {
+                                    if (_e1059 <= _e992.t) {
+                                        if (_e1061 >= _e183.tmin) {
+                                            let _e1073 = instances.member[(0u + _e1000)].world_to_object[0u];
+                                            let _e1084 = ((((_e1073.x * _e183.origin.x) + (_e1073.y * _e183.origin.y)) + (_e1073.z * _e183.origin.z)) + (_e1073.w * 1f));
+                                            let _e1086 = instances.member[(0u + _e1000)].world_to_object[1u];
+                                            let _e1097 = ((((_e1086.x * _e183.origin.x) + (_e1086.y * _e183.origin.y)) + (_e1086.z * _e183.origin.z)) + (_e1086.w * 1f));
+                                            let _e1099 = instances.member[(0u + _e1000)].world_to_object[2u];
+                                            let _e1110 = ((((_e1099.x * _e183.origin.x) + (_e1099.y * _e183.origin.y)) + (_e1099.z * _e183.origin.z)) + (_e1099.w * 1f));
+                                            let _e1117 = instances.member[(0u + _e1000)].world_to_object[0u];
+                                            let _e1128 = ((((_e1117.x * _e183.direction.x) + (_e1117.y * _e183.direction.y)) + (_e1117.z * _e183.direction.z)) + (_e1117.w * 0f));
+                                            let _e1130 = instances.member[(0u + _e1000)].world_to_object[1u];
+                                            let _e1141 = ((((_e1130.x * _e183.direction.x) + (_e1130.y * _e183.direction.y)) + (_e1130.z * _e183.direction.z)) + (_e1130.w * 0f));
+                                            let _e1143 = instances.member[(0u + _e1000)].world_to_object[2u];
+                                            let _e1154 = ((((_e1143.x * _e183.direction.x) + (_e1143.y * _e183.direction.y)) + (_e1143.z * _e183.direction.z)) + (_e1143.w * 0f));
+                                            let _e1159 = instances.member[(0u + _e1000)].root;
+                                            let _e1161 = instances.member[(0u + _e1000)].first_triangle;
+                                            let _e1162 = abs(_e1128);
+                                            let _e1163 = abs(_e1141);
+                                            let _e1164 = abs(_e1154);
+                                            if (abs(_e1084) < 1000000000000000f) {
+                                                if (abs(_e1097) < 1000000000000000f) {
+                                                    phi_1758_ = (abs(_e1110) < 1000000000000000f);
+                                                    phi_1759_ = false;
                                                 } else {
-                                                    phi_1739_ = bool();
-                                                    phi_1740_ = true;
+                                                    phi_1758_ = bool();
+                                                    phi_1759_ = true;
                                                 }
-                                                let _e1154 = phi_1739_;
-                                                let _e1156 = phi_1740_;
-                                                phi_1741_ = _e1154;
-                                                phi_1742_ = _e1156;
+                                                let _e1172 = phi_1758_;
+                                                let _e1174 = phi_1759_;
+                                                phi_1760_ = _e1172;
+                                                phi_1761_ = _e1174;
                                             } else {
-                                                phi_1741_ = bool();
-                                                phi_1742_ = true;
+                                                phi_1760_ = bool();
+                                                phi_1761_ = true;
                                             }
-                                            let _e1158 = phi_1741_;
-                                            let _e1160 = phi_1742_;
-                                            if _e1160 {
-                                                phi_1746_ = false;
+                                            let _e1176 = phi_1760_;
+                                            let _e1178 = phi_1761_;
+                                            if _e1178 {
+                                                phi_1765_ = false;
                                             } else {
-                                                phi_1746_ = _e1158;
+                                                phi_1765_ = _e1176;
                                             }
-                                            let _e1162 = phi_1746_;
-                                            if _e1162 {
-                                                if (_e1144 < 1000000000000000f) {
-                                                    if (_e1145 < 1000000000000000f) {
-                                                        phi_1759_ = (_e1146 < 1000000000000000f);
-                                                        phi_1760_ = false;
+                                            let _e1180 = phi_1765_;
+                                            if _e1180 {
+                                                if (_e1162 < 1000000000000000f) {
+                                                    if (_e1163 < 1000000000000000f) {
+                                                        phi_1778_ = (_e1164 < 1000000000000000f);
+                                                        phi_1779_ = false;
                                                     } else {
-                                                        phi_1759_ = bool();
-                                                        phi_1760_ = true;
+                                                        phi_1778_ = bool();
+                                                        phi_1779_ = true;
                                                     }
-                                                    let _e1167 = phi_1759_;
-                                                    let _e1169 = phi_1760_;
-                                                    phi_1761_ = _e1167;
-                                                    phi_1762_ = _e1169;
+                                                    let _e1185 = phi_1778_;
+                                                    let _e1187 = phi_1779_;
+                                                    phi_1780_ = _e1185;
+                                                    phi_1781_ = _e1187;
                                                 } else {
-                                                    phi_1761_ = bool();
-                                                    phi_1762_ = true;
+                                                    phi_1780_ = bool();
+                                                    phi_1781_ = true;
                                                 }
-                                                let _e1171 = phi_1761_;
-                                                let _e1173 = phi_1762_;
-                                                if _e1173 {
-                                                    phi_1766_ = false;
+                                                let _e1189 = phi_1780_;
+                                                let _e1191 = phi_1781_;
+                                                if _e1191 {
+                                                    phi_1785_ = false;
                                                 } else {
-                                                    phi_1766_ = _e1171;
+                                                    phi_1785_ = _e1189;
                                                 }
-                                                let _e1175 = phi_1766_;
-                                                if _e1175 {
-                                                    if (_e1144 > 0f) {
-                                                        phi_1780_ = bool();
-                                                        phi_1781_ = true;
+                                                let _e1193 = phi_1785_;
+                                                if _e1193 {
+                                                    if (_e1162 > 0f) {
+                                                        phi_1799_ = bool();
+                                                        phi_1800_ = true;
                                                     } else {
-                                                        let _e1177 = (_e1145 > 0f);
-                                                        if _e1177 {
-                                                            phi_1779_ = bool();
+                                                        let _e1195 = (_e1163 > 0f);
+                                                        if _e1195 {
+                                                            phi_1798_ = bool();
                                                         } else {
-                                                            phi_1779_ = (_e1146 > 0f);
+                                                            phi_1798_ = (_e1164 > 0f);
                                                         }
-                                                        let _e1180 = phi_1779_;
-                                                        phi_1780_ = _e1180;
-                                                        phi_1781_ = _e1177;
+                                                        let _e1198 = phi_1798_;
+                                                        phi_1799_ = _e1198;
+                                                        phi_1800_ = _e1195;
                                                     }
-                                                    let _e1182 = phi_1780_;
-                                                    let _e1184 = phi_1781_;
-                                                    if _e1184 {
-                                                        phi_1785_ = true;
+                                                    let _e1200 = phi_1799_;
+                                                    let _e1202 = phi_1800_;
+                                                    if _e1202 {
+                                                        phi_1804_ = true;
                                                     } else {
-                                                        phi_1785_ = _e1182;
+                                                        phi_1804_ = _e1200;
                                                     }
-                                                    let _e1186 = phi_1785_;
-                                                    phi_1786_ = _e1186;
-                                                    phi_1787_ = false;
+                                                    let _e1204 = phi_1804_;
+                                                    phi_1805_ = _e1204;
+                                                    phi_1806_ = false;
                                                 } else {
-                                                    phi_1786_ = bool();
-                                                    phi_1787_ = true;
+                                                    phi_1805_ = bool();
+                                                    phi_1806_ = true;
                                                 }
-                                                let _e1188 = phi_1786_;
-                                                let _e1190 = phi_1787_;
-                                                phi_1788_ = _e1188;
-                                                phi_1789_ = _e1190;
+                                                let _e1206 = phi_1805_;
+                                                let _e1208 = phi_1806_;
+                                                phi_1807_ = _e1206;
+                                                phi_1808_ = _e1208;
                                             } else {
-                                                phi_1788_ = bool();
-                                                phi_1789_ = true;
+                                                phi_1807_ = bool();
+                                                phi_1808_ = true;
                                             }
-                                            let _e1192 = phi_1788_;
-                                            let _e1194 = phi_1789_;
-                                            if _e1194 {
-                                                phi_1793_ = false;
+                                            let _e1210 = phi_1807_;
+                                            let _e1212 = phi_1808_;
+                                            if _e1212 {
+                                                phi_1812_ = false;
                                             } else {
-                                                phi_1793_ = _e1192;
+                                                phi_1812_ = _e1210;
                                             }
-                                            let _e1196 = phi_1793_;
-                                            if _e1196 {
-                                                let _e1197 = (_e1141 >= _e78);
-                                                if _e1197 {
-                                                    phi_3401_ = lt_bvh_Hit();
+                                            let _e1214 = phi_1812_;
+                                            if _e1214 {
+                                                let _e1215 = (_e1159 >= _e79);
+                                                if _e1215 {
+                                                    phi_3420_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1141 < _e78) {
+                                                    if (_e1159 < _e79) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1203 = nodes.member[(0u + _e1141)].frame[0u];
-                                                    let _e1207 = nodes.member[(0u + _e1141)].frame[1u];
-                                                    let _e1211 = nodes.member[(0u + _e1141)].frame[2u];
-                                                    let _e1215 = nodes.member[(0u + _e1141)].frame[0u];
-                                                    let _e1219 = nodes.member[(0u + _e1141)].frame[1u];
-                                                    let _e1223 = nodes.member[(0u + _e1141)].frame[2u];
-                                                    let _e1227 = nodes.member[(0u + _e1141)].frame[3u];
-                                                    let _e1261 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1110), abs(_e1123));
-                                                    let _e1262 = core_intrinsics_maximum_number_nsz_f32_(_e1261, abs(_e1136));
-                                                    let _e1263 = (_e1262 * 0.0000000000009094947f);
-                                                    if (abs(_e1110) < _e1263) {
-                                                        phi_1863_ = _e1263;
+                                                    let _e1221 = nodes.member[(0u + _e1159)].frame[0u];
+                                                    let _e1225 = nodes.member[(0u + _e1159)].frame[1u];
+                                                    let _e1229 = nodes.member[(0u + _e1159)].frame[2u];
+                                                    let _e1233 = nodes.member[(0u + _e1159)].frame[0u];
+                                                    let _e1237 = nodes.member[(0u + _e1159)].frame[1u];
+                                                    let _e1241 = nodes.member[(0u + _e1159)].frame[2u];
+                                                    let _e1245 = nodes.member[(0u + _e1159)].frame[3u];
+                                                    let _e1279 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1128), abs(_e1141));
+                                                    let _e1280 = core_intrinsics_maximum_number_nsz_f32_(_e1279, abs(_e1154));
+                                                    let _e1281 = (_e1280 * 0.0000000000009094947f);
+                                                    if (abs(_e1128) < _e1281) {
+                                                        phi_1882_ = _e1281;
                                                     } else {
-                                                        phi_1863_ = abs(_e1110);
+                                                        phi_1882_ = abs(_e1128);
                                                     }
-                                                    let _e1268 = phi_1863_;
-                                                    if (_e1110 < 0f) {
-                                                        phi_1870_ = (-1f / _e1268);
+                                                    let _e1286 = phi_1882_;
+                                                    if (_e1128 < 0f) {
+                                                        phi_1889_ = (-1f / _e1286);
                                                     } else {
-                                                        phi_1870_ = (1f / _e1268);
+                                                        phi_1889_ = (1f / _e1286);
                                                     }
-                                                    let _e1273 = phi_1870_;
-                                                    if (abs(_e1123) < _e1263) {
-                                                        phi_1877_ = _e1263;
+                                                    let _e1291 = phi_1889_;
+                                                    if (abs(_e1141) < _e1281) {
+                                                        phi_1896_ = _e1281;
                                                     } else {
-                                                        phi_1877_ = abs(_e1123);
+                                                        phi_1896_ = abs(_e1141);
                                                     }
-                                                    let _e1278 = phi_1877_;
-                                                    if (_e1123 < 0f) {
-                                                        phi_1884_ = (-1f / _e1278);
+                                                    let _e1296 = phi_1896_;
+                                                    if (_e1141 < 0f) {
+                                                        phi_1903_ = (-1f / _e1296);
                                                     } else {
-                                                        phi_1884_ = (1f / _e1278);
+                                                        phi_1903_ = (1f / _e1296);
                                                     }
-                                                    let _e1283 = phi_1884_;
-                                                    if (abs(_e1136) < _e1263) {
-                                                        phi_1891_ = _e1263;
+                                                    let _e1301 = phi_1903_;
+                                                    if (abs(_e1154) < _e1281) {
+                                                        phi_1910_ = _e1281;
                                                     } else {
-                                                        phi_1891_ = abs(_e1136);
+                                                        phi_1910_ = abs(_e1154);
                                                     }
-                                                    let _e1288 = phi_1891_;
-                                                    if (_e1136 < 0f) {
-                                                        phi_1898_ = (-1f / _e1288);
+                                                    let _e1306 = phi_1910_;
+                                                    if (_e1154 < 0f) {
+                                                        phi_1917_ = (-1f / _e1306);
                                                     } else {
-                                                        phi_1898_ = (1f / _e1288);
+                                                        phi_1917_ = (1f / _e1306);
                                                     }
-                                                    let _e1293 = phi_1898_;
-                                                    let _e1297 = abs((bitcast<f32>(_e1203) - _e1066));
-                                                    let _e1298 = abs((bitcast<f32>(_e1207) - _e1079));
-                                                    let _e1299 = abs((bitcast<f32>(_e1211) - _e1092));
-                                                    let _e1303 = abs(((bitcast<f32>(_e1215) + (bitcast<f32>((((_e1227 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1066));
-                                                    let _e1304 = abs(((bitcast<f32>(_e1219) + (bitcast<f32>((((_e1227 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1079));
-                                                    let _e1305 = abs(((bitcast<f32>(_e1223) + (bitcast<f32>((((_e1227 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1092));
-                                                    if (_e1297 > _e1303) {
-                                                        phi_1915_ = _e1297;
+                                                    let _e1311 = phi_1917_;
+                                                    let _e1315 = abs((bitcast<f32>(_e1221) - _e1084));
+                                                    let _e1316 = abs((bitcast<f32>(_e1225) - _e1097));
+                                                    let _e1317 = abs((bitcast<f32>(_e1229) - _e1110));
+                                                    let _e1321 = abs(((bitcast<f32>(_e1233) + (bitcast<f32>((((_e1245 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1084));
+                                                    let _e1322 = abs(((bitcast<f32>(_e1237) + (bitcast<f32>((((_e1245 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1097));
+                                                    let _e1323 = abs(((bitcast<f32>(_e1241) + (bitcast<f32>((((_e1245 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1110));
+                                                    if (_e1315 > _e1321) {
+                                                        phi_1934_ = _e1315;
                                                     } else {
-                                                        phi_1915_ = _e1303;
+                                                        phi_1934_ = _e1321;
                                                     }
-                                                    let _e1308 = phi_1915_;
-                                                    if (_e1298 > _e1304) {
-                                                        phi_1920_ = _e1298;
+                                                    let _e1326 = phi_1934_;
+                                                    if (_e1316 > _e1322) {
+                                                        phi_1939_ = _e1316;
                                                     } else {
-                                                        phi_1920_ = _e1304;
+                                                        phi_1939_ = _e1322;
                                                     }
-                                                    let _e1311 = phi_1920_;
-                                                    if (_e1299 > _e1305) {
-                                                        phi_1925_ = _e1299;
+                                                    let _e1329 = phi_1939_;
+                                                    if (_e1317 > _e1323) {
+                                                        phi_1944_ = _e1317;
                                                     } else {
-                                                        phi_1925_ = _e1305;
+                                                        phi_1944_ = _e1323;
                                                     }
-                                                    let _e1314 = phi_1925_;
-                                                    if (_e1308 > _e1311) {
-                                                        phi_1930_ = _e1308;
+                                                    let _e1332 = phi_1944_;
+                                                    if (_e1326 > _e1329) {
+                                                        phi_1949_ = _e1326;
                                                     } else {
-                                                        phi_1930_ = _e1311;
+                                                        phi_1949_ = _e1329;
                                                     }
-                                                    let _e1317 = phi_1930_;
-                                                    if (_e1317 > _e1314) {
-                                                        phi_1935_ = _e1317;
+                                                    let _e1335 = phi_1949_;
+                                                    if (_e1335 > _e1332) {
+                                                        phi_1954_ = _e1335;
                                                     } else {
-                                                        phi_1935_ = _e1314;
+                                                        phi_1954_ = _e1332;
                                                     }
-                                                    let _e1320 = phi_1935_;
-                                                    let _e1324 = (_e1320 * 0.0000019073486f);
-                                                    let _e1325 = (abs(_e1273) * _e1324);
-                                                    let _e1326 = (abs(_e1283) * _e1324);
-                                                    let _e1327 = (abs(_e1293) * _e1324);
-                                                    let _e1331 = (_e1320 * 0.0000009536743f);
-                                                    let _e1332 = (abs(_e1273) * _e1331);
-                                                    let _e1333 = (abs(_e1283) * _e1331);
-                                                    let _e1334 = (abs(_e1293) * _e1331);
-                                                    let _e1335 = abs(_e1110);
-                                                    let _e1336 = abs(_e1123);
-                                                    let _e1337 = abs(_e1136);
-                                                    if (_e1335 >= _e1336) {
-                                                        if (_e1335 >= _e1337) {
-                                                            phi_1961_ = false;
+                                                    let _e1338 = phi_1954_;
+                                                    let _e1342 = (_e1338 * 0.0000019073486f);
+                                                    let _e1343 = (abs(_e1291) * _e1342);
+                                                    let _e1344 = (abs(_e1301) * _e1342);
+                                                    let _e1345 = (abs(_e1311) * _e1342);
+                                                    let _e1349 = (_e1338 * 0.0000009536743f);
+                                                    let _e1350 = (abs(_e1291) * _e1349);
+                                                    let _e1351 = (abs(_e1301) * _e1349);
+                                                    let _e1352 = (abs(_e1311) * _e1349);
+                                                    let _e1353 = abs(_e1128);
+                                                    let _e1354 = abs(_e1141);
+                                                    let _e1355 = abs(_e1154);
+                                                    if (_e1353 >= _e1354) {
+                                                        if (_e1353 >= _e1355) {
+                                                            phi_1980_ = false;
                                                         } else {
-                                                            phi_1961_ = true;
+                                                            phi_1980_ = true;
                                                         }
-                                                        let _e1341 = phi_1961_;
-                                                        phi_1962_ = _e1341;
+                                                        let _e1359 = phi_1980_;
+                                                        phi_1981_ = _e1359;
                                                     } else {
-                                                        phi_1962_ = true;
+                                                        phi_1981_ = true;
                                                     }
-                                                    let _e1343 = phi_1962_;
-                                                    if _e1343 {
-                                                        if (_e1336 >= _e1337) {
-                                                            phi_1970_ = 1u;
+                                                    let _e1361 = phi_1981_;
+                                                    if _e1361 {
+                                                        if (_e1354 >= _e1355) {
+                                                            phi_1989_ = 1u;
                                                         } else {
-                                                            phi_1970_ = 2u;
+                                                            phi_1989_ = 2u;
                                                         }
-                                                        let _e1346 = phi_1970_;
-                                                        phi_1971_ = _e1346;
+                                                        let _e1364 = phi_1989_;
+                                                        phi_1990_ = _e1364;
                                                     } else {
-                                                        phi_1971_ = 0u;
+                                                        phi_1990_ = 0u;
                                                     }
-                                                    let _e1348 = phi_1971_;
-                                                    if (_e1348 == 0u) {
-                                                        phi_1983_ = vec3<f32>(_e1123, _e1136, _e1110);
+                                                    let _e1366 = phi_1990_;
+                                                    if (_e1366 == 0u) {
+                                                        phi_2002_ = vec3<f32>(_e1141, _e1154, _e1128);
                                                     } else {
-                                                        if (_e1348 == 1u) {
-                                                            phi_1982_ = vec3<f32>(_e1136, _e1110, _e1123);
+                                                        if (_e1366 == 1u) {
+                                                            phi_2001_ = vec3<f32>(_e1154, _e1128, _e1141);
                                                         } else {
-                                                            phi_1982_ = vec3<f32>(_e1110, _e1123, _e1136);
+                                                            phi_2001_ = vec3<f32>(_e1128, _e1141, _e1154);
                                                         }
-                                                        let _e1354 = phi_1982_;
-                                                        phi_1983_ = _e1354;
+                                                        let _e1372 = phi_2001_;
+                                                        phi_2002_ = _e1372;
                                                     }
-                                                    let _e1356 = phi_1983_;
-                                                    let _e1359 = (_e1356.x / _e1356.z);
-                                                    let _e1362 = (_e1356.y / _e1356.z);
-                                                    if (_e1273 < 0f) {
-                                                        phi_1996_ = 0u;
+                                                    let _e1374 = phi_2002_;
+                                                    let _e1377 = (_e1374.x / _e1374.z);
+                                                    let _e1380 = (_e1374.y / _e1374.z);
+                                                    if (_e1291 < 0f) {
+                                                        phi_2015_ = 0u;
                                                     } else {
-                                                        phi_1996_ = 1u;
+                                                        phi_2015_ = 1u;
                                                     }
-                                                    let _e1367 = phi_1996_;
-                                                    if (_e1283 < 0f) {
-                                                        phi_2001_ = 0u;
+                                                    let _e1385 = phi_2015_;
+                                                    if (_e1301 < 0f) {
+                                                        phi_2020_ = 0u;
                                                     } else {
-                                                        phi_2001_ = 2u;
+                                                        phi_2020_ = 2u;
                                                     }
-                                                    let _e1370 = phi_2001_;
-                                                    if (_e1293 < 0f) {
-                                                        phi_2006_ = 0u;
+                                                    let _e1388 = phi_2020_;
+                                                    if (_e1311 < 0f) {
+                                                        phi_2025_ = 0u;
                                                     } else {
-                                                        phi_2006_ = 4u;
+                                                        phi_2025_ = 4u;
                                                     }
-                                                    let _e1373 = phi_2006_;
-                                                    let _e1375 = ((_e1367 | _e1370) | _e1373);
-                                                    let _e1376 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1141, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1376.first[0], _e1376.first[1], _e1376.first[2], _e1376.first[3], _e1376.first[4], _e1376.first[5], _e1376.first[6], _e1376.first[7], _e1376.first[8], _e1376.first[9], _e1376.first[10], _e1376.first[11], _e1376.first[12], _e1376.first[13], _e1376.first[14], _e1376.first[15], _e1376.first[16], _e1376.first[17], _e1376.first[18], _e1376.first[19], _e1376.first[20], _e1376.first[21], _e1376.first[22], _e1376.first[23], _e1376.first[24], _e1376.first[25], _e1376.first[26], _e1376.first[27], _e1376.first[28], _e1376.first[29], _e1376.first[30], _e1376.first[31]), array<u32, 32>(_e1376.mask[0], _e1376.mask[1], _e1376.mask[2], _e1376.mask[3], _e1376.mask[4], _e1376.mask[5], _e1376.mask[6], _e1376.mask[7], _e1376.mask[8], _e1376.mask[9], _e1376.mask[10], _e1376.mask[11], _e1376.mask[12], _e1376.mask[13], _e1376.mask[14], _e1376.mask[15], _e1376.mask[16], _e1376.mask[17], _e1376.mask[18], _e1376.mask[19], _e1376.mask[20], _e1376.mask[21], _e1376.mask[22], _e1376.mask[23], _e1376.mask[24], _e1376.mask[25], _e1376.mask[26], _e1376.mask[27], _e1376.mask[28], _e1376.mask[29], _e1376.mask[30], _e1376.mask[31]), _e1376.len, _e1376.group, _e1376.group_mask);
-                                                    let _e1450 = local_1.group_mask;
-                                                    if ((_e1450 & 4278190080u) == 0u) {
-                                                        let _e1454 = local_1.len;
-                                                        if (_e1454 == 0u) {
-                                                            phi_2120_ = false;
+                                                    let _e1391 = phi_2025_;
+                                                    let _e1393 = ((_e1385 | _e1388) | _e1391);
+                                                    let _e1394 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1159, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1394.first[0], _e1394.first[1], _e1394.first[2], _e1394.first[3], _e1394.first[4], _e1394.first[5], _e1394.first[6], _e1394.first[7], _e1394.first[8], _e1394.first[9], _e1394.first[10], _e1394.first[11], _e1394.first[12], _e1394.first[13], _e1394.first[14], _e1394.first[15], _e1394.first[16], _e1394.first[17], _e1394.first[18], _e1394.first[19], _e1394.first[20], _e1394.first[21], _e1394.first[22], _e1394.first[23], _e1394.first[24], _e1394.first[25], _e1394.first[26], _e1394.first[27], _e1394.first[28], _e1394.first[29], _e1394.first[30], _e1394.first[31]), array<u32, 32>(_e1394.mask[0], _e1394.mask[1], _e1394.mask[2], _e1394.mask[3], _e1394.mask[4], _e1394.mask[5], _e1394.mask[6], _e1394.mask[7], _e1394.mask[8], _e1394.mask[9], _e1394.mask[10], _e1394.mask[11], _e1394.mask[12], _e1394.mask[13], _e1394.mask[14], _e1394.mask[15], _e1394.mask[16], _e1394.mask[17], _e1394.mask[18], _e1394.mask[19], _e1394.mask[20], _e1394.mask[21], _e1394.mask[22], _e1394.mask[23], _e1394.mask[24], _e1394.mask[25], _e1394.mask[26], _e1394.mask[27], _e1394.mask[28], _e1394.mask[29], _e1394.mask[30], _e1394.mask[31]), _e1394.len, _e1394.group, _e1394.group_mask);
+                                                    let _e1468 = local_1.group_mask;
+                                                    if ((_e1468 & 4278190080u) == 0u) {
+                                                        let _e1472 = local_1.len;
+                                                        if (_e1472 == 0u) {
+                                                            phi_2139_ = false;
                                                         } else {
-                                                            let _e1458 = local_1.len;
-                                                            local_1.len = (_e1458 - 1u);
-                                                            let _e1461 = local_1.len;
-                                                            if (_e1461 < 32u) {
+                                                            let _e1476 = local_1.len;
+                                                            local_1.len = (_e1476 - 1u);
+                                                            let _e1479 = local_1.len;
+                                                            if (_e1479 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1466 = local_1.first[(0u + _e1461)];
-                                                            local_1.group = _e1466;
-                                                            let _e1469 = local_1.len;
-                                                            if (_e1469 < 32u) {
+                                                            let _e1484 = local_1.first[(0u + _e1479)];
+                                                            local_1.group = _e1484;
+                                                            let _e1487 = local_1.len;
+                                                            if (_e1487 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1474 = local_1.mask[(0u + _e1469)];
-                                                            local_1.group_mask = _e1474;
-                                                            phi_2120_ = true;
+                                                            let _e1492 = local_1.mask[(0u + _e1487)];
+                                                            local_1.group_mask = _e1492;
+                                                            phi_2139_ = true;
                                                         }
-                                                        let _e1477 = phi_2120_;
-                                                        phi_2121_ = _e1477;
+                                                        let _e1495 = phi_2139_;
+                                                        phi_2140_ = _e1495;
                                                     } else {
-                                                        phi_2121_ = true;
+                                                        phi_2140_ = true;
                                                     }
-                                                    let _e1479 = phi_2121_;
-                                                    if _e1479 {
-                                                        let _e1481 = local_1.group_mask;
-                                                        let _e1487 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1481)), 32u, (_e1481 == 0u)));
-                                                        let _e1491 = local_1.group_mask;
-                                                        let _e1505 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1505 & ~((1u << bitcast<u32>((_e1487 & 31u)))));
-                                                        let _e1508 = local_1.group;
-                                                        phi_2152_ = (_e1508 + countOneBits(((_e1491 & ~((4294967295u << bitcast<u32>((((_e1487 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1497 = phi_2140_;
+                                                    if _e1497 {
+                                                        let _e1499 = local_1.group_mask;
+                                                        let _e1505 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1499)), 32u, (_e1499 == 0u)));
+                                                        let _e1509 = local_1.group_mask;
+                                                        let _e1523 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1523 & ~((1u << bitcast<u32>((_e1505 & 31u)))));
+                                                        let _e1526 = local_1.group;
+                                                        phi_2171_ = (_e1526 + countOneBits(((_e1509 & ~((4294967295u << bitcast<u32>((((_e1505 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2152_ = 4294967295u;
+                                                        phi_2171_ = 4294967295u;
                                                     }
-                                                    let _e1511 = phi_2152_;
-                                                    phi_2154_ = _e974;
-                                                    phi_2157_ = _e1511;
+                                                    let _e1529 = phi_2171_;
+                                                    phi_2173_ = _e992;
+                                                    phi_2176_ = _e1529;
                                                     loop {
-                                                        let _e1513 = phi_2154_;
-                                                        let _e1515 = phi_2157_;
-                                                        local_10 = _e1513;
-                                                        let _e1516 = (_e1515 != 4294967295u);
-                                                        if _e1516 {
-                                                            if (_e1515 < _e78) {
+                                                        let _e1531 = phi_2173_;
+                                                        let _e1533 = phi_2176_;
+                                                        local_10 = _e1531;
+                                                        let _e1534 = (_e1533 != 4294967295u);
+                                                        if _e1534 {
+                                                            if (_e1533 < _e79) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1523 = nodes.member[(0u + _e1515)].frame[3u];
-                                                            let _e1548 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1273);
-                                                            let _e1549 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1283);
-                                                            let _e1550 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1293);
-                                                            let _e1553 = nodes.member[(0u + _e1515)].frame[0u];
-                                                            let _e1557 = nodes.member[(0u + _e1515)].frame[1u];
-                                                            let _e1561 = nodes.member[(0u + _e1515)].frame[2u];
-                                                            let _e1566 = ((bitcast<f32>(_e1553) - _e1066) * _e1273);
-                                                            let _e1567 = ((bitcast<f32>(_e1557) - _e1079) * _e1283);
-                                                            let _e1568 = ((bitcast<f32>(_e1561) - _e1092) * _e1293);
-                                                            let _e1576 = nodes.member[(0u + _e1515)].x;
-                                                            if (_e1273 < 0f) {
-                                                                let _e1587 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1576.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1587.unnamed.word, _e1576.w), _e1587.unnamed_1);
-                                                                let _e1599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1593.unnamed, lt_mask_LightPlace(_e1576.x, _e1593.unnamed_1.shift));
-                                                                phi_2238_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1599.unnamed, lt_mask_LightPlace(_e1599.unnamed_1.word, _e1576.y));
+                                                            let _e1541 = nodes.member[(0u + _e1533)].frame[3u];
+                                                            let _e1566 = (bitcast<f32>((((_e1541 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1291);
+                                                            let _e1567 = (bitcast<f32>((((_e1541 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1301);
+                                                            let _e1568 = (bitcast<f32>((((_e1541 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1311);
+                                                            let _e1571 = nodes.member[(0u + _e1533)].frame[0u];
+                                                            let _e1575 = nodes.member[(0u + _e1533)].frame[1u];
+                                                            let _e1579 = nodes.member[(0u + _e1533)].frame[2u];
+                                                            let _e1584 = ((bitcast<f32>(_e1571) - _e1084) * _e1291);
+                                                            let _e1585 = ((bitcast<f32>(_e1575) - _e1097) * _e1301);
+                                                            let _e1586 = ((bitcast<f32>(_e1579) - _e1110) * _e1311);
+                                                            let _e1594 = nodes.member[(0u + _e1533)].x;
+                                                            if (_e1291 < 0f) {
+                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1605.unnamed.word, _e1594.w), _e1605.unnamed_1);
+                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_mask_LightPlace(_e1594.x, _e1611.unnamed_1.shift));
+                                                                phi_2257_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_mask_LightPlace(_e1617.unnamed_1.word, _e1594.y));
                                                             } else {
-                                                                let _e1615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1576.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1615.unnamed.word, _e1576.y), _e1615.unnamed_1);
-                                                                let _e1627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1621.unnamed, lt_mask_LightPlace(_e1576.z, _e1621.unnamed_1.shift));
-                                                                phi_2238_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1627.unnamed, lt_mask_LightPlace(_e1627.unnamed_1.word, _e1576.w));
+                                                                let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1633.unnamed.word, _e1594.y), _e1633.unnamed_1);
+                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1639.unnamed, lt_mask_LightPlace(_e1594.z, _e1639.unnamed_1.shift));
+                                                                phi_2257_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_mask_LightPlace(_e1645.unnamed_1.word, _e1594.w));
                                                             }
-                                                            let _e1635 = phi_2238_;
-                                                            let _e1645 = nodes.member[(0u + _e1515)].y;
-                                                            if (_e1283 < 0f) {
-                                                                let _e1656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1645.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1656.unnamed.word, _e1645.w), _e1656.unnamed_1);
-                                                                let _e1668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1662.unnamed, lt_mask_LightPlace(_e1645.x, _e1662.unnamed_1.shift));
-                                                                phi_2265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1668.unnamed, lt_mask_LightPlace(_e1668.unnamed_1.word, _e1645.y));
+                                                            let _e1653 = phi_2257_;
+                                                            let _e1663 = nodes.member[(0u + _e1533)].y;
+                                                            if (_e1301 < 0f) {
+                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1674.unnamed.word, _e1663.w), _e1674.unnamed_1);
+                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_mask_LightPlace(_e1663.x, _e1680.unnamed_1.shift));
+                                                                phi_2284_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_mask_LightPlace(_e1686.unnamed_1.word, _e1663.y));
                                                             } else {
-                                                                let _e1684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1645.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1684.unnamed.word, _e1645.y), _e1684.unnamed_1);
-                                                                let _e1696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1690.unnamed, lt_mask_LightPlace(_e1645.z, _e1690.unnamed_1.shift));
-                                                                phi_2265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1696.unnamed, lt_mask_LightPlace(_e1696.unnamed_1.word, _e1645.w));
+                                                                let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1702.unnamed.word, _e1663.y), _e1702.unnamed_1);
+                                                                let _e1714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1708.unnamed, lt_mask_LightPlace(_e1663.z, _e1708.unnamed_1.shift));
+                                                                phi_2284_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1714.unnamed, lt_mask_LightPlace(_e1714.unnamed_1.word, _e1663.w));
                                                             }
-                                                            let _e1704 = phi_2265_;
-                                                            let _e1714 = nodes.member[(0u + _e1515)].z;
-                                                            if (_e1293 < 0f) {
-                                                                let _e1725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1714.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1725.unnamed.word, _e1714.w), _e1725.unnamed_1);
-                                                                let _e1737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1731.unnamed, lt_mask_LightPlace(_e1714.x, _e1731.unnamed_1.shift));
-                                                                phi_2292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1737.unnamed, lt_mask_LightPlace(_e1737.unnamed_1.word, _e1714.y));
+                                                            let _e1722 = phi_2284_;
+                                                            let _e1732 = nodes.member[(0u + _e1533)].z;
+                                                            if (_e1311 < 0f) {
+                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1743.unnamed.word, _e1732.w), _e1743.unnamed_1);
+                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_mask_LightPlace(_e1732.x, _e1749.unnamed_1.shift));
+                                                                phi_2311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1755.unnamed, lt_mask_LightPlace(_e1755.unnamed_1.word, _e1732.y));
                                                             } else {
-                                                                let _e1753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1714.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1753.unnamed.word, _e1714.y), _e1753.unnamed_1);
-                                                                let _e1765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1759.unnamed, lt_mask_LightPlace(_e1714.z, _e1759.unnamed_1.shift));
-                                                                phi_2292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1765.unnamed, lt_mask_LightPlace(_e1765.unnamed_1.word, _e1714.w));
+                                                                let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1771.unnamed.word, _e1732.y), _e1771.unnamed_1);
+                                                                let _e1783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1777.unnamed, lt_mask_LightPlace(_e1732.z, _e1777.unnamed_1.shift));
+                                                                phi_2311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1783.unnamed, lt_mask_LightPlace(_e1783.unnamed_1.word, _e1732.w));
                                                             }
-                                                            let _e1773 = phi_2292_;
-                                                            phi_2298_ = 0u;
-                                                            phi_2301_ = 0u;
+                                                            let _e1791 = phi_2311_;
+                                                            phi_2317_ = 0u;
+                                                            phi_2320_ = 0u;
                                                             loop {
-                                                                let _e1783 = phi_2298_;
-                                                                let _e1785 = phi_2301_;
-                                                                local_6 = _e1785;
-                                                                local_7 = _e1785;
-                                                                local_8 = _e1785;
-                                                                let _e1786 = (_e1783 < 8u);
-                                                                if _e1786 {
-                                                                    let _e1788 = (_e1783 >> bitcast<u32>(2i));
-                                                                    let _e1789 = (_e1783 & 3u);
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2315_ = _e1635.unnamed.word;
+                                                                let _e1801 = phi_2317_;
+                                                                let _e1803 = phi_2320_;
+                                                                local_6 = _e1803;
+                                                                local_7 = _e1803;
+                                                                local_8 = _e1803;
+                                                                let _e1804 = (_e1801 < 8u);
+                                                                if _e1804 {
+                                                                    let _e1806 = (_e1801 >> bitcast<u32>(2i));
+                                                                    let _e1807 = (_e1801 & 3u);
+                                                                    if (_e1806 == 0u) {
+                                                                        phi_2334_ = _e1653.unnamed.word;
                                                                     } else {
-                                                                        phi_2315_ = _e1635.unnamed.shift;
+                                                                        phi_2334_ = _e1653.unnamed.shift;
                                                                     }
-                                                                    let _e1792 = phi_2315_;
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2325_ = _e1704.unnamed.word;
+                                                                    let _e1810 = phi_2334_;
+                                                                    if (_e1806 == 0u) {
+                                                                        phi_2344_ = _e1722.unnamed.word;
                                                                     } else {
-                                                                        phi_2325_ = _e1704.unnamed.shift;
+                                                                        phi_2344_ = _e1722.unnamed.shift;
                                                                     }
-                                                                    let _e1801 = phi_2325_;
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2335_ = _e1773.unnamed.word;
+                                                                    let _e1819 = phi_2344_;
+                                                                    if (_e1806 == 0u) {
+                                                                        phi_2354_ = _e1791.unnamed.word;
                                                                     } else {
-                                                                        phi_2335_ = _e1773.unnamed.shift;
+                                                                        phi_2354_ = _e1791.unnamed.shift;
                                                                     }
-                                                                    let _e1810 = phi_2335_;
-                                                                    let _e1823 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1792 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 - _e1325)), ((f32(((_e1801 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 - _e1326)));
-                                                                    let _e1824 = core_intrinsics_maximum_number_nsz_f32_(_e1823, ((f32(((_e1810 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 - _e1327)));
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2353_ = _e1635.unnamed_1.word;
+                                                                    let _e1828 = phi_2354_;
+                                                                    let _e1841 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1810 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1566) + (_e1584 - _e1343)), ((f32(((_e1819 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1567) + (_e1585 - _e1344)));
+                                                                    let _e1842 = core_intrinsics_maximum_number_nsz_f32_(_e1841, ((f32(((_e1828 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1568) + (_e1586 - _e1345)));
+                                                                    if (_e1806 == 0u) {
+                                                                        phi_2372_ = _e1653.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2353_ = _e1635.unnamed_1.shift;
+                                                                        phi_2372_ = _e1653.unnamed_1.shift;
                                                                     }
-                                                                    let _e1827 = phi_2353_;
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2363_ = _e1704.unnamed_1.word;
+                                                                    let _e1845 = phi_2372_;
+                                                                    if (_e1806 == 0u) {
+                                                                        phi_2382_ = _e1722.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2363_ = _e1704.unnamed_1.shift;
+                                                                        phi_2382_ = _e1722.unnamed_1.shift;
                                                                     }
-                                                                    let _e1836 = phi_2363_;
-                                                                    if (_e1788 == 0u) {
-                                                                        phi_2373_ = _e1773.unnamed_1.word;
+                                                                    let _e1854 = phi_2382_;
+                                                                    if (_e1806 == 0u) {
+                                                                        phi_2392_ = _e1791.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2373_ = _e1773.unnamed_1.shift;
+                                                                        phi_2392_ = _e1791.unnamed_1.shift;
                                                                     }
-                                                                    let _e1845 = phi_2373_;
-                                                                    let _e1858 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1827 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 + _e1325)), ((f32(((_e1836 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 + _e1326)));
-                                                                    let _e1859 = core_intrinsics_minimum_number_nsz_f32_(_e1858, ((f32(((_e1845 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 + _e1327)));
-                                                                    if (_e1824 <= _e1859) {
-                                                                        if (_e1824 <= _e1513.t) {
-                                                                            if (_e1859 >= _e165.tmin) {
-                                                                                if (_e1788 == 0u) {
-                                                                                    let _e1866 = nodes.member[(0u + _e1515)].links[2u];
-                                                                                    phi_2409_ = _e1866;
+                                                                    let _e1863 = phi_2392_;
+                                                                    let _e1876 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1845 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1566) + (_e1584 + _e1343)), ((f32(((_e1854 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1567) + (_e1585 + _e1344)));
+                                                                    let _e1877 = core_intrinsics_minimum_number_nsz_f32_(_e1876, ((f32(((_e1863 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1568) + (_e1586 + _e1345)));
+                                                                    if (_e1842 <= _e1877) {
+                                                                        if (_e1842 <= _e1531.t) {
+                                                                            if (_e1877 >= _e183.tmin) {
+                                                                                if (_e1806 == 0u) {
+                                                                                    let _e1884 = nodes.member[(0u + _e1533)].links[2u];
+                                                                                    phi_2428_ = _e1884;
                                                                                 } else {
-                                                                                    let _e1869 = nodes.member[(0u + _e1515)].links[3u];
-                                                                                    phi_2409_ = _e1869;
+                                                                                    let _e1887 = nodes.member[(0u + _e1533)].links[3u];
+                                                                                    phi_2428_ = _e1887;
                                                                                 }
-                                                                                let _e1871 = phi_2409_;
-                                                                                let _e1876 = ((_e1871 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u);
-                                                                                let _e1877 = (_e1876 & 31u);
-                                                                                if (_e1877 >= 24u) {
-                                                                                    phi_2422_ = (24u + ((_e1877 - 24u) ^ _e1375));
+                                                                                let _e1889 = phi_2428_;
+                                                                                let _e1894 = ((_e1889 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u);
+                                                                                let _e1895 = (_e1894 & 31u);
+                                                                                if (_e1895 >= 24u) {
+                                                                                    phi_2441_ = (24u + ((_e1895 - 24u) ^ _e1393));
                                                                                 } else {
-                                                                                    phi_2422_ = _e1877;
+                                                                                    phi_2441_ = _e1895;
                                                                                 }
-                                                                                let _e1883 = phi_2422_;
-                                                                                phi_2427_ = (_e1785 | ((_e1876 >> bitcast<u32>(5i)) << bitcast<u32>((_e1883 & 31u))));
+                                                                                let _e1901 = phi_2441_;
+                                                                                phi_2446_ = (_e1803 | ((_e1894 >> bitcast<u32>(5i)) << bitcast<u32>((_e1901 & 31u))));
                                                                             } else {
-                                                                                phi_2427_ = _e1785;
+                                                                                phi_2446_ = _e1803;
                                                                             }
-                                                                            let _e1891 = phi_2427_;
-                                                                            phi_2428_ = _e1891;
+                                                                            let _e1909 = phi_2446_;
+                                                                            phi_2447_ = _e1909;
                                                                         } else {
-                                                                            phi_2428_ = _e1785;
+                                                                            phi_2447_ = _e1803;
                                                                         }
-                                                                        let _e1893 = phi_2428_;
-                                                                        phi_2429_ = _e1893;
+                                                                        let _e1911 = phi_2447_;
+                                                                        phi_2448_ = _e1911;
                                                                     } else {
-                                                                        phi_2429_ = _e1785;
+                                                                        phi_2448_ = _e1803;
                                                                     }
-                                                                    let _e1895 = phi_2429_;
-                                                                    phi_2299_ = (_e1783 + 1u);
-                                                                    phi_2302_ = _e1895;
+                                                                    let _e1913 = phi_2448_;
+                                                                    phi_2318_ = (_e1801 + 1u);
+                                                                    phi_2321_ = _e1913;
                                                                 } else {
-                                                                    phi_2299_ = u32();
-                                                                    phi_2302_ = u32();
+                                                                    phi_2318_ = u32();
+                                                                    phi_2321_ = u32();
                                                                 }
-                                                                let _e1898 = phi_2299_;
-                                                                let _e1900 = phi_2302_;
+                                                                let _e1916 = phi_2318_;
+                                                                let _e1918 = phi_2321_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2298_ = _e1898;
-                                                                    phi_2301_ = _e1900;
-                                                                    break if !(_e1786);
+                                                                    phi_2317_ = _e1916;
+                                                                    phi_2320_ = _e1918;
+                                                                    break if !(_e1804);
                                                                 }
                                                             }
-                                                            let _e1904 = nodes.member[(0u + _e1515)].links[0u];
-                                                            let _e1908 = nodes.member[(0u + _e1515)].frame[3u];
-                                                            let _e1912 = local_6;
-                                                            if ((_e1912 & 4278190080u) == 0u) {
+                                                            let _e1922 = nodes.member[(0u + _e1533)].links[0u];
+                                                            let _e1926 = nodes.member[(0u + _e1533)].frame[3u];
+                                                            let _e1930 = local_6;
+                                                            if ((_e1930 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1916 = local_1.group_mask;
-                                                                if ((_e1916 & 4278190080u) == 0u) {
+                                                                let _e1934 = local_1.group_mask;
+                                                                if ((_e1934 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1920 = local_1.len;
-                                                                    if (_e1920 < 32u) {
-                                                                        let _e1923 = local_1.group;
-                                                                        let _e1925 = local_1.len;
-                                                                        if (_e1925 < 32u) {
+                                                                    let _e1938 = local_1.len;
+                                                                    if (_e1938 < 32u) {
+                                                                        let _e1941 = local_1.group;
+                                                                        let _e1943 = local_1.len;
+                                                                        if (_e1943 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1925)] = _e1923;
-                                                                        let _e1931 = local_1.group_mask;
-                                                                        let _e1933 = local_1.len;
-                                                                        if (_e1933 < 32u) {
+                                                                        local_1.first[(0u + _e1943)] = _e1941;
+                                                                        let _e1949 = local_1.group_mask;
+                                                                        let _e1951 = local_1.len;
+                                                                        if (_e1951 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1933)] = _e1931;
-                                                                        let _e1940 = local_1.len;
-                                                                        local_1.len = (_e1940 + 1u);
+                                                                        local_1.mask[(0u + _e1951)] = _e1949;
+                                                                        let _e1958 = local_1.len;
+                                                                        local_1.len = (_e1958 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1141 + _e1904);
-                                                                let _e1944 = local_7;
-                                                                local_1.group_mask = ((_e1944 & 4278190080u) | (_e1908 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1159 + _e1922);
+                                                                let _e1962 = local_7;
+                                                                local_1.group_mask = ((_e1962 & 4278190080u) | (_e1926 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1949 = local_8;
-                                                            phi_2487_ = _e1513;
-                                                            phi_2490_ = (_e1949 & 16777215u);
+                                                            let _e1967 = local_8;
+                                                            phi_2506_ = _e1531;
+                                                            phi_2509_ = (_e1967 & 16777215u);
                                                             loop {
-                                                                let _e1952 = phi_2487_;
-                                                                let _e1954 = phi_2490_;
-                                                                local_9 = _e1952;
-                                                                if (_e1954 == 0u) {
-                                                                    phi_2488_ = lt_bvh_Hit();
-                                                                    phi_2491_ = u32();
-                                                                    phi_3329_ = false;
+                                                                let _e1970 = phi_2506_;
+                                                                let _e1972 = phi_2509_;
+                                                                local_9 = _e1970;
+                                                                if (_e1972 == 0u) {
+                                                                    phi_2507_ = lt_bvh_Hit();
+                                                                    phi_2510_ = u32();
+                                                                    phi_3348_ = false;
                                                                 } else {
-                                                                    let _e1958 = nodes.member[(0u + _e1515)].links[1u];
-                                                                    let _e1963 = ((_e1143 + _e1958) + select(firstTrailingBit(_e1954), 32u, (_e1954 == 0u)));
-                                                                    if (_e1963 < _e81) {
+                                                                    let _e1976 = nodes.member[(0u + _e1533)].links[1u];
+                                                                    let _e1981 = ((_e1161 + _e1976) + select(firstTrailingBit(_e1972), 32u, (_e1972 == 0u)));
+                                                                    if (_e1981 < _e82) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1970 = triangles.member[(0u + _e1963)].v0_;
-                                                                    let _e1972 = (_e1970.x - _e1066);
-                                                                    let _e1974 = (_e1970.y - _e1079);
-                                                                    let _e1976 = (_e1970.z - _e1092);
-                                                                    if (_e1348 == 0u) {
-                                                                        phi_2535_ = vec3<f32>(_e1974, _e1976, _e1972);
+                                                                    let _e1988 = triangles.member[(0u + _e1981)].v0_;
+                                                                    let _e1990 = (_e1988.x - _e1084);
+                                                                    let _e1992 = (_e1988.y - _e1097);
+                                                                    let _e1994 = (_e1988.z - _e1110);
+                                                                    if (_e1366 == 0u) {
+                                                                        phi_2554_ = vec3<f32>(_e1992, _e1994, _e1990);
                                                                     } else {
-                                                                        if (_e1348 == 1u) {
-                                                                            phi_2534_ = vec3<f32>(_e1976, _e1972, _e1974);
+                                                                        if (_e1366 == 1u) {
+                                                                            phi_2553_ = vec3<f32>(_e1994, _e1990, _e1992);
                                                                         } else {
-                                                                            phi_2534_ = (_e1970 - vec3<f32>(_e1066, _e1079, _e1092));
+                                                                            phi_2553_ = (_e1988 - vec3<f32>(_e1084, _e1097, _e1110));
                                                                         }
-                                                                        let _e1984 = phi_2534_;
-                                                                        phi_2535_ = _e1984;
+                                                                        let _e2002 = phi_2553_;
+                                                                        phi_2554_ = _e2002;
                                                                     }
-                                                                    let _e1986 = phi_2535_;
-                                                                    let _e1990 = (_e1986.x - (_e1359 * _e1986.z));
-                                                                    let _e1994 = (_e1986.y - (_e1362 * _e1986.z));
-                                                                    let _e1996 = triangles.member[(0u + _e1963)].v1_;
-                                                                    let _e1998 = (_e1996.x - _e1066);
-                                                                    let _e2000 = (_e1996.y - _e1079);
-                                                                    let _e2002 = (_e1996.z - _e1092);
-                                                                    if (_e1348 == 0u) {
-                                                                        phi_2565_ = vec3<f32>(_e2000, _e2002, _e1998);
+                                                                    let _e2004 = phi_2554_;
+                                                                    let _e2008 = (_e2004.x - (_e1377 * _e2004.z));
+                                                                    let _e2012 = (_e2004.y - (_e1380 * _e2004.z));
+                                                                    let _e2014 = triangles.member[(0u + _e1981)].v1_;
+                                                                    let _e2016 = (_e2014.x - _e1084);
+                                                                    let _e2018 = (_e2014.y - _e1097);
+                                                                    let _e2020 = (_e2014.z - _e1110);
+                                                                    if (_e1366 == 0u) {
+                                                                        phi_2584_ = vec3<f32>(_e2018, _e2020, _e2016);
                                                                     } else {
-                                                                        if (_e1348 == 1u) {
-                                                                            phi_2564_ = vec3<f32>(_e2002, _e1998, _e2000);
+                                                                        if (_e1366 == 1u) {
+                                                                            phi_2583_ = vec3<f32>(_e2020, _e2016, _e2018);
                                                                         } else {
-                                                                            phi_2564_ = (_e1996 - vec3<f32>(_e1066, _e1079, _e1092));
+                                                                            phi_2583_ = (_e2014 - vec3<f32>(_e1084, _e1097, _e1110));
                                                                         }
-                                                                        let _e2010 = phi_2564_;
-                                                                        phi_2565_ = _e2010;
+                                                                        let _e2028 = phi_2583_;
+                                                                        phi_2584_ = _e2028;
                                                                     }
-                                                                    let _e2012 = phi_2565_;
-                                                                    let _e2016 = (_e2012.x - (_e1359 * _e2012.z));
-                                                                    let _e2020 = (_e2012.y - (_e1362 * _e2012.z));
-                                                                    let _e2022 = triangles.member[(0u + _e1963)].v2_;
-                                                                    let _e2024 = (_e2022.x - _e1066);
-                                                                    let _e2026 = (_e2022.y - _e1079);
-                                                                    let _e2028 = (_e2022.z - _e1092);
-                                                                    if (_e1348 == 0u) {
-                                                                        phi_2595_ = vec3<f32>(_e2026, _e2028, _e2024);
+                                                                    let _e2030 = phi_2584_;
+                                                                    let _e2034 = (_e2030.x - (_e1377 * _e2030.z));
+                                                                    let _e2038 = (_e2030.y - (_e1380 * _e2030.z));
+                                                                    let _e2040 = triangles.member[(0u + _e1981)].v2_;
+                                                                    let _e2042 = (_e2040.x - _e1084);
+                                                                    let _e2044 = (_e2040.y - _e1097);
+                                                                    let _e2046 = (_e2040.z - _e1110);
+                                                                    if (_e1366 == 0u) {
+                                                                        phi_2614_ = vec3<f32>(_e2044, _e2046, _e2042);
                                                                     } else {
-                                                                        if (_e1348 == 1u) {
-                                                                            phi_2594_ = vec3<f32>(_e2028, _e2024, _e2026);
+                                                                        if (_e1366 == 1u) {
+                                                                            phi_2613_ = vec3<f32>(_e2046, _e2042, _e2044);
                                                                         } else {
-                                                                            phi_2594_ = (_e2022 - vec3<f32>(_e1066, _e1079, _e1092));
+                                                                            phi_2613_ = (_e2040 - vec3<f32>(_e1084, _e1097, _e1110));
                                                                         }
-                                                                        let _e2036 = phi_2594_;
-                                                                        phi_2595_ = _e2036;
+                                                                        let _e2054 = phi_2613_;
+                                                                        phi_2614_ = _e2054;
                                                                     }
-                                                                    let _e2038 = phi_2595_;
-                                                                    let _e2042 = (_e2038.x - (_e1359 * _e2038.z));
-                                                                    let _e2046 = (_e2038.y - (_e1362 * _e2038.z));
-                                                                    if (_e2016 < _e2042) {
-                                                                        phi_2614_ = true;
+                                                                    let _e2056 = phi_2614_;
+                                                                    let _e2060 = (_e2056.x - (_e1377 * _e2056.z));
+                                                                    let _e2064 = (_e2056.y - (_e1380 * _e2056.z));
+                                                                    if (_e2034 < _e2060) {
+                                                                        phi_2633_ = true;
                                                                     } else {
-                                                                        if (_e2016 == _e2042) {
-                                                                            phi_2613_ = (_e2020 < _e2046);
+                                                                        if (_e2034 == _e2060) {
+                                                                            phi_2632_ = (_e2038 < _e2064);
                                                                         } else {
-                                                                            phi_2613_ = false;
+                                                                            phi_2632_ = false;
                                                                         }
-                                                                        let _e2051 = phi_2613_;
-                                                                        phi_2614_ = _e2051;
+                                                                        let _e2069 = phi_2632_;
+                                                                        phi_2633_ = _e2069;
                                                                     }
-                                                                    let _e2053 = phi_2614_;
-                                                                    if _e2053 {
-                                                                        phi_2618_ = _e2046;
-                                                                        phi_2619_ = _e2042;
-                                                                        phi_2620_ = _e2020;
-                                                                        phi_2621_ = _e2016;
+                                                                    let _e2071 = phi_2633_;
+                                                                    if _e2071 {
+                                                                        phi_2637_ = _e2064;
+                                                                        phi_2638_ = _e2060;
+                                                                        phi_2639_ = _e2038;
+                                                                        phi_2640_ = _e2034;
                                                                     } else {
-                                                                        phi_2618_ = _e2020;
-                                                                        phi_2619_ = _e2016;
-                                                                        phi_2620_ = _e2046;
-                                                                        phi_2621_ = _e2042;
+                                                                        phi_2637_ = _e2038;
+                                                                        phi_2638_ = _e2034;
+                                                                        phi_2639_ = _e2064;
+                                                                        phi_2640_ = _e2060;
                                                                     }
-                                                                    let _e2055 = phi_2618_;
-                                                                    let _e2057 = phi_2619_;
-                                                                    let _e2059 = phi_2620_;
-                                                                    let _e2061 = phi_2621_;
-                                                                    let _e2064 = ((_e2061 * _e2055) - (_e2059 * _e2057));
-                                                                    if _e2053 {
-                                                                        phi_2629_ = -(_e2064);
+                                                                    let _e2073 = phi_2637_;
+                                                                    let _e2075 = phi_2638_;
+                                                                    let _e2077 = phi_2639_;
+                                                                    let _e2079 = phi_2640_;
+                                                                    let _e2082 = ((_e2079 * _e2073) - (_e2077 * _e2075));
+                                                                    if _e2071 {
+                                                                        phi_2648_ = -(_e2082);
                                                                     } else {
-                                                                        phi_2629_ = _e2064;
+                                                                        phi_2648_ = _e2082;
                                                                     }
-                                                                    let _e2067 = phi_2629_;
-                                                                    if (_e2042 < _e1990) {
-                                                                        phi_2640_ = true;
+                                                                    let _e2085 = phi_2648_;
+                                                                    if (_e2060 < _e2008) {
+                                                                        phi_2659_ = true;
                                                                     } else {
-                                                                        if (_e2042 == _e1990) {
-                                                                            phi_2639_ = (_e2046 < _e1994);
+                                                                        if (_e2060 == _e2008) {
+                                                                            phi_2658_ = (_e2064 < _e2012);
                                                                         } else {
-                                                                            phi_2639_ = false;
+                                                                            phi_2658_ = false;
                                                                         }
-                                                                        let _e2072 = phi_2639_;
-                                                                        phi_2640_ = _e2072;
+                                                                        let _e2090 = phi_2658_;
+                                                                        phi_2659_ = _e2090;
                                                                     }
-                                                                    let _e2074 = phi_2640_;
-                                                                    if _e2074 {
-                                                                        phi_2644_ = _e1994;
-                                                                        phi_2645_ = _e1990;
-                                                                        phi_2646_ = _e2046;
-                                                                        phi_2647_ = _e2042;
+                                                                    let _e2092 = phi_2659_;
+                                                                    if _e2092 {
+                                                                        phi_2663_ = _e2012;
+                                                                        phi_2664_ = _e2008;
+                                                                        phi_2665_ = _e2064;
+                                                                        phi_2666_ = _e2060;
                                                                     } else {
-                                                                        phi_2644_ = _e2046;
-                                                                        phi_2645_ = _e2042;
-                                                                        phi_2646_ = _e1994;
-                                                                        phi_2647_ = _e1990;
+                                                                        phi_2663_ = _e2064;
+                                                                        phi_2664_ = _e2060;
+                                                                        phi_2665_ = _e2012;
+                                                                        phi_2666_ = _e2008;
                                                                     }
-                                                                    let _e2076 = phi_2644_;
-                                                                    let _e2078 = phi_2645_;
-                                                                    let _e2080 = phi_2646_;
-                                                                    let _e2082 = phi_2647_;
-                                                                    let _e2085 = ((_e2082 * _e2076) - (_e2080 * _e2078));
-                                                                    if _e2074 {
-                                                                        phi_2655_ = -(_e2085);
+                                                                    let _e2094 = phi_2663_;
+                                                                    let _e2096 = phi_2664_;
+                                                                    let _e2098 = phi_2665_;
+                                                                    let _e2100 = phi_2666_;
+                                                                    let _e2103 = ((_e2100 * _e2094) - (_e2098 * _e2096));
+                                                                    if _e2092 {
+                                                                        phi_2674_ = -(_e2103);
                                                                     } else {
-                                                                        phi_2655_ = _e2085;
+                                                                        phi_2674_ = _e2103;
                                                                     }
-                                                                    let _e2088 = phi_2655_;
-                                                                    if (_e1990 < _e2016) {
-                                                                        phi_2666_ = true;
+                                                                    let _e2106 = phi_2674_;
+                                                                    if (_e2008 < _e2034) {
+                                                                        phi_2685_ = true;
                                                                     } else {
-                                                                        if (_e1990 == _e2016) {
-                                                                            phi_2665_ = (_e1994 < _e2020);
+                                                                        if (_e2008 == _e2034) {
+                                                                            phi_2684_ = (_e2012 < _e2038);
                                                                         } else {
-                                                                            phi_2665_ = false;
+                                                                            phi_2684_ = false;
                                                                         }
-                                                                        let _e2093 = phi_2665_;
-                                                                        phi_2666_ = _e2093;
+                                                                        let _e2111 = phi_2684_;
+                                                                        phi_2685_ = _e2111;
                                                                     }
-                                                                    let _e2095 = phi_2666_;
-                                                                    if _e2095 {
-                                                                        phi_2670_ = _e2020;
-                                                                        phi_2671_ = _e2016;
-                                                                        phi_2672_ = _e1994;
-                                                                        phi_2673_ = _e1990;
+                                                                    let _e2113 = phi_2685_;
+                                                                    if _e2113 {
+                                                                        phi_2689_ = _e2038;
+                                                                        phi_2690_ = _e2034;
+                                                                        phi_2691_ = _e2012;
+                                                                        phi_2692_ = _e2008;
                                                                     } else {
-                                                                        phi_2670_ = _e1994;
-                                                                        phi_2671_ = _e1990;
-                                                                        phi_2672_ = _e2020;
-                                                                        phi_2673_ = _e2016;
+                                                                        phi_2689_ = _e2012;
+                                                                        phi_2690_ = _e2008;
+                                                                        phi_2691_ = _e2038;
+                                                                        phi_2692_ = _e2034;
                                                                     }
-                                                                    let _e2097 = phi_2670_;
-                                                                    let _e2099 = phi_2671_;
-                                                                    let _e2101 = phi_2672_;
-                                                                    let _e2103 = phi_2673_;
-                                                                    let _e2106 = ((_e2103 * _e2097) - (_e2101 * _e2099));
-                                                                    if _e2095 {
-                                                                        phi_2681_ = -(_e2106);
+                                                                    let _e2115 = phi_2689_;
+                                                                    let _e2117 = phi_2690_;
+                                                                    let _e2119 = phi_2691_;
+                                                                    let _e2121 = phi_2692_;
+                                                                    let _e2124 = ((_e2121 * _e2115) - (_e2119 * _e2117));
+                                                                    if _e2113 {
+                                                                        phi_2700_ = -(_e2124);
                                                                     } else {
-                                                                        phi_2681_ = _e2106;
+                                                                        phi_2700_ = _e2124;
                                                                     }
-                                                                    let _e2109 = phi_2681_;
-                                                                    if (_e2067 >= 0f) {
-                                                                        if (_e2088 >= 0f) {
-                                                                            if (_e2109 >= 0f) {
-                                                                                phi_2696_ = ((_e2067 + _e2088) + _e2109);
-                                                                                phi_2697_ = false;
+                                                                    let _e2127 = phi_2700_;
+                                                                    if (_e2085 >= 0f) {
+                                                                        if (_e2106 >= 0f) {
+                                                                            if (_e2127 >= 0f) {
+                                                                                phi_2715_ = ((_e2085 + _e2106) + _e2127);
+                                                                                phi_2716_ = false;
                                                                             } else {
-                                                                                phi_2696_ = f32();
-                                                                                phi_2697_ = true;
+                                                                                phi_2715_ = f32();
+                                                                                phi_2716_ = true;
                                                                             }
-                                                                            let _e2116 = phi_2696_;
-                                                                            let _e2118 = phi_2697_;
-                                                                            phi_2698_ = _e2116;
-                                                                            phi_2699_ = _e2118;
+                                                                            let _e2134 = phi_2715_;
+                                                                            let _e2136 = phi_2716_;
+                                                                            phi_2717_ = _e2134;
+                                                                            phi_2718_ = _e2136;
                                                                         } else {
-                                                                            phi_2698_ = f32();
-                                                                            phi_2699_ = true;
+                                                                            phi_2717_ = f32();
+                                                                            phi_2718_ = true;
                                                                         }
-                                                                        let _e2120 = phi_2698_;
-                                                                        let _e2122 = phi_2699_;
-                                                                        phi_2700_ = _e2120;
-                                                                        phi_2701_ = _e2122;
+                                                                        let _e2138 = phi_2717_;
+                                                                        let _e2140 = phi_2718_;
+                                                                        phi_2719_ = _e2138;
+                                                                        phi_2720_ = _e2140;
                                                                     } else {
-                                                                        phi_2700_ = f32();
-                                                                        phi_2701_ = true;
+                                                                        phi_2719_ = f32();
+                                                                        phi_2720_ = true;
                                                                     }
-                                                                    let _e2124 = phi_2700_;
-                                                                    let _e2126 = phi_2701_;
-                                                                    if _e2126 {
-                                                                        if (_e2067 <= 0f) {
-                                                                            if (_e2088 <= 0f) {
-                                                                                let _e2129 = (_e2109 <= 0f);
-                                                                                if _e2129 {
+                                                                    let _e2142 = phi_2719_;
+                                                                    let _e2144 = phi_2720_;
+                                                                    if _e2144 {
+                                                                        if (_e2085 <= 0f) {
+                                                                            if (_e2106 <= 0f) {
+                                                                                let _e2147 = (_e2127 <= 0f);
+                                                                                if _e2147 {
                                                                                 }
-                                                                                phi_2719_ = ((_e2067 + _e2088) + _e2109);
-                                                                                phi_2720_ = false;
-                                                                                phi_2721_ = _e2129;
+                                                                                phi_2738_ = ((_e2085 + _e2106) + _e2127);
+                                                                                phi_2739_ = false;
+                                                                                phi_2740_ = _e2147;
                                                                             } else {
-                                                                                phi_2719_ = f32();
-                                                                                phi_2720_ = true;
-                                                                                phi_2721_ = false;
+                                                                                phi_2738_ = f32();
+                                                                                phi_2739_ = true;
+                                                                                phi_2740_ = false;
                                                                             }
-                                                                            let _e2133 = phi_2719_;
-                                                                            let _e2135 = phi_2720_;
-                                                                            let _e2137 = phi_2721_;
-                                                                            phi_2722_ = _e2133;
-                                                                            phi_2723_ = _e2135;
-                                                                            phi_2724_ = _e2137;
+                                                                            let _e2151 = phi_2738_;
+                                                                            let _e2153 = phi_2739_;
+                                                                            let _e2155 = phi_2740_;
+                                                                            phi_2741_ = _e2151;
+                                                                            phi_2742_ = _e2153;
+                                                                            phi_2743_ = _e2155;
                                                                         } else {
-                                                                            phi_2722_ = f32();
-                                                                            phi_2723_ = true;
-                                                                            phi_2724_ = false;
+                                                                            phi_2741_ = f32();
+                                                                            phi_2742_ = true;
+                                                                            phi_2743_ = false;
                                                                         }
-                                                                        let _e2139 = phi_2722_;
-                                                                        let _e2141 = phi_2723_;
-                                                                        let _e2143 = phi_2724_;
-                                                                        if _e2141 {
-                                                                            phi_2728_ = false;
+                                                                        let _e2157 = phi_2741_;
+                                                                        let _e2159 = phi_2742_;
+                                                                        let _e2161 = phi_2743_;
+                                                                        if _e2159 {
+                                                                            phi_2747_ = false;
                                                                         } else {
-                                                                            phi_2728_ = _e2143;
+                                                                            phi_2747_ = _e2161;
                                                                         }
-                                                                        let _e2145 = phi_2728_;
-                                                                        phi_2729_ = _e2139;
-                                                                        phi_2730_ = _e2145;
+                                                                        let _e2163 = phi_2747_;
+                                                                        phi_2748_ = _e2157;
+                                                                        phi_2749_ = _e2163;
                                                                     } else {
-                                                                        phi_2729_ = _e2124;
-                                                                        phi_2730_ = true;
+                                                                        phi_2748_ = _e2142;
+                                                                        phi_2749_ = true;
                                                                     }
-                                                                    let _e2147 = phi_2729_;
-                                                                    let _e2149 = phi_2730_;
-                                                                    if _e2149 {
-                                                                        let _e2150 = (_e2147 == 0f);
-                                                                        if _e2150 {
-                                                                            phi_3046_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3047_ = false;
+                                                                    let _e2165 = phi_2748_;
+                                                                    let _e2167 = phi_2749_;
+                                                                    if _e2167 {
+                                                                        let _e2168 = (_e2165 == 0f);
+                                                                        if _e2168 {
+                                                                            phi_3065_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3066_ = false;
                                                                         } else {
-                                                                            let _e2152 = triangles.member[(0u + _e1963)].v0_;
-                                                                            let _e2154 = (_e2152.x - _e1066);
-                                                                            let _e2156 = (_e2152.y - _e1079);
-                                                                            let _e2158 = (_e2152.z - _e1092);
-                                                                            if (_e1348 == 0u) {
-                                                                                phi_2759_ = vec3<f32>(_e2156, _e2158, _e2154);
+                                                                            let _e2170 = triangles.member[(0u + _e1981)].v0_;
+                                                                            let _e2172 = (_e2170.x - _e1084);
+                                                                            let _e2174 = (_e2170.y - _e1097);
+                                                                            let _e2176 = (_e2170.z - _e1110);
+                                                                            if (_e1366 == 0u) {
+                                                                                phi_2778_ = vec3<f32>(_e2174, _e2176, _e2172);
                                                                             } else {
-                                                                                if (_e1348 == 1u) {
-                                                                                    phi_2758_ = vec3<f32>(_e2158, _e2154, _e2156);
+                                                                                if (_e1366 == 1u) {
+                                                                                    phi_2777_ = vec3<f32>(_e2176, _e2172, _e2174);
                                                                                 } else {
-                                                                                    phi_2758_ = (_e2152 - vec3<f32>(_e1066, _e1079, _e1092));
+                                                                                    phi_2777_ = (_e2170 - vec3<f32>(_e1084, _e1097, _e1110));
                                                                                 }
-                                                                                let _e2166 = phi_2758_;
-                                                                                phi_2759_ = _e2166;
+                                                                                let _e2184 = phi_2777_;
+                                                                                phi_2778_ = _e2184;
                                                                             }
-                                                                            let _e2168 = phi_2759_;
-                                                                            let _e2170 = triangles.member[(0u + _e1963)].v1_;
-                                                                            let _e2172 = triangles.member[(0u + _e1963)].v0_;
-                                                                            let _e2175 = (_e2170.x - _e2172.x);
-                                                                            let _e2178 = (_e2170.y - _e2172.y);
-                                                                            let _e2181 = (_e2170.z - _e2172.z);
-                                                                            if (_e1348 == 0u) {
-                                                                                phi_2785_ = vec3<f32>(_e2178, _e2181, _e2175);
+                                                                            let _e2186 = phi_2778_;
+                                                                            let _e2188 = triangles.member[(0u + _e1981)].v1_;
+                                                                            let _e2190 = triangles.member[(0u + _e1981)].v0_;
+                                                                            let _e2193 = (_e2188.x - _e2190.x);
+                                                                            let _e2196 = (_e2188.y - _e2190.y);
+                                                                            let _e2199 = (_e2188.z - _e2190.z);
+                                                                            if (_e1366 == 0u) {
+                                                                                phi_2804_ = vec3<f32>(_e2196, _e2199, _e2193);
                                                                             } else {
-                                                                                if (_e1348 == 1u) {
-                                                                                    phi_2784_ = vec3<f32>(_e2181, _e2175, _e2178);
+                                                                                if (_e1366 == 1u) {
+                                                                                    phi_2803_ = vec3<f32>(_e2199, _e2193, _e2196);
                                                                                 } else {
-                                                                                    phi_2784_ = (_e2170 - _e2172);
+                                                                                    phi_2803_ = (_e2188 - _e2190);
                                                                                 }
-                                                                                let _e2188 = phi_2784_;
-                                                                                phi_2785_ = _e2188;
+                                                                                let _e2206 = phi_2803_;
+                                                                                phi_2804_ = _e2206;
                                                                             }
-                                                                            let _e2190 = phi_2785_;
-                                                                            let _e2192 = triangles.member[(0u + _e1963)].v2_;
-                                                                            let _e2194 = triangles.member[(0u + _e1963)].v0_;
-                                                                            let _e2197 = (_e2192.x - _e2194.x);
-                                                                            let _e2200 = (_e2192.y - _e2194.y);
-                                                                            let _e2203 = (_e2192.z - _e2194.z);
-                                                                            if (_e1348 == 0u) {
-                                                                                phi_2811_ = vec3<f32>(_e2200, _e2203, _e2197);
+                                                                            let _e2208 = phi_2804_;
+                                                                            let _e2210 = triangles.member[(0u + _e1981)].v2_;
+                                                                            let _e2212 = triangles.member[(0u + _e1981)].v0_;
+                                                                            let _e2215 = (_e2210.x - _e2212.x);
+                                                                            let _e2218 = (_e2210.y - _e2212.y);
+                                                                            let _e2221 = (_e2210.z - _e2212.z);
+                                                                            if (_e1366 == 0u) {
+                                                                                phi_2830_ = vec3<f32>(_e2218, _e2221, _e2215);
                                                                             } else {
-                                                                                if (_e1348 == 1u) {
-                                                                                    phi_2810_ = vec3<f32>(_e2203, _e2197, _e2200);
+                                                                                if (_e1366 == 1u) {
+                                                                                    phi_2829_ = vec3<f32>(_e2221, _e2215, _e2218);
                                                                                 } else {
-                                                                                    phi_2810_ = (_e2192 - _e2194);
+                                                                                    phi_2829_ = (_e2210 - _e2212);
                                                                                 }
-                                                                                let _e2210 = phi_2810_;
-                                                                                phi_2811_ = _e2210;
+                                                                                let _e2228 = phi_2829_;
+                                                                                phi_2830_ = _e2228;
                                                                             }
-                                                                            let _e2212 = phi_2811_;
-                                                                            let _e2219 = ((_e2190.y * _e2212.z) - (_e2190.z * _e2212.y));
-                                                                            let _e2226 = ((_e2190.z * _e2212.x) - (_e2190.x * _e2212.z));
-                                                                            let _e2233 = ((_e2190.x * _e2212.y) - (_e2190.y * _e2212.x));
-                                                                            let _e2247 = (((1f / _e1356.z) * (((_e2219 * _e2168.x) + (_e2226 * _e2168.y)) + (_e2233 * _e2168.z))) / (((_e2219 * _e1359) + (_e2226 * _e1362)) + _e2233));
-                                                                            if (_e2247 > _e165.tmin) {
-                                                                                if (_e2247 < _e165.tmax) {
-                                                                                    let _e2251 = triangles.member[(0u + _e1963)].v0_;
-                                                                                    let _e2253 = triangles.member[(0u + _e1963)].v1_;
-                                                                                    if (_e2251.x < _e2253.x) {
-                                                                                        phi_2867_ = _e2251.x;
+                                                                            let _e2230 = phi_2830_;
+                                                                            let _e2237 = ((_e2208.y * _e2230.z) - (_e2208.z * _e2230.y));
+                                                                            let _e2244 = ((_e2208.z * _e2230.x) - (_e2208.x * _e2230.z));
+                                                                            let _e2251 = ((_e2208.x * _e2230.y) - (_e2208.y * _e2230.x));
+                                                                            let _e2265 = (((1f / _e1374.z) * (((_e2237 * _e2186.x) + (_e2244 * _e2186.y)) + (_e2251 * _e2186.z))) / (((_e2237 * _e1377) + (_e2244 * _e1380)) + _e2251));
+                                                                            if (_e2265 > _e183.tmin) {
+                                                                                if (_e2265 < _e183.tmax) {
+                                                                                    let _e2269 = triangles.member[(0u + _e1981)].v0_;
+                                                                                    let _e2271 = triangles.member[(0u + _e1981)].v1_;
+                                                                                    if (_e2269.x < _e2271.x) {
+                                                                                        phi_2886_ = _e2269.x;
                                                                                     } else {
-                                                                                        phi_2867_ = _e2253.x;
+                                                                                        phi_2886_ = _e2271.x;
                                                                                     }
-                                                                                    let _e2260 = phi_2867_;
-                                                                                    if (_e2251.y < _e2253.y) {
-                                                                                        phi_2876_ = _e2251.y;
+                                                                                    let _e2278 = phi_2886_;
+                                                                                    if (_e2269.y < _e2271.y) {
+                                                                                        phi_2895_ = _e2269.y;
                                                                                     } else {
-                                                                                        phi_2876_ = _e2253.y;
+                                                                                        phi_2895_ = _e2271.y;
                                                                                     }
-                                                                                    let _e2267 = phi_2876_;
-                                                                                    if (_e2251.z < _e2253.z) {
-                                                                                        phi_2885_ = _e2251.z;
+                                                                                    let _e2285 = phi_2895_;
+                                                                                    if (_e2269.z < _e2271.z) {
+                                                                                        phi_2904_ = _e2269.z;
                                                                                     } else {
-                                                                                        phi_2885_ = _e2253.z;
+                                                                                        phi_2904_ = _e2271.z;
                                                                                     }
-                                                                                    let _e2274 = phi_2885_;
-                                                                                    let _e2276 = triangles.member[(0u + _e1963)].v2_;
-                                                                                    if (_e2260 < _e2276.x) {
-                                                                                        phi_2894_ = _e2260;
+                                                                                    let _e2292 = phi_2904_;
+                                                                                    let _e2294 = triangles.member[(0u + _e1981)].v2_;
+                                                                                    if (_e2278 < _e2294.x) {
+                                                                                        phi_2913_ = _e2278;
                                                                                     } else {
-                                                                                        phi_2894_ = _e2276.x;
+                                                                                        phi_2913_ = _e2294.x;
                                                                                     }
-                                                                                    let _e2281 = phi_2894_;
-                                                                                    if (_e2267 < _e2276.y) {
-                                                                                        phi_2901_ = _e2267;
+                                                                                    let _e2299 = phi_2913_;
+                                                                                    if (_e2285 < _e2294.y) {
+                                                                                        phi_2920_ = _e2285;
                                                                                     } else {
-                                                                                        phi_2901_ = _e2276.y;
+                                                                                        phi_2920_ = _e2294.y;
                                                                                     }
-                                                                                    let _e2286 = phi_2901_;
-                                                                                    if (_e2274 < _e2276.z) {
-                                                                                        phi_2908_ = _e2274;
+                                                                                    let _e2304 = phi_2920_;
+                                                                                    if (_e2292 < _e2294.z) {
+                                                                                        phi_2927_ = _e2292;
                                                                                     } else {
-                                                                                        phi_2908_ = _e2276.z;
+                                                                                        phi_2927_ = _e2294.z;
                                                                                     }
-                                                                                    let _e2291 = phi_2908_;
-                                                                                    let _e2293 = triangles.member[(0u + _e1963)].v0_;
-                                                                                    let _e2295 = triangles.member[(0u + _e1963)].v1_;
-                                                                                    if (_e2293.x > _e2295.x) {
-                                                                                        phi_2921_ = _e2293.x;
+                                                                                    let _e2309 = phi_2927_;
+                                                                                    let _e2311 = triangles.member[(0u + _e1981)].v0_;
+                                                                                    let _e2313 = triangles.member[(0u + _e1981)].v1_;
+                                                                                    if (_e2311.x > _e2313.x) {
+                                                                                        phi_2940_ = _e2311.x;
                                                                                     } else {
-                                                                                        phi_2921_ = _e2295.x;
+                                                                                        phi_2940_ = _e2313.x;
                                                                                     }
-                                                                                    let _e2302 = phi_2921_;
-                                                                                    if (_e2293.y > _e2295.y) {
-                                                                                        phi_2930_ = _e2293.y;
+                                                                                    let _e2320 = phi_2940_;
+                                                                                    if (_e2311.y > _e2313.y) {
+                                                                                        phi_2949_ = _e2311.y;
                                                                                     } else {
-                                                                                        phi_2930_ = _e2295.y;
+                                                                                        phi_2949_ = _e2313.y;
                                                                                     }
-                                                                                    let _e2309 = phi_2930_;
-                                                                                    if (_e2293.z > _e2295.z) {
-                                                                                        phi_2939_ = _e2293.z;
+                                                                                    let _e2327 = phi_2949_;
+                                                                                    if (_e2311.z > _e2313.z) {
+                                                                                        phi_2958_ = _e2311.z;
                                                                                     } else {
-                                                                                        phi_2939_ = _e2295.z;
+                                                                                        phi_2958_ = _e2313.z;
                                                                                     }
-                                                                                    let _e2316 = phi_2939_;
-                                                                                    let _e2318 = triangles.member[(0u + _e1963)].v2_;
-                                                                                    if (_e2302 > _e2318.x) {
-                                                                                        phi_2948_ = _e2302;
+                                                                                    let _e2334 = phi_2958_;
+                                                                                    let _e2336 = triangles.member[(0u + _e1981)].v2_;
+                                                                                    if (_e2320 > _e2336.x) {
+                                                                                        phi_2967_ = _e2320;
                                                                                     } else {
-                                                                                        phi_2948_ = _e2318.x;
+                                                                                        phi_2967_ = _e2336.x;
                                                                                     }
-                                                                                    let _e2323 = phi_2948_;
-                                                                                    if (_e2309 > _e2318.y) {
-                                                                                        phi_2955_ = _e2309;
+                                                                                    let _e2341 = phi_2967_;
+                                                                                    if (_e2327 > _e2336.y) {
+                                                                                        phi_2974_ = _e2327;
                                                                                     } else {
-                                                                                        phi_2955_ = _e2318.y;
+                                                                                        phi_2974_ = _e2336.y;
                                                                                     }
-                                                                                    let _e2328 = phi_2955_;
-                                                                                    if (_e2316 > _e2318.z) {
-                                                                                        phi_2962_ = _e2316;
+                                                                                    let _e2346 = phi_2974_;
+                                                                                    if (_e2334 > _e2336.z) {
+                                                                                        phi_2981_ = _e2334;
                                                                                     } else {
-                                                                                        phi_2962_ = _e2318.z;
+                                                                                        phi_2981_ = _e2336.z;
                                                                                     }
-                                                                                    let _e2333 = phi_2962_;
-                                                                                    let _e2337 = ((_e2281 - _e1066) * _e1273);
-                                                                                    let _e2338 = ((_e2286 - _e1079) * _e1283);
-                                                                                    let _e2339 = ((_e2291 - _e1092) * _e1293);
-                                                                                    let _e2343 = ((_e2323 - _e1066) * _e1273);
-                                                                                    let _e2344 = ((_e2328 - _e1079) * _e1283);
-                                                                                    let _e2345 = ((_e2333 - _e1092) * _e1293);
-                                                                                    if (_e2337 < _e2343) {
-                                                                                        phi_2979_ = _e2337;
+                                                                                    let _e2351 = phi_2981_;
+                                                                                    let _e2355 = ((_e2299 - _e1084) * _e1291);
+                                                                                    let _e2356 = ((_e2304 - _e1097) * _e1301);
+                                                                                    let _e2357 = ((_e2309 - _e1110) * _e1311);
+                                                                                    let _e2361 = ((_e2341 - _e1084) * _e1291);
+                                                                                    let _e2362 = ((_e2346 - _e1097) * _e1301);
+                                                                                    let _e2363 = ((_e2351 - _e1110) * _e1311);
+                                                                                    if (_e2355 < _e2361) {
+                                                                                        phi_2998_ = _e2355;
                                                                                     } else {
-                                                                                        phi_2979_ = _e2343;
+                                                                                        phi_2998_ = _e2361;
                                                                                     }
-                                                                                    let _e2348 = phi_2979_;
-                                                                                    if (_e2338 < _e2344) {
-                                                                                        phi_2984_ = _e2338;
+                                                                                    let _e2366 = phi_2998_;
+                                                                                    if (_e2356 < _e2362) {
+                                                                                        phi_3003_ = _e2356;
                                                                                     } else {
-                                                                                        phi_2984_ = _e2344;
+                                                                                        phi_3003_ = _e2362;
                                                                                     }
-                                                                                    let _e2351 = phi_2984_;
-                                                                                    if (_e2339 < _e2345) {
-                                                                                        phi_2989_ = _e2339;
+                                                                                    let _e2369 = phi_3003_;
+                                                                                    if (_e2357 < _e2363) {
+                                                                                        phi_3008_ = _e2357;
                                                                                     } else {
-                                                                                        phi_2989_ = _e2345;
+                                                                                        phi_3008_ = _e2363;
                                                                                     }
-                                                                                    let _e2354 = phi_2989_;
-                                                                                    if (_e2337 > _e2343) {
-                                                                                        phi_2997_ = _e2337;
+                                                                                    let _e2372 = phi_3008_;
+                                                                                    if (_e2355 > _e2361) {
+                                                                                        phi_3016_ = _e2355;
                                                                                     } else {
-                                                                                        phi_2997_ = _e2343;
+                                                                                        phi_3016_ = _e2361;
                                                                                     }
-                                                                                    let _e2360 = phi_2997_;
-                                                                                    if (_e2338 > _e2344) {
-                                                                                        phi_3002_ = _e2338;
+                                                                                    let _e2378 = phi_3016_;
+                                                                                    if (_e2356 > _e2362) {
+                                                                                        phi_3021_ = _e2356;
                                                                                     } else {
-                                                                                        phi_3002_ = _e2344;
+                                                                                        phi_3021_ = _e2362;
                                                                                     }
-                                                                                    let _e2363 = phi_3002_;
-                                                                                    if (_e2339 > _e2345) {
-                                                                                        phi_3007_ = _e2339;
+                                                                                    let _e2381 = phi_3021_;
+                                                                                    if (_e2357 > _e2363) {
+                                                                                        phi_3026_ = _e2357;
                                                                                     } else {
-                                                                                        phi_3007_ = _e2345;
+                                                                                        phi_3026_ = _e2363;
                                                                                     }
-                                                                                    let _e2366 = phi_3007_;
-                                                                                    let _e2370 = core_intrinsics_maximum_number_nsz_f32_((_e2348 - _e1332), (_e2351 - _e1333));
-                                                                                    let _e2371 = core_intrinsics_maximum_number_nsz_f32_(_e2370, (_e2354 - _e1334));
-                                                                                    let _e2372 = core_intrinsics_minimum_number_nsz_f32_((_e2360 + _e1332), (_e2363 + _e1333));
-                                                                                    let _e2373 = core_intrinsics_minimum_number_nsz_f32_(_e2372, (_e2366 + _e1334));
-                                                                                    if (_e2371 > _e1041) {
-                                                                                        phi_3019_ = _e2371;
+                                                                                    let _e2384 = phi_3026_;
+                                                                                    let _e2388 = core_intrinsics_maximum_number_nsz_f32_((_e2366 - _e1350), (_e2369 - _e1351));
+                                                                                    let _e2389 = core_intrinsics_maximum_number_nsz_f32_(_e2388, (_e2372 - _e1352));
+                                                                                    let _e2390 = core_intrinsics_minimum_number_nsz_f32_((_e2378 + _e1350), (_e2381 + _e1351));
+                                                                                    let _e2391 = core_intrinsics_minimum_number_nsz_f32_(_e2390, (_e2384 + _e1352));
+                                                                                    if (_e2389 > _e1059) {
+                                                                                        phi_3038_ = _e2389;
                                                                                     } else {
-                                                                                        phi_3019_ = _e1041;
+                                                                                        phi_3038_ = _e1059;
                                                                                     }
-                                                                                    let _e2376 = phi_3019_;
-                                                                                    if (_e2373 < _e1043) {
-                                                                                        phi_3024_ = _e2373;
+                                                                                    let _e2394 = phi_3038_;
+                                                                                    if (_e2391 < _e1061) {
+                                                                                        phi_3043_ = _e2391;
                                                                                     } else {
-                                                                                        phi_3024_ = _e1043;
+                                                                                        phi_3043_ = _e1061;
                                                                                     }
-                                                                                    let _e2379 = phi_3024_;
-                                                                                    if (_e2247 < _e2376) {
-                                                                                        phi_3029_ = _e2376;
+                                                                                    let _e2397 = phi_3043_;
+                                                                                    if (_e2265 < _e2394) {
+                                                                                        phi_3048_ = _e2394;
                                                                                     } else {
-                                                                                        phi_3029_ = _e2247;
+                                                                                        phi_3048_ = _e2265;
                                                                                     }
-                                                                                    let _e2382 = phi_3029_;
-                                                                                    if (_e2382 > _e2379) {
-                                                                                        phi_3034_ = _e2379;
+                                                                                    let _e2400 = phi_3048_;
+                                                                                    if (_e2400 > _e2397) {
+                                                                                        phi_3053_ = _e2397;
                                                                                     } else {
-                                                                                        phi_3034_ = _e2382;
+                                                                                        phi_3053_ = _e2400;
                                                                                     }
-                                                                                    let _e2385 = phi_3034_;
-                                                                                    phi_3039_ = lt_bvh_triangle_Intersection(_e2385, (_e2088 / _e2147), (_e2109 / _e2147), (_e2376 <= _e2379));
-                                                                                    phi_3040_ = false;
+                                                                                    let _e2403 = phi_3053_;
+                                                                                    phi_3058_ = lt_bvh_triangle_Intersection(_e2403, (_e2106 / _e2165), (_e2127 / _e2165), (_e2394 <= _e2397));
+                                                                                    phi_3059_ = false;
                                                                                 } else {
-                                                                                    phi_3039_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_3040_ = true;
+                                                                                    phi_3058_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3059_ = true;
                                                                                 }
-                                                                                let _e2391 = phi_3039_;
-                                                                                let _e2393 = phi_3040_;
-                                                                                phi_3041_ = _e2391;
-                                                                                phi_3042_ = _e2393;
+                                                                                let _e2409 = phi_3058_;
+                                                                                let _e2411 = phi_3059_;
+                                                                                phi_3060_ = _e2409;
+                                                                                phi_3061_ = _e2411;
                                                                             } else {
-                                                                                phi_3041_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3042_ = true;
+                                                                                phi_3060_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3061_ = true;
                                                                             }
-                                                                            let _e2395 = phi_3041_;
-                                                                            let _e2397 = phi_3042_;
-                                                                            if _e2397 {
+                                                                            let _e2413 = phi_3060_;
+                                                                            let _e2415 = phi_3061_;
+                                                                            if _e2415 {
                                                                             }
-                                                                            phi_3046_ = _e2395;
-                                                                            phi_3047_ = _e2397;
+                                                                            phi_3065_ = _e2413;
+                                                                            phi_3066_ = _e2415;
                                                                         }
-                                                                        let _e2399 = phi_3046_;
-                                                                        let _e2401 = phi_3047_;
-                                                                        phi_3048_ = _e2399;
-                                                                        phi_3049_ = _e2150;
-                                                                        phi_3050_ = _e2401;
+                                                                        let _e2417 = phi_3065_;
+                                                                        let _e2419 = phi_3066_;
+                                                                        phi_3067_ = _e2417;
+                                                                        phi_3068_ = _e2168;
+                                                                        phi_3069_ = _e2419;
                                                                     } else {
-                                                                        phi_3048_ = lt_bvh_triangle_Intersection();
-                                                                        phi_3049_ = true;
-                                                                        phi_3050_ = false;
+                                                                        phi_3067_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3068_ = true;
+                                                                        phi_3069_ = false;
                                                                     }
-                                                                    let _e2403 = phi_3048_;
-                                                                    let _e2405 = phi_3049_;
-                                                                    let _e2407 = phi_3050_;
-                                                                    if _e2405 {
-                                                                        phi_3054_ = true;
+                                                                    let _e2421 = phi_3067_;
+                                                                    let _e2423 = phi_3068_;
+                                                                    let _e2425 = phi_3069_;
+                                                                    if _e2423 {
+                                                                        phi_3073_ = true;
                                                                     } else {
-                                                                        phi_3054_ = _e2407;
+                                                                        phi_3073_ = _e2425;
                                                                     }
-                                                                    let _e2409 = phi_3054_;
-                                                                    if _e2409 {
-                                                                        phi_3058_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2427 = phi_3073_;
+                                                                    if _e2427 {
+                                                                        phi_3077_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3058_ = _e2403;
+                                                                        phi_3077_ = _e2421;
                                                                     }
-                                                                    let _e2411 = phi_3058_;
-                                                                    if _e2411.is_hit {
-                                                                        if (_e2411.t > _e165.tmin) {
-                                                                            if (_e2411.t < _e1952.t) {
-                                                                                phi_3106_ = true;
+                                                                    let _e2429 = phi_3077_;
+                                                                    if _e2429.is_hit {
+                                                                        if (_e2429.t > _e183.tmin) {
+                                                                            if (_e2429.t < _e1970.t) {
+                                                                                phi_3125_ = true;
                                                                             } else {
-                                                                                if (_e2411.t == _e1952.t) {
-                                                                                    if (_e1952.triangle != 4294967295u) {
-                                                                                        if (_e1963 < _e1952.triangle) {
-                                                                                            phi_3097_ = true;
+                                                                                if (_e2429.t == _e1970.t) {
+                                                                                    if (_e1970.triangle != 4294967295u) {
+                                                                                        if (_e1981 < _e1970.triangle) {
+                                                                                            phi_3116_ = true;
                                                                                         } else {
-                                                                                            if (_e1963 == _e1952.triangle) {
-                                                                                                phi_3096_ = (_e982 < _e1952.instance);
+                                                                                            if (_e1981 == _e1970.triangle) {
+                                                                                                phi_3115_ = (_e1000 < _e1970.instance);
                                                                                             } else {
-                                                                                                phi_3096_ = false;
+                                                                                                phi_3115_ = false;
                                                                                             }
-                                                                                            let _e2429 = phi_3096_;
-                                                                                            phi_3097_ = _e2429;
+                                                                                            let _e2447 = phi_3115_;
+                                                                                            phi_3116_ = _e2447;
                                                                                         }
-                                                                                        let _e2431 = phi_3097_;
-                                                                                        phi_3098_ = _e2431;
-                                                                                        phi_3099_ = false;
+                                                                                        let _e2449 = phi_3116_;
+                                                                                        phi_3117_ = _e2449;
+                                                                                        phi_3118_ = false;
                                                                                     } else {
-                                                                                        phi_3098_ = bool();
-                                                                                        phi_3099_ = true;
+                                                                                        phi_3117_ = bool();
+                                                                                        phi_3118_ = true;
                                                                                     }
-                                                                                    let _e2433 = phi_3098_;
-                                                                                    let _e2435 = phi_3099_;
-                                                                                    phi_3100_ = _e2433;
-                                                                                    phi_3101_ = _e2435;
+                                                                                    let _e2451 = phi_3117_;
+                                                                                    let _e2453 = phi_3118_;
+                                                                                    phi_3119_ = _e2451;
+                                                                                    phi_3120_ = _e2453;
                                                                                 } else {
-                                                                                    phi_3100_ = bool();
-                                                                                    phi_3101_ = true;
+                                                                                    phi_3119_ = bool();
+                                                                                    phi_3120_ = true;
                                                                                 }
-                                                                                let _e2437 = phi_3100_;
-                                                                                let _e2439 = phi_3101_;
-                                                                                if _e2439 {
-                                                                                    phi_3105_ = false;
+                                                                                let _e2455 = phi_3119_;
+                                                                                let _e2457 = phi_3120_;
+                                                                                if _e2457 {
+                                                                                    phi_3124_ = false;
                                                                                 } else {
-                                                                                    phi_3105_ = _e2437;
+                                                                                    phi_3124_ = _e2455;
                                                                                 }
-                                                                                let _e2441 = phi_3105_;
-                                                                                phi_3106_ = _e2441;
+                                                                                let _e2459 = phi_3124_;
+                                                                                phi_3125_ = _e2459;
                                                                             }
-                                                                            let _e2443 = phi_3106_;
-                                                                            if _e2443 {
-                                                                                let _e2445 = triangles.member[(0u + _e1963)].i0_;
-                                                                                if ((_e2445 & 2147483648u) == 0u) {
-                                                                                    phi_3317_ = true;
+                                                                            let _e2461 = phi_3125_;
+                                                                            if _e2461 {
+                                                                                let _e2463 = triangles.member[(0u + _e1981)].i0_;
+                                                                                if ((_e2463 & 2147483648u) == 0u) {
+                                                                                    phi_3336_ = true;
                                                                                 } else {
-                                                                                    if (_e1963 < _e81) {
+                                                                                    if (_e1981 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2454 = triangles.member[(0u + _e1963)].i0_;
-                                                                                    let _e2455 = (_e2454 & 2147483647u);
-                                                                                    let _e2457 = triangles.member[(0u + _e1963)].i1_;
-                                                                                    let _e2459 = triangles.member[(0u + _e1963)].i2_;
-                                                                                    if (_e2455 < _e84) {
+                                                                                    let _e2472 = triangles.member[(0u + _e1981)].i0_;
+                                                                                    let _e2473 = (_e2472 & 2147483647u);
+                                                                                    let _e2475 = triangles.member[(0u + _e1981)].i1_;
+                                                                                    let _e2477 = triangles.member[(0u + _e1981)].i2_;
+                                                                                    if (_e2473 < _e85) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2463 = vertices.member[(0u + _e2455)];
-                                                                                    if (_e2457 < _e84) {
+                                                                                    let _e2481 = vertices.member[(0u + _e2473)];
+                                                                                    if (_e2475 < _e85) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2467 = vertices.member[(0u + _e2457)];
-                                                                                    if (_e2459 < _e84) {
+                                                                                    let _e2485 = vertices.member[(0u + _e2475)];
+                                                                                    if (_e2477 < _e85) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2471 = vertices.member[(0u + _e2459)];
-                                                                                    let _e2472 = array<abi_Vertex, 3>(_e2463, _e2467, _e2471);
-                                                                                    if (_e2472[0].material < _e87) {
+                                                                                    let _e2489 = vertices.member[(0u + _e2477)];
+                                                                                    let _e2490 = array<abi_Vertex, 3>(_e2481, _e2485, _e2489);
+                                                                                    if (_e2490[0].material < _e88) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2478 = materials.member[(0u + _e2472[0].material)];
-                                                                                    if ((_e2478.flags & 0u) == 0u) {
-                                                                                        let _e2483 = ((1f - _e2411.u) - _e2411.v);
-                                                                                        if (_e2478.cutoff <= 0f) {
-                                                                                            phi_3312_ = true;
+                                                                                    let _e2496 = materials.member[(0u + _e2490[0].material)];
+                                                                                    if ((_e2496.flags & 0u) == 0u) {
+                                                                                        let _e2501 = ((1f - _e2429.u) - _e2429.v);
+                                                                                        if (_e2496.cutoff <= 0f) {
+                                                                                            phi_3331_ = true;
                                                                                         } else {
-                                                                                            let _e2510 = (_e2478.base_color.w * ((((f32((_e2472[0].color >> bitcast<u32>(24i))) * _e2483) + (f32((_e2472[1].color >> bitcast<u32>(24i))) * _e2411.u)) + (f32((_e2472[2].color >> bitcast<u32>(24i))) * _e2411.v)) * (1f / 255f)));
-                                                                                            if (_e2478.alpha_size == 0u) {
-                                                                                                phi_3309_ = _e2510;
+                                                                                            let _e2528 = (_e2496.base_color.w * ((((f32((_e2490[0].color >> bitcast<u32>(24i))) * _e2501) + (f32((_e2490[1].color >> bitcast<u32>(24i))) * _e2429.u)) + (f32((_e2490[2].color >> bitcast<u32>(24i))) * _e2429.v)) * (1f / 255f)));
+                                                                                            if (_e2496.alpha_size == 0u) {
+                                                                                                phi_3328_ = _e2528;
                                                                                             } else {
-                                                                                                local.offset = _e2478.alpha_offset;
-                                                                                                local.size = _e2478.alpha_size;
-                                                                                                local.flags = _e2478.flags;
-                                                                                                let _e2541 = _lt_shaders_texture_TextureView_quad((&local), (((_e2472[0].u * _e2483) + (_e2472[1].u * _e2411.u)) + (_e2472[2].u * _e2411.v)), (((_e2472[0].v * _e2483) + (_e2472[1].v * _e2411.u)) + (_e2472[2].v * _e2411.v)));
-                                                                                                let _e2545 = (_e2541.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2545 < _e96) {
+                                                                                                local.offset = _e2496.alpha_offset;
+                                                                                                local.size = _e2496.alpha_size;
+                                                                                                local.flags = _e2496.flags;
+                                                                                                let _e2559 = _lt_shaders_texture_TextureView_quad((&local), (((_e2490[0].u * _e2501) + (_e2490[1].u * _e2429.u)) + (_e2490[2].u * _e2429.v)), (((_e2490[0].v * _e2501) + (_e2490[1].v * _e2429.u)) + (_e2490[2].v * _e2429.v)));
+                                                                                                let _e2563 = (_e2559.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2563 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2549 = alpha_texels.member[(0u + _e2545)];
-                                                                                                let _e2565 = (_e2541.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2565 < _e96) {
+                                                                                                let _e2567 = alpha_texels.member[(0u + _e2563)];
+                                                                                                let _e2583 = (_e2559.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2583 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2569 = alpha_texels.member[(0u + _e2565)];
-                                                                                                let _e2586 = (_e2541.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2586 < _e96) {
+                                                                                                let _e2587 = alpha_texels.member[(0u + _e2583)];
+                                                                                                let _e2604 = (_e2559.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2604 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2590 = alpha_texels.member[(0u + _e2586)];
-                                                                                                let _e2607 = (_e2541.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2607 < _e96) {
+                                                                                                let _e2608 = alpha_texels.member[(0u + _e2604)];
+                                                                                                let _e2625 = (_e2559.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2625 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2611 = alpha_texels.member[(0u + _e2607)];
-                                                                                                phi_3309_ = (_e2510 * (((((f32(((_e2549 >> bitcast<u32>((((_e2541.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2541.weights.x) + ((f32(((_e2569 >> bitcast<u32>((((_e2541.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2541.weights.y)) + ((f32(((_e2590 >> bitcast<u32>((((_e2541.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2541.weights.z)) + ((f32(((_e2611 >> bitcast<u32>((((_e2541.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2541.weights.w)));
+                                                                                                let _e2629 = alpha_texels.member[(0u + _e2625)];
+                                                                                                phi_3328_ = (_e2528 * (((((f32(((_e2567 >> bitcast<u32>((((_e2559.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.x) + ((f32(((_e2587 >> bitcast<u32>((((_e2559.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.y)) + ((f32(((_e2608 >> bitcast<u32>((((_e2559.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.z)) + ((f32(((_e2629 >> bitcast<u32>((((_e2559.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.w)));
                                                                                             }
-                                                                                            let _e2627 = phi_3309_;
-                                                                                            phi_3312_ = (_e2627 >= _e2478.cutoff);
+                                                                                            let _e2645 = phi_3328_;
+                                                                                            phi_3331_ = (_e2645 >= _e2496.cutoff);
                                                                                         }
-                                                                                        let _e2631 = phi_3312_;
-                                                                                        phi_3313_ = _e2631;
+                                                                                        let _e2649 = phi_3331_;
+                                                                                        phi_3332_ = _e2649;
                                                                                     } else {
-                                                                                        phi_3313_ = false;
+                                                                                        phi_3332_ = false;
                                                                                     }
-                                                                                    let _e2633 = phi_3313_;
-                                                                                    if _e2633 {
+                                                                                    let _e2651 = phi_3332_;
+                                                                                    if _e2651 {
                                                                                     }
-                                                                                    phi_3317_ = _e2633;
+                                                                                    phi_3336_ = _e2651;
                                                                                 }
-                                                                                let _e2635 = phi_3317_;
-                                                                                if _e2635 {
-                                                                                    phi_3325_ = lt_bvh_Hit(_e2411.t, _e2411.u, _e2411.v, _e1963, _e982);
+                                                                                let _e2653 = phi_3336_;
+                                                                                if _e2653 {
+                                                                                    phi_3344_ = lt_bvh_Hit(_e2429.t, _e2429.u, _e2429.v, _e1981, _e1000);
                                                                                 } else {
-                                                                                    phi_3325_ = _e1952;
+                                                                                    phi_3344_ = _e1970;
                                                                                 }
-                                                                                let _e2641 = phi_3325_;
-                                                                                phi_3326_ = _e2641;
+                                                                                let _e2659 = phi_3344_;
+                                                                                phi_3345_ = _e2659;
                                                                             } else {
-                                                                                phi_3326_ = _e1952;
+                                                                                phi_3345_ = _e1970;
                                                                             }
-                                                                            let _e2643 = phi_3326_;
-                                                                            phi_3327_ = _e2643;
+                                                                            let _e2661 = phi_3345_;
+                                                                            phi_3346_ = _e2661;
                                                                         } else {
-                                                                            phi_3327_ = _e1952;
+                                                                            phi_3346_ = _e1970;
                                                                         }
-                                                                        let _e2645 = phi_3327_;
-                                                                        phi_3328_ = _e2645;
+                                                                        let _e2663 = phi_3346_;
+                                                                        phi_3347_ = _e2663;
                                                                     } else {
-                                                                        phi_3328_ = _e1952;
+                                                                        phi_3347_ = _e1970;
                                                                     }
-                                                                    let _e2647 = phi_3328_;
-                                                                    phi_2488_ = _e2647;
-                                                                    phi_2491_ = (_e1954 & (_e1954 - 1u));
-                                                                    phi_3329_ = true;
+                                                                    let _e2665 = phi_3347_;
+                                                                    phi_2507_ = _e2665;
+                                                                    phi_2510_ = (_e1972 & (_e1972 - 1u));
+                                                                    phi_3348_ = true;
                                                                 }
-                                                                let _e2649 = phi_2488_;
-                                                                let _e2651 = phi_2491_;
-                                                                let _e2653 = phi_3329_;
+                                                                let _e2667 = phi_2507_;
+                                                                let _e2669 = phi_2510_;
+                                                                let _e2671 = phi_3348_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2487_ = _e2649;
-                                                                    phi_2490_ = _e2651;
-                                                                    break if !(_e2653);
+                                                                    phi_2506_ = _e2667;
+                                                                    phi_2509_ = _e2669;
+                                                                    break if !(_e2671);
                                                                 }
                                                             }
-                                                            let _e2656 = local_1.group_mask;
-                                                            if ((_e2656 & 4278190080u) == 0u) {
-                                                                let _e2660 = local_1.len;
-                                                                if (_e2660 == 0u) {
-                                                                    phi_3368_ = false;
+                                                            let _e2674 = local_1.group_mask;
+                                                            if ((_e2674 & 4278190080u) == 0u) {
+                                                                let _e2678 = local_1.len;
+                                                                if (_e2678 == 0u) {
+                                                                    phi_3387_ = false;
                                                                 } else {
-                                                                    let _e2664 = local_1.len;
-                                                                    local_1.len = (_e2664 - 1u);
-                                                                    let _e2667 = local_1.len;
-                                                                    if (_e2667 < 32u) {
+                                                                    let _e2682 = local_1.len;
+                                                                    local_1.len = (_e2682 - 1u);
+                                                                    let _e2685 = local_1.len;
+                                                                    if (_e2685 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2672 = local_1.first[(0u + _e2667)];
-                                                                    local_1.group = _e2672;
-                                                                    let _e2675 = local_1.len;
-                                                                    if (_e2675 < 32u) {
+                                                                    let _e2690 = local_1.first[(0u + _e2685)];
+                                                                    local_1.group = _e2690;
+                                                                    let _e2693 = local_1.len;
+                                                                    if (_e2693 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2680 = local_1.mask[(0u + _e2675)];
-                                                                    local_1.group_mask = _e2680;
-                                                                    phi_3368_ = true;
+                                                                    let _e2698 = local_1.mask[(0u + _e2693)];
+                                                                    local_1.group_mask = _e2698;
+                                                                    phi_3387_ = true;
                                                                 }
-                                                                let _e2683 = phi_3368_;
-                                                                phi_3369_ = _e2683;
+                                                                let _e2701 = phi_3387_;
+                                                                phi_3388_ = _e2701;
                                                             } else {
-                                                                phi_3369_ = true;
+                                                                phi_3388_ = true;
                                                             }
-                                                            let _e2685 = phi_3369_;
-                                                            if _e2685 {
-                                                                let _e2687 = local_1.group_mask;
-                                                                let _e2693 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2687)), 32u, (_e2687 == 0u)));
-                                                                let _e2697 = local_1.group_mask;
-                                                                let _e2711 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2711 & ~((1u << bitcast<u32>((_e2693 & 31u)))));
-                                                                let _e2714 = local_1.group;
-                                                                phi_3400_ = (_e2714 + countOneBits(((_e2697 & ~((4294967295u << bitcast<u32>((((_e2693 - 24u) ^ _e1375) & 31u))))) & 255u)));
+                                                            let _e2703 = phi_3388_;
+                                                            if _e2703 {
+                                                                let _e2705 = local_1.group_mask;
+                                                                let _e2711 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2705)), 32u, (_e2705 == 0u)));
+                                                                let _e2715 = local_1.group_mask;
+                                                                let _e2729 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2729 & ~((1u << bitcast<u32>((_e2711 & 31u)))));
+                                                                let _e2732 = local_1.group;
+                                                                phi_3419_ = (_e2732 + countOneBits(((_e2715 & ~((4294967295u << bitcast<u32>((((_e2711 - 24u) ^ _e1393) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3400_ = 4294967295u;
+                                                                phi_3419_ = 4294967295u;
                                                             }
-                                                            let _e2717 = phi_3400_;
-                                                            let _e3895 = local_9;
-                                                            phi_2155_ = _e3895;
-                                                            phi_2158_ = _e2717;
+                                                            let _e2735 = phi_3419_;
+                                                            let _e3913 = local_9;
+                                                            phi_2174_ = _e3913;
+                                                            phi_2177_ = _e2735;
                                                         } else {
-                                                            phi_2155_ = lt_bvh_Hit();
-                                                            phi_2158_ = u32();
+                                                            phi_2174_ = lt_bvh_Hit();
+                                                            phi_2177_ = u32();
                                                         }
-                                                        let _e2719 = phi_2155_;
-                                                        let _e2721 = phi_2158_;
+                                                        let _e2737 = phi_2174_;
+                                                        let _e2739 = phi_2177_;
                                                         continue;
                                                         continuing {
-                                                            phi_2154_ = _e2719;
-                                                            phi_2157_ = _e2721;
-                                                            break if !(_e1516);
+                                                            phi_2173_ = _e2737;
+                                                            phi_2176_ = _e2739;
+                                                            break if !(_e1534);
                                                         }
                                                     }
-                                                    let _e3899 = local_10;
-                                                    phi_3401_ = _e3899;
+                                                    let _e3917 = local_10;
+                                                    phi_3420_ = _e3917;
                                                 }
-                                                let _e2724 = phi_3401_;
-                                                phi_3402_ = _e2724;
-                                                phi_3403_ = _e1197;
+                                                let _e2742 = phi_3420_;
+                                                phi_3421_ = _e2742;
+                                                phi_3422_ = _e1215;
                                             } else {
-                                                phi_3402_ = lt_bvh_Hit();
-                                                phi_3403_ = true;
+                                                phi_3421_ = lt_bvh_Hit();
+                                                phi_3422_ = true;
                                             }
-                                            let _e2726 = phi_3402_;
-                                            let _e2728 = phi_3403_;
-                                            if _e2728 {
-                                                phi_3407_ = _e974;
+                                            let _e2744 = phi_3421_;
+                                            let _e2746 = phi_3422_;
+                                            if _e2746 {
+                                                phi_3426_ = _e992;
                                             } else {
-                                                phi_3407_ = _e2726;
+                                                phi_3426_ = _e2744;
                                             }
-                                            let _e2730 = phi_3407_;
-                                            phi_3408_ = _e2730;
+                                            let _e2748 = phi_3426_;
+                                            phi_3427_ = _e2748;
                                         } else {
-                                            phi_3408_ = _e974;
+                                            phi_3427_ = _e992;
                                         }
-                                        let _e2732 = phi_3408_;
-                                        phi_3409_ = _e2732;
+                                        let _e2750 = phi_3427_;
+                                        phi_3428_ = _e2750;
                                     } else {
-                                        phi_3409_ = _e974;
+                                        phi_3428_ = _e992;
                                     }
-                                    let _e2734 = phi_3409_;
-                                    phi_3410_ = _e2734;
+                                    let _e2752 = phi_3428_;
+                                    phi_3429_ = _e2752;
                                 } else {
-                                    phi_3410_ = _e974;
+                                    phi_3429_ = _e992;
                                 }
-                                let _e2736 = phi_3410_;
-                                phi_1522_ = (_e972 & (_e972 - 1u));
-                                phi_1525_ = _e2736;
-                                phi_3411_ = true;
+                                let _e2754 = phi_3429_;
+                                phi_1541_ = (_e990 & (_e990 - 1u));
+                                phi_1544_ = _e2754;
+                                phi_3430_ = true;
                             }
-                            let _e2738 = phi_1522_;
-                            let _e2740 = phi_1525_;
-                            let _e2742 = phi_3411_;
+                            let _e2756 = phi_1541_;
+                            let _e2758 = phi_1544_;
+                            let _e2760 = phi_3430_;
                             continue;
                             continuing {
-                                phi_1521_ = _e2738;
-                                phi_1524_ = _e2740;
-                                break if !(_e2742);
+                                phi_1540_ = _e2756;
+                                phi_1543_ = _e2758;
+                                break if !(_e2760);
                             }
                         }
-                        let _e2745 = local_2.group_mask;
-                        if ((_e2745 & 4278190080u) == 0u) {
-                            let _e2749 = local_2.len;
-                            if (_e2749 == 0u) {
-                                phi_3450_ = false;
+                        let _e2763 = local_2.group_mask;
+                        if ((_e2763 & 4278190080u) == 0u) {
+                            let _e2767 = local_2.len;
+                            if (_e2767 == 0u) {
+                                phi_3469_ = false;
                             } else {
-                                let _e2753 = local_2.len;
-                                local_2.len = (_e2753 - 1u);
-                                let _e2756 = local_2.len;
-                                if (_e2756 < 32u) {
+                                let _e2771 = local_2.len;
+                                local_2.len = (_e2771 - 1u);
+                                let _e2774 = local_2.len;
+                                if (_e2774 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2761 = local_2.first[(0u + _e2756)];
-                                local_2.group = _e2761;
-                                let _e2764 = local_2.len;
-                                if (_e2764 < 32u) {
+                                let _e2779 = local_2.first[(0u + _e2774)];
+                                local_2.group = _e2779;
+                                let _e2782 = local_2.len;
+                                if (_e2782 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2769 = local_2.mask[(0u + _e2764)];
-                                local_2.group_mask = _e2769;
-                                phi_3450_ = true;
+                                let _e2787 = local_2.mask[(0u + _e2782)];
+                                local_2.group_mask = _e2787;
+                                phi_3469_ = true;
                             }
-                            let _e2772 = phi_3450_;
-                            phi_3451_ = _e2772;
+                            let _e2790 = phi_3469_;
+                            phi_3470_ = _e2790;
                         } else {
-                            phi_3451_ = true;
+                            phi_3470_ = true;
                         }
-                        let _e2774 = phi_3451_;
-                        if _e2774 {
-                            let _e2776 = local_2.group_mask;
-                            let _e2782 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2776)), 32u, (_e2776 == 0u)));
-                            let _e2786 = local_2.group_mask;
-                            let _e2800 = local_2.group_mask;
-                            local_2.group_mask = (_e2800 & ~((1u << bitcast<u32>((_e2782 & 31u)))));
-                            let _e2803 = local_2.group;
-                            phi_3482_ = (_e2803 + countOneBits(((_e2786 & ~((4294967295u << bitcast<u32>((((_e2782 - 24u) ^ _e391) & 31u))))) & 255u)));
+                        let _e2792 = phi_3470_;
+                        if _e2792 {
+                            let _e2794 = local_2.group_mask;
+                            let _e2800 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2794)), 32u, (_e2794 == 0u)));
+                            let _e2804 = local_2.group_mask;
+                            let _e2818 = local_2.group_mask;
+                            local_2.group_mask = (_e2818 & ~((1u << bitcast<u32>((_e2800 & 31u)))));
+                            let _e2821 = local_2.group;
+                            phi_3501_ = (_e2821 + countOneBits(((_e2804 & ~((4294967295u << bitcast<u32>((((_e2800 - 24u) ^ _e409) & 31u))))) & 255u)));
                         } else {
-                            phi_3482_ = 4294967295u;
+                            phi_3501_ = 4294967295u;
                         }
-                        let _e2806 = phi_3482_;
-                        phi_1185_ = _e2806;
-                        let _e3915 = local_11;
-                        phi_1188_ = _e3915;
+                        let _e2824 = phi_3501_;
+                        phi_1204_ = _e2824;
+                        let _e3933 = local_11;
+                        phi_1207_ = _e3933;
                     } else {
-                        phi_1185_ = u32();
-                        phi_1188_ = lt_bvh_Hit();
+                        phi_1204_ = u32();
+                        phi_1207_ = lt_bvh_Hit();
                     }
-                    let _e2808 = phi_1185_;
-                    let _e2810 = phi_1188_;
+                    let _e2826 = phi_1204_;
+                    let _e2828 = phi_1207_;
                     continue;
                     continuing {
-                        phi_1184_ = _e2808;
-                        phi_1187_ = _e2810;
-                        break if !(_e532);
+                        phi_1203_ = _e2826;
+                        phi_1206_ = _e2828;
+                        break if !(_e550);
                     }
                 }
-                let _e3918 = local_12;
-                phi_3483_ = _e3918;
+                let _e3936 = local_12;
+                phi_3502_ = _e3936;
             }
-            let _e2813 = phi_3483_;
-            phi_3484_ = _e2813;
-            phi_3485_ = _e229;
+            let _e2831 = phi_3502_;
+            phi_3503_ = _e2831;
+            phi_3504_ = _e247;
         } else {
-            phi_3484_ = lt_bvh_Hit();
-            phi_3485_ = true;
+            phi_3503_ = lt_bvh_Hit();
+            phi_3504_ = true;
         }
-        let _e2815 = phi_3484_;
-        let _e2817 = phi_3485_;
-        if _e2817 {
-            phi_3489_ = _e167;
+        let _e2833 = phi_3503_;
+        let _e2835 = phi_3504_;
+        if _e2835 {
+            phi_3508_ = _e185;
         } else {
-            phi_3489_ = _e2815;
+            phi_3508_ = _e2833;
         }
-        let _e2819 = phi_3489_;
-        if (_e2819.triangle != 4294967295u) {
-            let _e2825 = ((1f - _e2819.u) - _e2819.v);
-            if (_e2819.triangle < _e81) {
+        let _e2837 = phi_3508_;
+        if (_e2837.triangle != 4294967295u) {
+            let _e2843 = ((1f - _e2837.u) - _e2837.v);
+            if (_e2837.triangle < _e82) {
             } else {
                 return;
             }
-            let _e2831 = triangles.member[(0u + _e2819.triangle)];
-            if (_e2819.instance < _e93) {
+            let _e2849 = triangles.member[(0u + _e2837.triangle)];
+            if (_e2837.instance < _e94) {
             } else {
                 return;
             }
-            let _e2842 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
-            let _e2853 = ((((_e2842.x * _e2831.v0_.x) + (_e2842.y * _e2831.v0_.y)) + (_e2842.z * _e2831.v0_.z)) + (_e2842.w * 1f));
-            let _e2855 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
-            let _e2866 = ((((_e2855.x * _e2831.v0_.x) + (_e2855.y * _e2831.v0_.y)) + (_e2855.z * _e2831.v0_.z)) + (_e2855.w * 1f));
-            let _e2868 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
-            let _e2879 = ((((_e2868.x * _e2831.v0_.x) + (_e2868.y * _e2831.v0_.y)) + (_e2868.z * _e2831.v0_.z)) + (_e2868.w * 1f));
-            let _e2886 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
-            let _e2897 = ((((_e2886.x * _e2831.v1_.x) + (_e2886.y * _e2831.v1_.y)) + (_e2886.z * _e2831.v1_.z)) + (_e2886.w * 1f));
-            let _e2899 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
-            let _e2910 = ((((_e2899.x * _e2831.v1_.x) + (_e2899.y * _e2831.v1_.y)) + (_e2899.z * _e2831.v1_.z)) + (_e2899.w * 1f));
-            let _e2912 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
-            let _e2923 = ((((_e2912.x * _e2831.v1_.x) + (_e2912.y * _e2831.v1_.y)) + (_e2912.z * _e2831.v1_.z)) + (_e2912.w * 1f));
-            let _e2930 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
-            let _e2941 = ((((_e2930.x * _e2831.v2_.x) + (_e2930.y * _e2831.v2_.y)) + (_e2930.z * _e2831.v2_.z)) + (_e2930.w * 1f));
-            let _e2943 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
-            let _e2954 = ((((_e2943.x * _e2831.v2_.x) + (_e2943.y * _e2831.v2_.y)) + (_e2943.z * _e2831.v2_.z)) + (_e2943.w * 1f));
-            let _e2956 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
-            let _e2967 = ((((_e2956.x * _e2831.v2_.x) + (_e2956.y * _e2831.v2_.y)) + (_e2956.z * _e2831.v2_.z)) + (_e2956.w * 1f));
-            let _e2980 = (((_e2853 * _e2825) + (_e2897 * _e2819.u)) + (_e2941 * _e2819.v));
-            let _e2981 = (((_e2866 * _e2825) + (_e2910 * _e2819.u)) + (_e2954 * _e2819.v));
-            let _e2982 = (((_e2879 * _e2825) + (_e2923 * _e2819.u)) + (_e2967 * _e2819.v));
-            let _e2984 = abs(_e2853);
-            let _e2985 = abs(_e2866);
-            let _e2986 = abs(_e2879);
-            let _e2987 = abs(_e2897);
-            let _e2988 = abs(_e2910);
-            let _e2989 = abs(_e2923);
-            if (_e2984 > _e2987) {
-                phi_3677_ = _e2984;
+            let _e2860 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e2871 = ((((_e2860.x * _e2849.v0_.x) + (_e2860.y * _e2849.v0_.y)) + (_e2860.z * _e2849.v0_.z)) + (_e2860.w * 1f));
+            let _e2873 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e2884 = ((((_e2873.x * _e2849.v0_.x) + (_e2873.y * _e2849.v0_.y)) + (_e2873.z * _e2849.v0_.z)) + (_e2873.w * 1f));
+            let _e2886 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            let _e2897 = ((((_e2886.x * _e2849.v0_.x) + (_e2886.y * _e2849.v0_.y)) + (_e2886.z * _e2849.v0_.z)) + (_e2886.w * 1f));
+            let _e2904 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e2915 = ((((_e2904.x * _e2849.v1_.x) + (_e2904.y * _e2849.v1_.y)) + (_e2904.z * _e2849.v1_.z)) + (_e2904.w * 1f));
+            let _e2917 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e2928 = ((((_e2917.x * _e2849.v1_.x) + (_e2917.y * _e2849.v1_.y)) + (_e2917.z * _e2849.v1_.z)) + (_e2917.w * 1f));
+            let _e2930 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            let _e2941 = ((((_e2930.x * _e2849.v1_.x) + (_e2930.y * _e2849.v1_.y)) + (_e2930.z * _e2849.v1_.z)) + (_e2930.w * 1f));
+            let _e2948 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e2959 = ((((_e2948.x * _e2849.v2_.x) + (_e2948.y * _e2849.v2_.y)) + (_e2948.z * _e2849.v2_.z)) + (_e2948.w * 1f));
+            let _e2961 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e2972 = ((((_e2961.x * _e2849.v2_.x) + (_e2961.y * _e2849.v2_.y)) + (_e2961.z * _e2849.v2_.z)) + (_e2961.w * 1f));
+            let _e2974 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            let _e2985 = ((((_e2974.x * _e2849.v2_.x) + (_e2974.y * _e2849.v2_.y)) + (_e2974.z * _e2849.v2_.z)) + (_e2974.w * 1f));
+            let _e2998 = (((_e2871 * _e2843) + (_e2915 * _e2837.u)) + (_e2959 * _e2837.v));
+            let _e2999 = (((_e2884 * _e2843) + (_e2928 * _e2837.u)) + (_e2972 * _e2837.v));
+            let _e3000 = (((_e2897 * _e2843) + (_e2941 * _e2837.u)) + (_e2985 * _e2837.v));
+            let _e3002 = abs(_e2871);
+            let _e3003 = abs(_e2884);
+            let _e3004 = abs(_e2897);
+            let _e3005 = abs(_e2915);
+            let _e3006 = abs(_e2928);
+            let _e3007 = abs(_e2941);
+            if (_e3002 > _e3005) {
+                phi_3696_ = _e3002;
             } else {
-                phi_3677_ = _e2987;
+                phi_3696_ = _e3005;
             }
-            let _e2992 = phi_3677_;
-            if (_e2985 > _e2988) {
-                phi_3682_ = _e2985;
+            let _e3010 = phi_3696_;
+            if (_e3003 > _e3006) {
+                phi_3701_ = _e3003;
             } else {
-                phi_3682_ = _e2988;
+                phi_3701_ = _e3006;
             }
-            let _e2995 = phi_3682_;
-            if (_e2986 > _e2989) {
-                phi_3687_ = _e2986;
+            let _e3013 = phi_3701_;
+            if (_e3004 > _e3007) {
+                phi_3706_ = _e3004;
             } else {
-                phi_3687_ = _e2989;
+                phi_3706_ = _e3007;
             }
-            let _e2998 = phi_3687_;
-            let _e2999 = abs(_e2941);
-            let _e3000 = abs(_e2954);
-            let _e3001 = abs(_e2967);
-            if (_e2992 > _e2999) {
-                phi_3695_ = _e2992;
+            let _e3016 = phi_3706_;
+            let _e3017 = abs(_e2959);
+            let _e3018 = abs(_e2972);
+            let _e3019 = abs(_e2985);
+            if (_e3010 > _e3017) {
+                phi_3714_ = _e3010;
             } else {
-                phi_3695_ = _e2999;
+                phi_3714_ = _e3017;
             }
-            let _e3004 = phi_3695_;
-            if (_e2995 > _e3000) {
-                phi_3700_ = _e2995;
+            let _e3022 = phi_3714_;
+            if (_e3013 > _e3018) {
+                phi_3719_ = _e3013;
             } else {
-                phi_3700_ = _e3000;
+                phi_3719_ = _e3018;
             }
-            let _e3007 = phi_3700_;
-            if (_e2998 > _e3001) {
-                phi_3705_ = _e2998;
+            let _e3025 = phi_3719_;
+            if (_e3016 > _e3019) {
+                phi_3724_ = _e3016;
             } else {
-                phi_3705_ = _e3001;
+                phi_3724_ = _e3019;
             }
-            let _e3010 = phi_3705_;
-            let _e3011 = (_e2897 - _e2853);
-            let _e3012 = (_e2910 - _e2866);
-            let _e3013 = (_e2923 - _e2879);
-            let _e3014 = (_e2941 - _e2853);
-            let _e3015 = (_e2954 - _e2866);
-            let _e3016 = (_e2967 - _e2879);
-            let _e3020 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3012), abs(_e3013));
-            let _e3021 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3011), _e3020);
-            let _e3022 = (_e3011 / _e3021);
-            let _e3023 = (_e3012 / _e3021);
-            let _e3024 = (_e3013 / _e3021);
-            let _e3028 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3015), abs(_e3016));
-            let _e3029 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3014), _e3028);
-            let _e3030 = (_e3014 / _e3029);
-            let _e3031 = (_e3015 / _e3029);
-            let _e3032 = (_e3016 / _e3029);
-            let _e3035 = ((_e3023 * _e3032) - (_e3031 * _e3024));
-            let _e3038 = ((_e3024 * _e3030) - (_e3032 * _e3022));
-            let _e3041 = ((_e3022 * _e3031) - (_e3030 * _e3023));
-            let _e3043 = p.member.eye;
-            let _e3056 = (1f / sqrt((((_e3035 * _e3035) + (_e3038 * _e3038)) + (_e3041 * _e3041))));
-            let _e3057 = (_e3035 * _e3056);
-            let _e3058 = (_e3038 * _e3056);
-            let _e3059 = (_e3041 * _e3056);
-            if ((((_e3057 * (_e3043.x - _e2980)) + (_e3058 * (_e3043.y - _e2981))) + (_e3059 * (_e3043.z - _e2982))) < 0f) {
-                phi_3769_ = vec3<f32>(-(_e3057), -(_e3058), -(_e3059));
+            let _e3028 = phi_3724_;
+            let _e3029 = (_e2915 - _e2871);
+            let _e3030 = (_e2928 - _e2884);
+            let _e3031 = (_e2941 - _e2897);
+            let _e3032 = (_e2959 - _e2871);
+            let _e3033 = (_e2972 - _e2884);
+            let _e3034 = (_e2985 - _e2897);
+            let _e3038 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3030), abs(_e3031));
+            let _e3039 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3029), _e3038);
+            let _e3040 = (_e3029 / _e3039);
+            let _e3041 = (_e3030 / _e3039);
+            let _e3042 = (_e3031 / _e3039);
+            let _e3046 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3033), abs(_e3034));
+            let _e3047 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3032), _e3046);
+            let _e3048 = (_e3032 / _e3047);
+            let _e3049 = (_e3033 / _e3047);
+            let _e3050 = (_e3034 / _e3047);
+            let _e3053 = ((_e3041 * _e3050) - (_e3049 * _e3042));
+            let _e3056 = ((_e3042 * _e3048) - (_e3050 * _e3040));
+            let _e3059 = ((_e3040 * _e3049) - (_e3048 * _e3041));
+            let _e3061 = p.member.eye;
+            let _e3074 = (1f / sqrt((((_e3053 * _e3053) + (_e3056 * _e3056)) + (_e3059 * _e3059))));
+            let _e3075 = (_e3053 * _e3074);
+            let _e3076 = (_e3056 * _e3074);
+            let _e3077 = (_e3059 * _e3074);
+            if ((((_e3075 * (_e3061.x - _e2998)) + (_e3076 * (_e3061.y - _e2999))) + (_e3077 * (_e3061.z - _e3000))) < 0f) {
+                phi_3788_ = vec3<f32>(-(_e3075), -(_e3076), -(_e3077));
             } else {
-                phi_3769_ = vec3<f32>(_e3057, _e3058, _e3059);
+                phi_3788_ = vec3<f32>(_e3075, _e3076, _e3077);
             }
-            let _e3072 = phi_3769_;
-            if (_e2819.triangle < _e81) {
+            let _e3090 = phi_3788_;
+            if (_e2837.triangle < _e82) {
             } else {
                 return;
             }
-            let _e3077 = triangles.member[(0u + _e2819.triangle)];
-            let _e3079 = (_e3077.i0_ & 2147483647u);
-            if (_e3079 < _e84) {
+            let _e3095 = triangles.member[(0u + _e2837.triangle)];
+            let _e3097 = (_e3095.i0_ & 2147483647u);
+            if (_e3097 < _e85) {
             } else {
                 return;
             }
-            let _e3085 = vertices.member[(0u + _e3079)];
-            if (_e3077.i1_ < _e84) {
+            let _e3103 = vertices.member[(0u + _e3097)];
+            if (_e3095.i1_ < _e85) {
             } else {
                 return;
             }
-            let _e3089 = vertices.member[(0u + _e3077.i1_)];
-            if (_e3077.i2_ < _e84) {
+            let _e3107 = vertices.member[(0u + _e3095.i1_)];
+            if (_e3095.i2_ < _e85) {
             } else {
                 return;
             }
-            let _e3093 = vertices.member[(0u + _e3077.i2_)];
-            let _e3094 = array<abi_Vertex, 3>(_e3085, _e3089, _e3093);
-            if (_e3094[0].material < _e87) {
+            let _e3111 = vertices.member[(0u + _e3095.i2_)];
+            let _e3112 = array<abi_Vertex, 3>(_e3103, _e3107, _e3111);
+            if (_e3112[0].material < _e88) {
             } else {
                 return;
             }
-            let _e3100 = materials.member[(0u + _e3094[0].material)];
-            let _e3117 = (1f / 255f);
-            let _e3136 = (1f / 255f);
-            let _e3158 = (1f / 255f);
-            let _e3171 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2825, _e2819.u, _e2819.v));
-            let _e3173 = ((_e3100.base_color.x * ((((f32((_e3094[0].color & 255u)) * _e3117) * _e2825) + ((f32((_e3094[1].color & 255u)) * _e3136) * _e2819.u)) + ((f32((_e3094[2].color & 255u)) * _e3158) * _e2819.v))) * _e3171.x);
-            let _e3175 = ((_e3100.base_color.y * ((((f32(((_e3094[0].color >> bitcast<u32>(8i)) & 255u)) * _e3117) * _e2825) + ((f32(((_e3094[1].color >> bitcast<u32>(8i)) & 255u)) * _e3136) * _e2819.u)) + ((f32(((_e3094[2].color >> bitcast<u32>(8i)) & 255u)) * _e3158) * _e2819.v))) * _e3171.y);
-            let _e3177 = ((_e3100.base_color.z * ((((f32(((_e3094[0].color >> bitcast<u32>(16i)) & 255u)) * _e3117) * _e2825) + ((f32(((_e3094[1].color >> bitcast<u32>(16i)) & 255u)) * _e3136) * _e2819.u)) + ((f32(((_e3094[2].color >> bitcast<u32>(16i)) & 255u)) * _e3158) * _e2819.v))) * _e3171.z);
-            let _e3178 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3007, _e3010);
-            let _e3179 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3004, _e3178);
-            if ((_e3100.flags & 2u) == 0u) {
-                phi_3890_ = 0u;
+            let _e3118 = materials.member[(0u + _e3112[0].material)];
+            let _e3135 = (1f / 255f);
+            let _e3154 = (1f / 255f);
+            let _e3176 = (1f / 255f);
+            let _e3189 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2843, _e2837.u, _e2837.v));
+            let _e3191 = ((_e3118.base_color.x * ((((f32((_e3112[0].color & 255u)) * _e3135) * _e2843) + ((f32((_e3112[1].color & 255u)) * _e3154) * _e2837.u)) + ((f32((_e3112[2].color & 255u)) * _e3176) * _e2837.v))) * _e3189.x);
+            let _e3193 = ((_e3118.base_color.y * ((((f32(((_e3112[0].color >> bitcast<u32>(8i)) & 255u)) * _e3135) * _e2843) + ((f32(((_e3112[1].color >> bitcast<u32>(8i)) & 255u)) * _e3154) * _e2837.u)) + ((f32(((_e3112[2].color >> bitcast<u32>(8i)) & 255u)) * _e3176) * _e2837.v))) * _e3189.y);
+            let _e3195 = ((_e3118.base_color.z * ((((f32(((_e3112[0].color >> bitcast<u32>(16i)) & 255u)) * _e3135) * _e2843) + ((f32(((_e3112[1].color >> bitcast<u32>(16i)) & 255u)) * _e3154) * _e2837.u)) + ((f32(((_e3112[2].color >> bitcast<u32>(16i)) & 255u)) * _e3176) * _e2837.v))) * _e3189.z);
+            let _e3196 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3025, _e3028);
+            let _e3197 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3022, _e3196);
+            if ((_e3118.flags & 2u) == 0u) {
+                phi_3909_ = 0u;
             } else {
-                phi_3890_ = 1u;
+                phi_3909_ = 1u;
             }
-            let _e3184 = phi_3890_;
-            if (_e3094[0].normal == 2147516416u) {
-                phi_4120_ = _e3072;
+            let _e3202 = phi_3909_;
+            if (_e3112[0].normal == 2147516416u) {
+                phi_4139_ = _e3090;
             } else {
-                let _e3197 = (f32((bitcast<i32>((_e3094[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3203 = (f32((bitcast<i32>(_e3094[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3207 = ((1f - abs(_e3197)) - abs(_e3203));
-                if (_e3207 < 0f) {
-                    phi_3917_ = -(_e3207);
+                let _e3215 = (f32((bitcast<i32>((_e3112[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3221 = (f32((bitcast<i32>(_e3112[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3225 = ((1f - abs(_e3215)) - abs(_e3221));
+                if (_e3225 < 0f) {
+                    phi_3936_ = -(_e3225);
                 } else {
-                    phi_3917_ = 0f;
+                    phi_3936_ = 0f;
                 }
-                let _e3211 = phi_3917_;
-                if (_e3197 < 0f) {
-                    phi_3924_ = (_e3197 + _e3211);
+                let _e3229 = phi_3936_;
+                if (_e3215 < 0f) {
+                    phi_3943_ = (_e3215 + _e3229);
                 } else {
-                    phi_3924_ = (_e3197 - _e3211);
+                    phi_3943_ = (_e3215 - _e3229);
                 }
-                let _e3216 = phi_3924_;
-                if (_e3203 < 0f) {
-                    phi_3931_ = (_e3203 + _e3211);
+                let _e3234 = phi_3943_;
+                if (_e3221 < 0f) {
+                    phi_3950_ = (_e3221 + _e3229);
                 } else {
-                    phi_3931_ = (_e3203 - _e3211);
+                    phi_3950_ = (_e3221 - _e3229);
                 }
-                let _e3221 = phi_3931_;
-                let _e3228 = (1f / sqrt((((_e3216 * _e3216) + (_e3221 * _e3221)) + (_e3207 * _e3207))));
-                let _e3244 = (f32((bitcast<i32>((_e3094[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3250 = (f32((bitcast<i32>(_e3094[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3254 = ((1f - abs(_e3244)) - abs(_e3250));
-                if (_e3254 < 0f) {
-                    phi_3966_ = -(_e3254);
+                let _e3239 = phi_3950_;
+                let _e3246 = (1f / sqrt((((_e3234 * _e3234) + (_e3239 * _e3239)) + (_e3225 * _e3225))));
+                let _e3262 = (f32((bitcast<i32>((_e3112[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3268 = (f32((bitcast<i32>(_e3112[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3272 = ((1f - abs(_e3262)) - abs(_e3268));
+                if (_e3272 < 0f) {
+                    phi_3985_ = -(_e3272);
                 } else {
-                    phi_3966_ = 0f;
+                    phi_3985_ = 0f;
                 }
-                let _e3258 = phi_3966_;
-                if (_e3244 < 0f) {
-                    phi_3973_ = (_e3244 + _e3258);
+                let _e3276 = phi_3985_;
+                if (_e3262 < 0f) {
+                    phi_3992_ = (_e3262 + _e3276);
                 } else {
-                    phi_3973_ = (_e3244 - _e3258);
+                    phi_3992_ = (_e3262 - _e3276);
                 }
-                let _e3263 = phi_3973_;
-                if (_e3250 < 0f) {
-                    phi_3980_ = (_e3250 + _e3258);
+                let _e3281 = phi_3992_;
+                if (_e3268 < 0f) {
+                    phi_3999_ = (_e3268 + _e3276);
                 } else {
-                    phi_3980_ = (_e3250 - _e3258);
+                    phi_3999_ = (_e3268 - _e3276);
                 }
-                let _e3268 = phi_3980_;
-                let _e3275 = (1f / sqrt((((_e3263 * _e3263) + (_e3268 * _e3268)) + (_e3254 * _e3254))));
-                let _e3294 = (f32((bitcast<i32>((_e3094[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3300 = (f32((bitcast<i32>(_e3094[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3304 = ((1f - abs(_e3294)) - abs(_e3300));
-                if (_e3304 < 0f) {
-                    phi_4018_ = -(_e3304);
+                let _e3286 = phi_3999_;
+                let _e3293 = (1f / sqrt((((_e3281 * _e3281) + (_e3286 * _e3286)) + (_e3272 * _e3272))));
+                let _e3312 = (f32((bitcast<i32>((_e3112[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3318 = (f32((bitcast<i32>(_e3112[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3322 = ((1f - abs(_e3312)) - abs(_e3318));
+                if (_e3322 < 0f) {
+                    phi_4037_ = -(_e3322);
                 } else {
-                    phi_4018_ = 0f;
+                    phi_4037_ = 0f;
                 }
-                let _e3308 = phi_4018_;
-                if (_e3294 < 0f) {
-                    phi_4025_ = (_e3294 + _e3308);
+                let _e3326 = phi_4037_;
+                if (_e3312 < 0f) {
+                    phi_4044_ = (_e3312 + _e3326);
                 } else {
-                    phi_4025_ = (_e3294 - _e3308);
+                    phi_4044_ = (_e3312 - _e3326);
                 }
-                let _e3313 = phi_4025_;
-                if (_e3300 < 0f) {
-                    phi_4032_ = (_e3300 + _e3308);
+                let _e3331 = phi_4044_;
+                if (_e3318 < 0f) {
+                    phi_4051_ = (_e3318 + _e3326);
                 } else {
-                    phi_4032_ = (_e3300 - _e3308);
+                    phi_4051_ = (_e3318 - _e3326);
                 }
-                let _e3318 = phi_4032_;
-                let _e3325 = (1f / sqrt((((_e3313 * _e3313) + (_e3318 * _e3318)) + (_e3304 * _e3304))));
-                let _e3332 = ((((_e3216 * _e3228) * _e2825) + ((_e3263 * _e3275) * _e2819.u)) + ((_e3313 * _e3325) * _e2819.v));
-                let _e3333 = ((((_e3221 * _e3228) * _e2825) + ((_e3268 * _e3275) * _e2819.u)) + ((_e3318 * _e3325) * _e2819.v));
-                let _e3334 = ((((_e3207 * _e3228) * _e2825) + ((_e3254 * _e3275) * _e2819.u)) + ((_e3304 * _e3325) * _e2819.v));
-                if (_e2819.instance < _e93) {
+                let _e3336 = phi_4051_;
+                let _e3343 = (1f / sqrt((((_e3331 * _e3331) + (_e3336 * _e3336)) + (_e3322 * _e3322))));
+                let _e3350 = ((((_e3234 * _e3246) * _e2843) + ((_e3281 * _e3293) * _e2837.u)) + ((_e3331 * _e3343) * _e2837.v));
+                let _e3351 = ((((_e3239 * _e3246) * _e2843) + ((_e3286 * _e3293) * _e2837.u)) + ((_e3336 * _e3343) * _e2837.v));
+                let _e3352 = ((((_e3225 * _e3246) * _e2843) + ((_e3272 * _e3293) * _e2837.u)) + ((_e3322 * _e3343) * _e2837.v));
+                if (_e2837.instance < _e94) {
                 } else {
                     return;
                 }
-                let _e3341 = instances.member[(0u + _e2819.instance)].world_to_object[0u];
-                let _e3350 = instances.member[(0u + _e2819.instance)].world_to_object[1u];
-                let _e3362 = instances.member[(0u + _e2819.instance)].world_to_object[2u];
-                let _e3369 = (((_e3341.x * _e3332) + (_e3350.x * _e3333)) + (_e3362.x * _e3334));
-                let _e3370 = (((_e3341.y * _e3332) + (_e3350.y * _e3333)) + (_e3362.y * _e3334));
-                let _e3371 = (((_e3341.z * _e3332) + (_e3350.z * _e3333)) + (_e3362.z * _e3334));
-                let _e3377 = sqrt((((_e3369 * _e3369) + (_e3370 * _e3370)) + (_e3371 * _e3371)));
-                if (_e3377 > 0f) {
-                    let _e3379 = (_e3369 / _e3377);
-                    let _e3380 = (_e3370 / _e3377);
-                    let _e3381 = (_e3371 / _e3377);
-                    if ((((_e3379 * _e3072.x) + (_e3380 * _e3072.y)) + (_e3381 * _e3072.z)) < 0f) {
-                        phi_4118_ = vec3<f32>(-(_e3379), -(_e3380), -(_e3381));
+                let _e3359 = instances.member[(0u + _e2837.instance)].world_to_object[0u];
+                let _e3368 = instances.member[(0u + _e2837.instance)].world_to_object[1u];
+                let _e3380 = instances.member[(0u + _e2837.instance)].world_to_object[2u];
+                let _e3387 = (((_e3359.x * _e3350) + (_e3368.x * _e3351)) + (_e3380.x * _e3352));
+                let _e3388 = (((_e3359.y * _e3350) + (_e3368.y * _e3351)) + (_e3380.y * _e3352));
+                let _e3389 = (((_e3359.z * _e3350) + (_e3368.z * _e3351)) + (_e3380.z * _e3352));
+                let _e3395 = sqrt((((_e3387 * _e3387) + (_e3388 * _e3388)) + (_e3389 * _e3389)));
+                if (_e3395 > 0f) {
+                    let _e3397 = (_e3387 / _e3395);
+                    let _e3398 = (_e3388 / _e3395);
+                    let _e3399 = (_e3389 / _e3395);
+                    if ((((_e3397 * _e3090.x) + (_e3398 * _e3090.y)) + (_e3399 * _e3090.z)) < 0f) {
+                        phi_4137_ = vec3<f32>(-(_e3397), -(_e3398), -(_e3399));
                     } else {
-                        phi_4118_ = vec3<f32>(_e3379, _e3380, _e3381);
+                        phi_4137_ = vec3<f32>(_e3397, _e3398, _e3399);
                     }
-                    let _e3397 = phi_4118_;
-                    phi_4119_ = _e3397;
+                    let _e3415 = phi_4137_;
+                    phi_4138_ = _e3415;
                 } else {
-                    phi_4119_ = _e3072;
+                    phi_4138_ = _e3090;
                 }
-                let _e3399 = phi_4119_;
-                phi_4120_ = _e3399;
+                let _e3417 = phi_4138_;
+                phi_4139_ = _e3417;
             }
-            let _e3401 = phi_4120_;
-            if (_e3173 > 0f) {
-                if (_e3173 < 1f) {
-                    phi_4129_ = _e3173;
+            let _e3419 = phi_4139_;
+            if (_e3191 > 0f) {
+                if (_e3191 < 1f) {
+                    phi_4148_ = _e3191;
                 } else {
-                    phi_4129_ = 1f;
+                    phi_4148_ = 1f;
                 }
-                let _e3405 = phi_4129_;
-                phi_4130_ = _e3405;
+                let _e3423 = phi_4148_;
+                phi_4149_ = _e3423;
             } else {
-                phi_4130_ = 0f;
+                phi_4149_ = 0f;
             }
-            let _e3407 = phi_4130_;
-            if (_e3175 > 0f) {
-                if (_e3175 < 1f) {
-                    phi_4140_ = _e3175;
+            let _e3425 = phi_4149_;
+            if (_e3193 > 0f) {
+                if (_e3193 < 1f) {
+                    phi_4159_ = _e3193;
                 } else {
-                    phi_4140_ = 1f;
+                    phi_4159_ = 1f;
                 }
-                let _e3412 = phi_4140_;
-                phi_4141_ = _e3412;
+                let _e3430 = phi_4159_;
+                phi_4160_ = _e3430;
             } else {
-                phi_4141_ = 0f;
+                phi_4160_ = 0f;
             }
-            let _e3414 = phi_4141_;
-            if (_e3177 > 0f) {
-                if (_e3177 < 1f) {
-                    phi_4151_ = _e3177;
+            let _e3432 = phi_4160_;
+            if (_e3195 > 0f) {
+                if (_e3195 < 1f) {
+                    phi_4170_ = _e3195;
                 } else {
-                    phi_4151_ = 1f;
+                    phi_4170_ = 1f;
                 }
-                let _e3419 = phi_4151_;
-                phi_4152_ = _e3419;
+                let _e3437 = phi_4170_;
+                phi_4171_ = _e3437;
             } else {
-                phi_4152_ = 0f;
+                phi_4171_ = 0f;
             }
-            let _e3421 = phi_4152_;
-            let _e3424 = ((sqrt(_e3407) * 255f) + 0.5f);
-            let _e3433 = ((sqrt(_e3414) * 255f) + 0.5f);
-            let _e3445 = ((sqrt(_e3421) * 255f) + 0.5f);
-            phi_4187_ = abi_Sample(vec3<f32>(_e2980, _e2981, _e2982), _e3179, _e3072, _e3184, _e3401, ((select(select(u32(_e3424), 0u, (_e3424 < bitcast<f32>(0u))), 4294967295u, (_e3424 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3433), 0u, (_e3433 < bitcast<f32>(0u))), 4294967295u, (_e3433 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3445), 0u, (_e3445 < bitcast<f32>(0u))), 4294967295u, (_e3445 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3439 = phi_4171_;
+            let _e3442 = ((sqrt(_e3425) * 255f) + 0.5f);
+            let _e3451 = ((sqrt(_e3432) * 255f) + 0.5f);
+            let _e3463 = ((sqrt(_e3439) * 255f) + 0.5f);
+            phi_4206_ = abi_Sample(vec3<f32>(_e2998, _e2999, _e3000), _e3197, _e3090, _e3202, _e3419, ((select(select(u32(_e3442), 0u, (_e3442 < bitcast<f32>(0u))), 4294967295u, (_e3442 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3451), 0u, (_e3451 < bitcast<f32>(0u))), 4294967295u, (_e3451 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3463), 0u, (_e3463 < bitcast<f32>(0u))), 4294967295u, (_e3463 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4187_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4206_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3459 = phi_4187_;
-        if (_e108.shift < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e108.shift)] = _e3459;
-        if (_e2819.triangle != 4294967295u) {
-            let _e3468 = ((1f - _e2819.u) - _e2819.v);
-            if (_e2819.triangle < _e81) {
-            } else {
-                return;
-            }
-            let _e3473 = triangles.member[(0u + _e2819.triangle)];
-            let _e3475 = (_e3473.i0_ & 2147483647u);
-            if (_e3475 < _e99) {
-            } else {
-                return;
-            }
-            let _e3481 = before.member[(0u + _e3475)];
-            if (_e3473.i1_ < _e99) {
-            } else {
-                return;
-            }
-            let _e3485 = before.member[(0u + _e3473.i1_)];
-            if (_e3473.i2_ < _e99) {
-            } else {
-                return;
-            }
-            let _e3489 = before.member[(0u + _e3473.i2_)];
-            if (_e2819.instance < _e93) {
-            } else {
-                return;
-            }
-            let _e3499 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
-            let _e3512 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
-            let _e3525 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
-            if (_e2819.instance < _e93) {
-            } else {
-                return;
-            }
-            let _e3549 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
-            let _e3562 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
-            let _e3575 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
-            if (_e2819.instance < _e93) {
-            } else {
-                return;
-            }
-            let _e3602 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
-            let _e3615 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
-            let _e3628 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
-            phi_4410_ = vec3<f32>((((((((_e3499.x * _e3481.x) + (_e3499.y * _e3481.y)) + (_e3499.z * _e3481.z)) + (_e3499.w * 1f)) * _e3468) + (((((_e3549.x * _e3485.x) + (_e3549.y * _e3485.y)) + (_e3549.z * _e3485.z)) + (_e3549.w * 1f)) * _e2819.u)) + (((((_e3602.x * _e3489.x) + (_e3602.y * _e3489.y)) + (_e3602.z * _e3489.z)) + (_e3602.w * 1f)) * _e2819.v)), (((((((_e3512.x * _e3481.x) + (_e3512.y * _e3481.y)) + (_e3512.z * _e3481.z)) + (_e3512.w * 1f)) * _e3468) + (((((_e3562.x * _e3485.x) + (_e3562.y * _e3485.y)) + (_e3562.z * _e3485.z)) + (_e3562.w * 1f)) * _e2819.u)) + (((((_e3615.x * _e3489.x) + (_e3615.y * _e3489.y)) + (_e3615.z * _e3489.z)) + (_e3615.w * 1f)) * _e2819.v)), (((((((_e3525.x * _e3481.x) + (_e3525.y * _e3481.y)) + (_e3525.z * _e3481.z)) + (_e3525.w * 1f)) * _e3468) + (((((_e3575.x * _e3485.x) + (_e3575.y * _e3485.y)) + (_e3575.z * _e3485.z)) + (_e3575.w * 1f)) * _e2819.u)) + (((((_e3628.x * _e3489.x) + (_e3628.y * _e3489.y)) + (_e3628.z * _e3489.z)) + (_e3628.w * 1f)) * _e2819.v)));
-        } else {
-            phi_4410_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e3648 = phi_4410_;
-        if (_e108.shift < arrayLength((&past.member))) {
+        let _e3477 = phi_4206_;
+        if (_e109.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.shift)] = vec4<f32>(_e3648.x, _e3648.y, _e3648.z, 1f);
+        samples.member[(0u + _e109.shift)] = _e3477;
+        if (_e2837.triangle != 4294967295u) {
+            let _e3486 = ((1f - _e2837.u) - _e2837.v);
+            if (_e2837.triangle < _e82) {
+            } else {
+                return;
+            }
+            let _e3491 = triangles.member[(0u + _e2837.triangle)];
+            let _e3493 = (_e3491.i0_ & 2147483647u);
+            if (_e3493 < _e100) {
+            } else {
+                return;
+            }
+            let _e3499 = before.member[(0u + _e3493)];
+            if (_e3491.i1_ < _e100) {
+            } else {
+                return;
+            }
+            let _e3503 = before.member[(0u + _e3491.i1_)];
+            if (_e3491.i2_ < _e100) {
+            } else {
+                return;
+            }
+            let _e3507 = before.member[(0u + _e3491.i2_)];
+            if (_e2837.instance < _e94) {
+            } else {
+                return;
+            }
+            let _e3517 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e3530 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e3543 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            if (_e2837.instance < _e94) {
+            } else {
+                return;
+            }
+            let _e3567 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e3580 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e3593 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            if (_e2837.instance < _e94) {
+            } else {
+                return;
+            }
+            let _e3620 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e3633 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e3646 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            phi_4429_ = vec3<f32>((((((((_e3517.x * _e3499.x) + (_e3517.y * _e3499.y)) + (_e3517.z * _e3499.z)) + (_e3517.w * 1f)) * _e3486) + (((((_e3567.x * _e3503.x) + (_e3567.y * _e3503.y)) + (_e3567.z * _e3503.z)) + (_e3567.w * 1f)) * _e2837.u)) + (((((_e3620.x * _e3507.x) + (_e3620.y * _e3507.y)) + (_e3620.z * _e3507.z)) + (_e3620.w * 1f)) * _e2837.v)), (((((((_e3530.x * _e3499.x) + (_e3530.y * _e3499.y)) + (_e3530.z * _e3499.z)) + (_e3530.w * 1f)) * _e3486) + (((((_e3580.x * _e3503.x) + (_e3580.y * _e3503.y)) + (_e3580.z * _e3503.z)) + (_e3580.w * 1f)) * _e2837.u)) + (((((_e3633.x * _e3507.x) + (_e3633.y * _e3507.y)) + (_e3633.z * _e3507.z)) + (_e3633.w * 1f)) * _e2837.v)), (((((((_e3543.x * _e3499.x) + (_e3543.y * _e3499.y)) + (_e3543.z * _e3499.z)) + (_e3543.w * 1f)) * _e3486) + (((((_e3593.x * _e3503.x) + (_e3593.y * _e3503.y)) + (_e3593.z * _e3503.z)) + (_e3593.w * 1f)) * _e2837.u)) + (((((_e3646.x * _e3507.x) + (_e3646.y * _e3507.y)) + (_e3646.z * _e3507.z)) + (_e3646.w * 1f)) * _e2837.v)));
+        } else {
+            phi_4429_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e3666 = phi_4429_;
+        if (_e109.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e109.shift)] = vec4<f32>(_e3666.x, _e3666.y, _e3666.z, 1f);
     }
     return;
 }

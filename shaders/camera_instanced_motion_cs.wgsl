@@ -2,13 +2,13 @@ struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
     right: vec3<f32>,
-    pad0_: u32,
+    layers_behind: u32,
     up: vec3<f32>,
     pad1_: u32,
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -161,81 +161,81 @@ var<storage> before: type_22;
 var<storage, read_write> past: type_22;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_205_: lt_mask_LightPlace;
-    var phi_206_: bool;
     var phi_207_: lt_mask_LightPlace;
     var phi_208_: bool;
-    var phi_213_: lt_mask_LightPlace;
+    var phi_209_: lt_mask_LightPlace;
+    var phi_210_: bool;
+    var phi_215_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_205_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_206_ = false;
+            phi_207_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_208_ = false;
         } else {
-            phi_205_ = lt_mask_LightPlace();
-            phi_206_ = true;
+            phi_207_ = lt_mask_LightPlace();
+            phi_208_ = true;
         }
-        let _e76 = phi_205_;
-        let _e78 = phi_206_;
-        phi_207_ = _e76;
-        phi_208_ = _e78;
+        let _e77 = phi_207_;
+        let _e79 = phi_208_;
+        phi_209_ = _e77;
+        phi_210_ = _e79;
     } else {
-        phi_207_ = lt_mask_LightPlace();
-        phi_208_ = true;
+        phi_209_ = lt_mask_LightPlace();
+        phi_210_ = true;
     }
-    let _e80 = phi_207_;
-    let _e82 = phi_208_;
-    if _e82 {
-        phi_213_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e81 = phi_209_;
+    let _e83 = phi_210_;
+    if _e83 {
+        phi_215_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_213_ = _e80;
+        phi_215_ = _e81;
     }
-    let _e87 = phi_213_;
-    return lt_mask_LightPlace(_e87.word, _e87.shift);
+    let _e88 = phi_215_;
+    return lt_mask_LightPlace(_e88.word, _e88.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_228_: bool;
-    var phi_232_: f32;
+    var phi_230_: bool;
+    var phi_234_: f32;
 
     if (param_3 != param_3) {
-        phi_228_ = true;
+        phi_230_ = true;
     } else {
-        let _e66 = (param_4 >= param_3);
-        if _e66 {
+        let _e67 = (param_4 >= param_3);
+        if _e67 {
         }
-        phi_228_ = _e66;
+        phi_230_ = _e67;
     }
-    let _e68 = phi_228_;
-    if _e68 {
-        phi_232_ = param_4;
+    let _e69 = phi_230_;
+    if _e69 {
+        phi_234_ = param_4;
     } else {
-        phi_232_ = param_3;
+        phi_234_ = param_3;
     }
-    let _e70 = phi_232_;
-    return _e70;
+    let _e71 = phi_234_;
+    return _e71;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_244_: bool;
-    var phi_248_: f32;
+    var phi_246_: bool;
+    var phi_250_: f32;
 
     if (param_5 != param_5) {
-        phi_244_ = true;
+        phi_246_ = true;
     } else {
-        let _e66 = (param_6 <= param_5);
-        if _e66 {
+        let _e67 = (param_6 <= param_5);
+        if _e67 {
         }
-        phi_244_ = _e66;
+        phi_246_ = _e67;
     }
-    let _e68 = phi_244_;
-    if _e68 {
-        phi_248_ = param_6;
+    let _e69 = phi_246_;
+    if _e69 {
+        phi_250_ = param_6;
     } else {
-        phi_248_ = param_5;
+        phi_250_ = param_5;
     }
-    let _e70 = phi_248_;
-    return _e70;
+    let _e71 = phi_250_;
+    return _e71;
 }
 
 fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
@@ -243,15 +243,15 @@ fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_9: f32, param_10: f32) -> f32 {
-    var phi_260_: f32;
+    var phi_262_: f32;
 
     if (param_9 > param_10) {
-        phi_260_ = param_9;
+        phi_262_ = param_9;
     } else {
-        phi_260_ = param_10;
+        phi_262_ = param_10;
     }
-    let _e67 = phi_260_;
-    return _e67;
+    let _e68 = phi_262_;
+    return _e68;
 }
 
 fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_11: vec3<f32>) -> vec3<f32> {
@@ -261,2467 +261,2469 @@ fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSour
 fn function_() {
     var local: lt_bvh_traverse_Stack;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_388_: bool;
-    var phi_389_: bool;
-    var phi_390_: bool;
-    var phi_391_: bool;
-    var phi_395_: bool;
+    var phi_407_: bool;
     var phi_408_: bool;
     var phi_409_: bool;
     var phi_410_: bool;
-    var phi_411_: bool;
-    var phi_415_: bool;
+    var phi_414_: bool;
+    var phi_427_: bool;
     var phi_428_: bool;
     var phi_429_: bool;
     var phi_430_: bool;
     var phi_434_: bool;
-    var phi_435_: bool;
-    var phi_436_: bool;
-    var phi_437_: bool;
-    var phi_438_: bool;
-    var phi_442_: bool;
-    var phi_518_: f32;
-    var phi_525_: f32;
-    var phi_533_: f32;
-    var phi_540_: f32;
-    var phi_548_: f32;
-    var phi_555_: f32;
-    var phi_578_: f32;
-    var phi_583_: f32;
-    var phi_588_: f32;
-    var phi_593_: f32;
-    var phi_598_: f32;
-    var phi_617_: u32;
-    var phi_622_: u32;
-    var phi_627_: u32;
-    var phi_741_: bool;
-    var phi_742_: bool;
-    var phi_773_: u32;
-    var phi_775_: u32;
-    var phi_778_: lt_bvh_Hit;
-    var phi_863_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_890_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_917_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_923_: u32;
-    var phi_926_: u32;
-    var phi_940_: u32;
-    var phi_950_: u32;
-    var phi_960_: u32;
-    var phi_978_: u32;
-    var phi_988_: u32;
-    var phi_998_: u32;
-    var phi_1034_: u32;
-    var phi_1047_: u32;
-    var phi_1052_: u32;
+    var phi_447_: bool;
+    var phi_448_: bool;
+    var phi_449_: bool;
+    var phi_453_: bool;
+    var phi_454_: bool;
+    var phi_455_: bool;
+    var phi_456_: bool;
+    var phi_457_: bool;
+    var phi_461_: bool;
+    var phi_537_: f32;
+    var phi_544_: f32;
+    var phi_552_: f32;
+    var phi_559_: f32;
+    var phi_567_: f32;
+    var phi_574_: f32;
+    var phi_597_: f32;
+    var phi_602_: f32;
+    var phi_607_: f32;
+    var phi_612_: f32;
+    var phi_617_: f32;
+    var phi_636_: u32;
+    var phi_641_: u32;
+    var phi_646_: u32;
+    var phi_760_: bool;
+    var phi_761_: bool;
+    var phi_792_: u32;
+    var phi_794_: u32;
+    var phi_797_: lt_bvh_Hit;
+    var phi_882_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_909_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_936_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_942_: u32;
+    var phi_945_: u32;
+    var phi_959_: u32;
+    var phi_969_: u32;
+    var phi_979_: u32;
+    var phi_997_: u32;
+    var phi_1007_: u32;
+    var phi_1017_: u32;
     var phi_1053_: u32;
-    var phi_1054_: u32;
-    var phi_924_: u32;
-    var phi_927_: u32;
+    var phi_1066_: u32;
+    var phi_1071_: u32;
+    var phi_1072_: u32;
+    var phi_1073_: u32;
+    var phi_943_: u32;
+    var phi_946_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1112_: u32;
-    var phi_1115_: lt_bvh_Hit;
-    var phi_1170_: f32;
-    var phi_1175_: f32;
-    var phi_1180_: f32;
-    var phi_1188_: f32;
-    var phi_1193_: f32;
-    var phi_1198_: f32;
-    var phi_1330_: bool;
-    var phi_1331_: bool;
-    var phi_1332_: bool;
-    var phi_1333_: bool;
-    var phi_1337_: bool;
+    var phi_1131_: u32;
+    var phi_1134_: lt_bvh_Hit;
+    var phi_1189_: f32;
+    var phi_1194_: f32;
+    var phi_1199_: f32;
+    var phi_1207_: f32;
+    var phi_1212_: f32;
+    var phi_1217_: f32;
+    var phi_1349_: bool;
     var phi_1350_: bool;
     var phi_1351_: bool;
     var phi_1352_: bool;
-    var phi_1353_: bool;
-    var phi_1357_: bool;
+    var phi_1356_: bool;
+    var phi_1369_: bool;
     var phi_1370_: bool;
     var phi_1371_: bool;
     var phi_1372_: bool;
     var phi_1376_: bool;
-    var phi_1377_: bool;
-    var phi_1378_: bool;
-    var phi_1379_: bool;
-    var phi_1380_: bool;
-    var phi_1384_: bool;
-    var phi_1454_: f32;
-    var phi_1461_: f32;
-    var phi_1468_: f32;
-    var phi_1475_: f32;
-    var phi_1482_: f32;
-    var phi_1489_: f32;
-    var phi_1506_: f32;
-    var phi_1511_: f32;
-    var phi_1516_: f32;
-    var phi_1521_: f32;
-    var phi_1526_: f32;
-    var phi_1552_: bool;
-    var phi_1553_: bool;
-    var phi_1561_: u32;
-    var phi_1562_: u32;
-    var phi_1573_: vec3<f32>;
-    var phi_1574_: vec3<f32>;
-    var phi_1587_: u32;
-    var phi_1592_: u32;
-    var phi_1597_: u32;
-    var phi_1711_: bool;
-    var phi_1712_: bool;
-    var phi_1743_: u32;
-    var phi_1745_: lt_bvh_Hit;
-    var phi_1748_: u32;
-    var phi_1829_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1856_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1883_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1889_: u32;
-    var phi_1892_: u32;
-    var phi_1906_: u32;
-    var phi_1916_: u32;
-    var phi_1926_: u32;
-    var phi_1944_: u32;
-    var phi_1954_: u32;
-    var phi_1964_: u32;
-    var phi_2000_: u32;
-    var phi_2013_: u32;
-    var phi_2018_: u32;
+    var phi_1389_: bool;
+    var phi_1390_: bool;
+    var phi_1391_: bool;
+    var phi_1395_: bool;
+    var phi_1396_: bool;
+    var phi_1397_: bool;
+    var phi_1398_: bool;
+    var phi_1399_: bool;
+    var phi_1403_: bool;
+    var phi_1473_: f32;
+    var phi_1480_: f32;
+    var phi_1487_: f32;
+    var phi_1494_: f32;
+    var phi_1501_: f32;
+    var phi_1508_: f32;
+    var phi_1525_: f32;
+    var phi_1530_: f32;
+    var phi_1535_: f32;
+    var phi_1540_: f32;
+    var phi_1545_: f32;
+    var phi_1571_: bool;
+    var phi_1572_: bool;
+    var phi_1580_: u32;
+    var phi_1581_: u32;
+    var phi_1592_: vec3<f32>;
+    var phi_1593_: vec3<f32>;
+    var phi_1606_: u32;
+    var phi_1611_: u32;
+    var phi_1616_: u32;
+    var phi_1730_: bool;
+    var phi_1731_: bool;
+    var phi_1762_: u32;
+    var phi_1764_: lt_bvh_Hit;
+    var phi_1767_: u32;
+    var phi_1848_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1875_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1902_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1908_: u32;
+    var phi_1911_: u32;
+    var phi_1925_: u32;
+    var phi_1935_: u32;
+    var phi_1945_: u32;
+    var phi_1963_: u32;
+    var phi_1973_: u32;
+    var phi_1983_: u32;
     var phi_2019_: u32;
-    var phi_2020_: u32;
-    var phi_1890_: u32;
-    var phi_1893_: u32;
+    var phi_2032_: u32;
+    var phi_2037_: u32;
+    var phi_2038_: u32;
+    var phi_2039_: u32;
+    var phi_1909_: u32;
+    var phi_1912_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_2078_: lt_bvh_Hit;
-    var phi_2081_: u32;
-    var phi_2125_: vec3<f32>;
-    var phi_2126_: vec3<f32>;
-    var phi_2155_: vec3<f32>;
-    var phi_2156_: vec3<f32>;
-    var phi_2185_: vec3<f32>;
-    var phi_2186_: vec3<f32>;
-    var phi_2204_: bool;
-    var phi_2205_: bool;
-    var phi_2209_: f32;
-    var phi_2210_: f32;
-    var phi_2211_: f32;
-    var phi_2212_: f32;
-    var phi_2220_: f32;
-    var phi_2230_: bool;
-    var phi_2231_: bool;
-    var phi_2235_: f32;
-    var phi_2236_: f32;
-    var phi_2237_: f32;
-    var phi_2238_: f32;
-    var phi_2246_: f32;
-    var phi_2256_: bool;
-    var phi_2257_: bool;
-    var phi_2261_: f32;
-    var phi_2262_: f32;
-    var phi_2263_: f32;
-    var phi_2264_: f32;
-    var phi_2272_: f32;
-    var phi_2287_: f32;
-    var phi_2288_: bool;
-    var phi_2289_: f32;
-    var phi_2290_: bool;
+    var phi_2097_: lt_bvh_Hit;
+    var phi_2100_: u32;
+    var phi_2144_: vec3<f32>;
+    var phi_2145_: vec3<f32>;
+    var phi_2174_: vec3<f32>;
+    var phi_2175_: vec3<f32>;
+    var phi_2204_: vec3<f32>;
+    var phi_2205_: vec3<f32>;
+    var phi_2223_: bool;
+    var phi_2224_: bool;
+    var phi_2228_: f32;
+    var phi_2229_: f32;
+    var phi_2230_: f32;
+    var phi_2231_: f32;
+    var phi_2239_: f32;
+    var phi_2249_: bool;
+    var phi_2250_: bool;
+    var phi_2254_: f32;
+    var phi_2255_: f32;
+    var phi_2256_: f32;
+    var phi_2257_: f32;
+    var phi_2265_: f32;
+    var phi_2275_: bool;
+    var phi_2276_: bool;
+    var phi_2280_: f32;
+    var phi_2281_: f32;
+    var phi_2282_: f32;
+    var phi_2283_: f32;
     var phi_2291_: f32;
-    var phi_2292_: bool;
+    var phi_2306_: f32;
+    var phi_2307_: bool;
+    var phi_2308_: f32;
+    var phi_2309_: bool;
     var phi_2310_: f32;
     var phi_2311_: bool;
-    var phi_2312_: bool;
-    var phi_2313_: f32;
-    var phi_2314_: bool;
-    var phi_2315_: bool;
-    var phi_2319_: bool;
-    var phi_2320_: f32;
-    var phi_2321_: bool;
-    var phi_2349_: vec3<f32>;
-    var phi_2350_: vec3<f32>;
-    var phi_2375_: vec3<f32>;
-    var phi_2376_: vec3<f32>;
-    var phi_2401_: vec3<f32>;
-    var phi_2402_: vec3<f32>;
-    var phi_2458_: f32;
-    var phi_2467_: f32;
-    var phi_2476_: f32;
-    var phi_2485_: f32;
-    var phi_2492_: f32;
-    var phi_2499_: f32;
-    var phi_2512_: f32;
-    var phi_2521_: f32;
-    var phi_2530_: f32;
-    var phi_2539_: f32;
-    var phi_2546_: f32;
-    var phi_2553_: f32;
-    var phi_2570_: f32;
-    var phi_2575_: f32;
-    var phi_2580_: f32;
-    var phi_2588_: f32;
-    var phi_2593_: f32;
-    var phi_2598_: f32;
-    var phi_2610_: f32;
-    var phi_2615_: f32;
-    var phi_2620_: f32;
-    var phi_2625_: f32;
-    var phi_2630_: lt_bvh_triangle_Intersection;
-    var phi_2631_: bool;
-    var phi_2632_: lt_bvh_triangle_Intersection;
-    var phi_2633_: bool;
-    var phi_2637_: lt_bvh_triangle_Intersection;
-    var phi_2638_: bool;
-    var phi_2639_: lt_bvh_triangle_Intersection;
-    var phi_2640_: bool;
-    var phi_2641_: bool;
-    var phi_2645_: bool;
+    var phi_2329_: f32;
+    var phi_2330_: bool;
+    var phi_2331_: bool;
+    var phi_2332_: f32;
+    var phi_2333_: bool;
+    var phi_2334_: bool;
+    var phi_2338_: bool;
+    var phi_2339_: f32;
+    var phi_2340_: bool;
+    var phi_2368_: vec3<f32>;
+    var phi_2369_: vec3<f32>;
+    var phi_2394_: vec3<f32>;
+    var phi_2395_: vec3<f32>;
+    var phi_2420_: vec3<f32>;
+    var phi_2421_: vec3<f32>;
+    var phi_2477_: f32;
+    var phi_2486_: f32;
+    var phi_2495_: f32;
+    var phi_2504_: f32;
+    var phi_2511_: f32;
+    var phi_2518_: f32;
+    var phi_2531_: f32;
+    var phi_2540_: f32;
+    var phi_2549_: f32;
+    var phi_2558_: f32;
+    var phi_2565_: f32;
+    var phi_2572_: f32;
+    var phi_2589_: f32;
+    var phi_2594_: f32;
+    var phi_2599_: f32;
+    var phi_2607_: f32;
+    var phi_2612_: f32;
+    var phi_2617_: f32;
+    var phi_2629_: f32;
+    var phi_2634_: f32;
+    var phi_2639_: f32;
+    var phi_2644_: f32;
     var phi_2649_: lt_bvh_triangle_Intersection;
-    var phi_2687_: bool;
-    var phi_2688_: bool;
-    var phi_2689_: bool;
-    var phi_2690_: bool;
-    var phi_2691_: bool;
-    var phi_2692_: bool;
-    var phi_2696_: bool;
-    var phi_2697_: bool;
+    var phi_2650_: bool;
+    var phi_2651_: lt_bvh_triangle_Intersection;
+    var phi_2652_: bool;
+    var phi_2656_: lt_bvh_triangle_Intersection;
+    var phi_2657_: bool;
+    var phi_2658_: lt_bvh_triangle_Intersection;
+    var phi_2659_: bool;
+    var phi_2660_: bool;
+    var phi_2664_: bool;
+    var phi_2668_: lt_bvh_triangle_Intersection;
+    var phi_2706_: bool;
+    var phi_2707_: bool;
+    var phi_2708_: bool;
+    var phi_2709_: bool;
+    var phi_2710_: bool;
     var phi_2711_: bool;
-    var phi_2719_: lt_bvh_Hit;
-    var phi_2720_: lt_bvh_Hit;
-    var phi_2721_: lt_bvh_Hit;
-    var phi_2722_: lt_bvh_Hit;
-    var phi_2079_: lt_bvh_Hit;
-    var phi_2082_: u32;
-    var phi_2723_: bool;
-    var phi_2762_: bool;
-    var phi_2763_: bool;
-    var phi_2794_: u32;
-    var phi_1746_: lt_bvh_Hit;
-    var phi_1749_: u32;
-    var phi_2795_: lt_bvh_Hit;
-    var phi_2796_: lt_bvh_Hit;
-    var phi_2797_: bool;
-    var phi_2801_: lt_bvh_Hit;
-    var phi_2802_: lt_bvh_Hit;
-    var phi_2803_: lt_bvh_Hit;
-    var phi_2804_: lt_bvh_Hit;
-    var phi_1113_: u32;
-    var phi_1116_: lt_bvh_Hit;
-    var phi_2805_: bool;
-    var phi_2844_: bool;
-    var phi_2845_: bool;
-    var phi_2876_: u32;
-    var phi_776_: u32;
-    var phi_779_: lt_bvh_Hit;
-    var phi_2877_: lt_bvh_Hit;
-    var phi_2878_: lt_bvh_Hit;
-    var phi_2879_: bool;
-    var phi_2883_: lt_bvh_Hit;
-    var phi_3071_: f32;
-    var phi_3076_: f32;
-    var phi_3081_: f32;
-    var phi_3089_: f32;
-    var phi_3094_: f32;
-    var phi_3099_: f32;
-    var phi_3163_: vec3<f32>;
-    var phi_3284_: u32;
-    var phi_3311_: f32;
-    var phi_3318_: f32;
-    var phi_3325_: f32;
-    var phi_3360_: f32;
-    var phi_3367_: f32;
-    var phi_3374_: f32;
-    var phi_3412_: f32;
-    var phi_3419_: f32;
-    var phi_3426_: f32;
-    var phi_3512_: vec3<f32>;
-    var phi_3513_: vec3<f32>;
-    var phi_3514_: vec3<f32>;
-    var phi_3523_: f32;
-    var phi_3524_: f32;
-    var phi_3534_: f32;
-    var phi_3535_: f32;
-    var phi_3545_: f32;
-    var phi_3546_: f32;
-    var phi_3581_: abi_Sample;
-    var phi_3804_: vec3<f32>;
+    var phi_2715_: bool;
+    var phi_2716_: bool;
+    var phi_2730_: bool;
+    var phi_2738_: lt_bvh_Hit;
+    var phi_2739_: lt_bvh_Hit;
+    var phi_2740_: lt_bvh_Hit;
+    var phi_2741_: lt_bvh_Hit;
+    var phi_2098_: lt_bvh_Hit;
+    var phi_2101_: u32;
+    var phi_2742_: bool;
+    var phi_2781_: bool;
+    var phi_2782_: bool;
+    var phi_2813_: u32;
+    var phi_1765_: lt_bvh_Hit;
+    var phi_1768_: u32;
+    var phi_2814_: lt_bvh_Hit;
+    var phi_2815_: lt_bvh_Hit;
+    var phi_2816_: bool;
+    var phi_2820_: lt_bvh_Hit;
+    var phi_2821_: lt_bvh_Hit;
+    var phi_2822_: lt_bvh_Hit;
+    var phi_2823_: lt_bvh_Hit;
+    var phi_1132_: u32;
+    var phi_1135_: lt_bvh_Hit;
+    var phi_2824_: bool;
+    var phi_2863_: bool;
+    var phi_2864_: bool;
+    var phi_2895_: u32;
+    var phi_795_: u32;
+    var phi_798_: lt_bvh_Hit;
+    var phi_2896_: lt_bvh_Hit;
+    var phi_2897_: lt_bvh_Hit;
+    var phi_2898_: bool;
+    var phi_2902_: lt_bvh_Hit;
+    var phi_3090_: f32;
+    var phi_3095_: f32;
+    var phi_3100_: f32;
+    var phi_3108_: f32;
+    var phi_3113_: f32;
+    var phi_3118_: f32;
+    var phi_3182_: vec3<f32>;
+    var phi_3303_: u32;
+    var phi_3330_: f32;
+    var phi_3337_: f32;
+    var phi_3344_: f32;
+    var phi_3379_: f32;
+    var phi_3386_: f32;
+    var phi_3393_: f32;
+    var phi_3431_: f32;
+    var phi_3438_: f32;
+    var phi_3445_: f32;
+    var phi_3531_: vec3<f32>;
+    var phi_3532_: vec3<f32>;
+    var phi_3533_: vec3<f32>;
+    var phi_3542_: f32;
+    var phi_3543_: f32;
+    var phi_3553_: f32;
+    var phi_3554_: f32;
+    var phi_3564_: f32;
+    var phi_3565_: f32;
+    var phi_3600_: abi_Sample;
+    var phi_3823_: vec3<f32>;
     var local_8: lt_bvh_Hit;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
 
-    let _e65 = id_1;
-    let _e69 = arrayLength((&nodes.member));
-    let _e72 = arrayLength((&triangles.member));
-    let _e75 = arrayLength((&vertices.member));
-    let _e84 = arrayLength((&instances.member));
-    let _e87 = arrayLength((&before.member));
-    let _e93 = p.member.size[0u];
-    let _e95 = p.member.size[1u];
-    let _e96 = lt_shaders_entry_pixel_index(_e65, _e93, _e95);
-    if (bitcast<i32>(_e96.word) != 0i) {
-        let _e102 = p.member.root;
-        let _e106 = p.member.eye;
-        let _e111 = p.member.size[0u];
-        let _e115 = ((((f32(_e65.x) + 0.5f) / f32(_e111)) * 2f) - 1f);
-        let _e120 = p.member.size[1u];
-        let _e124 = (1f - (((f32(_e65.y) + 0.5f) / f32(_e120)) * 2f));
-        let _e126 = p.member.forward;
-        let _e128 = p.member.right;
-        let _e142 = p.member.up;
-        let _e153 = _lt_bvh_ray_Ray_new(_e106, vec3<f32>(((_e126.x + (_e128.x * _e115)) + (_e142.x * _e124)), ((_e126.y + (_e128.y * _e115)) + (_e142.y * _e124)), ((_e126.z + (_e128.z * _e115)) + (_e142.z * _e124))));
-        let _e155 = lt_bvh_Hit(_e153.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e158 = abs(_e153.direction.x);
-        let _e160 = abs(_e153.direction.y);
-        let _e162 = abs(_e153.direction.z);
-        if (abs(_e153.origin.x) < 1000000000000000f) {
-            if (abs(_e153.origin.y) < 1000000000000000f) {
-                phi_388_ = (abs(_e153.origin.z) < 1000000000000000f);
-                phi_389_ = false;
+    let _e66 = id_1;
+    let _e70 = arrayLength((&nodes.member));
+    let _e73 = arrayLength((&triangles.member));
+    let _e76 = arrayLength((&vertices.member));
+    let _e85 = arrayLength((&instances.member));
+    let _e88 = arrayLength((&before.member));
+    let _e94 = p.member.size[0u];
+    let _e96 = p.member.size[1u];
+    let _e97 = lt_shaders_entry_pixel_index(_e66, _e94, _e96);
+    if (bitcast<i32>(_e97.word) != 0i) {
+        let _e103 = p.member.root;
+        let _e107 = p.member.eye;
+        let _e110 = p.member.grid[0u];
+        let _e112 = p.member.grid[1u];
+        let _e131 = p.member.size[0u];
+        let _e135 = ((((f32(_e66.x) + ((f32((_e66.y & (_e112 - 1u))) + 0.5f) / f32(_e112))) / f32(_e131)) * 2f) - 1f);
+        let _e138 = p.member.size[1u];
+        let _e142 = (1f - (((f32(_e66.y) + ((f32((_e66.x & (_e110 - 1u))) + 0.5f) / f32(_e110))) / f32(_e138)) * 2f));
+        let _e144 = p.member.forward;
+        let _e146 = p.member.right;
+        let _e160 = p.member.up;
+        let _e171 = _lt_bvh_ray_Ray_new(_e107, vec3<f32>(((_e144.x + (_e146.x * _e135)) + (_e160.x * _e142)), ((_e144.y + (_e146.y * _e135)) + (_e160.y * _e142)), ((_e144.z + (_e146.z * _e135)) + (_e160.z * _e142))));
+        let _e173 = lt_bvh_Hit(_e171.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e176 = abs(_e171.direction.x);
+        let _e178 = abs(_e171.direction.y);
+        let _e180 = abs(_e171.direction.z);
+        if (abs(_e171.origin.x) < 1000000000000000f) {
+            if (abs(_e171.origin.y) < 1000000000000000f) {
+                phi_407_ = (abs(_e171.origin.z) < 1000000000000000f);
+                phi_408_ = false;
             } else {
-                phi_388_ = bool();
-                phi_389_ = true;
+                phi_407_ = bool();
+                phi_408_ = true;
             }
-            let _e174 = phi_388_;
-            let _e176 = phi_389_;
-            phi_390_ = _e174;
-            phi_391_ = _e176;
+            let _e192 = phi_407_;
+            let _e194 = phi_408_;
+            phi_409_ = _e192;
+            phi_410_ = _e194;
         } else {
-            phi_390_ = bool();
-            phi_391_ = true;
+            phi_409_ = bool();
+            phi_410_ = true;
         }
-        let _e178 = phi_390_;
-        let _e180 = phi_391_;
-        if _e180 {
-            phi_395_ = false;
+        let _e196 = phi_409_;
+        let _e198 = phi_410_;
+        if _e198 {
+            phi_414_ = false;
         } else {
-            phi_395_ = _e178;
+            phi_414_ = _e196;
         }
-        let _e182 = phi_395_;
-        if _e182 {
-            if (_e158 < 1000000000000000f) {
-                if (_e160 < 1000000000000000f) {
-                    phi_408_ = (_e162 < 1000000000000000f);
-                    phi_409_ = false;
+        let _e200 = phi_414_;
+        if _e200 {
+            if (_e176 < 1000000000000000f) {
+                if (_e178 < 1000000000000000f) {
+                    phi_427_ = (_e180 < 1000000000000000f);
+                    phi_428_ = false;
                 } else {
-                    phi_408_ = bool();
-                    phi_409_ = true;
+                    phi_427_ = bool();
+                    phi_428_ = true;
                 }
-                let _e187 = phi_408_;
-                let _e189 = phi_409_;
-                phi_410_ = _e187;
-                phi_411_ = _e189;
+                let _e205 = phi_427_;
+                let _e207 = phi_428_;
+                phi_429_ = _e205;
+                phi_430_ = _e207;
             } else {
-                phi_410_ = bool();
-                phi_411_ = true;
+                phi_429_ = bool();
+                phi_430_ = true;
             }
-            let _e191 = phi_410_;
-            let _e193 = phi_411_;
-            if _e193 {
-                phi_415_ = false;
+            let _e209 = phi_429_;
+            let _e211 = phi_430_;
+            if _e211 {
+                phi_434_ = false;
             } else {
-                phi_415_ = _e191;
+                phi_434_ = _e209;
             }
-            let _e195 = phi_415_;
-            if _e195 {
-                if (_e158 > 0f) {
-                    phi_429_ = bool();
-                    phi_430_ = true;
+            let _e213 = phi_434_;
+            if _e213 {
+                if (_e176 > 0f) {
+                    phi_448_ = bool();
+                    phi_449_ = true;
                 } else {
-                    let _e197 = (_e160 > 0f);
-                    if _e197 {
-                        phi_428_ = bool();
+                    let _e215 = (_e178 > 0f);
+                    if _e215 {
+                        phi_447_ = bool();
                     } else {
-                        phi_428_ = (_e162 > 0f);
+                        phi_447_ = (_e180 > 0f);
                     }
-                    let _e200 = phi_428_;
-                    phi_429_ = _e200;
-                    phi_430_ = _e197;
+                    let _e218 = phi_447_;
+                    phi_448_ = _e218;
+                    phi_449_ = _e215;
                 }
-                let _e202 = phi_429_;
-                let _e204 = phi_430_;
-                if _e204 {
-                    phi_434_ = true;
+                let _e220 = phi_448_;
+                let _e222 = phi_449_;
+                if _e222 {
+                    phi_453_ = true;
                 } else {
-                    phi_434_ = _e202;
+                    phi_453_ = _e220;
                 }
-                let _e206 = phi_434_;
-                phi_435_ = _e206;
-                phi_436_ = false;
+                let _e224 = phi_453_;
+                phi_454_ = _e224;
+                phi_455_ = false;
             } else {
-                phi_435_ = bool();
-                phi_436_ = true;
+                phi_454_ = bool();
+                phi_455_ = true;
             }
-            let _e208 = phi_435_;
-            let _e210 = phi_436_;
-            phi_437_ = _e208;
-            phi_438_ = _e210;
+            let _e226 = phi_454_;
+            let _e228 = phi_455_;
+            phi_456_ = _e226;
+            phi_457_ = _e228;
         } else {
-            phi_437_ = bool();
-            phi_438_ = true;
+            phi_456_ = bool();
+            phi_457_ = true;
         }
-        let _e212 = phi_437_;
-        let _e214 = phi_438_;
-        if _e214 {
-            phi_442_ = false;
+        let _e230 = phi_456_;
+        let _e232 = phi_457_;
+        if _e232 {
+            phi_461_ = false;
         } else {
-            phi_442_ = _e212;
+            phi_461_ = _e230;
         }
-        let _e216 = phi_442_;
-        if _e216 {
-            let _e217 = (_e102 >= _e69);
-            if _e217 {
-                phi_2877_ = lt_bvh_Hit();
+        let _e234 = phi_461_;
+        if _e234 {
+            let _e235 = (_e103 >= _e70);
+            if _e235 {
+                phi_2896_ = lt_bvh_Hit();
             } else {
-                if (_e102 < _e69) {
+                if (_e103 < _e70) {
                 } else {
                     return;
                 }
-                let _e223 = nodes.member[(0u + _e102)].frame[0u];
-                let _e227 = nodes.member[(0u + _e102)].frame[1u];
-                let _e231 = nodes.member[(0u + _e102)].frame[2u];
-                let _e235 = nodes.member[(0u + _e102)].frame[0u];
-                let _e239 = nodes.member[(0u + _e102)].frame[1u];
-                let _e243 = nodes.member[(0u + _e102)].frame[2u];
-                let _e247 = nodes.member[(0u + _e102)].frame[3u];
-                let _e286 = core_intrinsics_maximum_number_nsz_f32_(abs(_e153.direction.x), abs(_e153.direction.y));
-                let _e287 = core_intrinsics_maximum_number_nsz_f32_(_e286, abs(_e153.direction.z));
-                let _e288 = (_e287 * 0.0000000000009094947f);
-                if (abs(_e153.direction.x) < _e288) {
-                    phi_518_ = _e288;
+                let _e241 = nodes.member[(0u + _e103)].frame[0u];
+                let _e245 = nodes.member[(0u + _e103)].frame[1u];
+                let _e249 = nodes.member[(0u + _e103)].frame[2u];
+                let _e253 = nodes.member[(0u + _e103)].frame[0u];
+                let _e257 = nodes.member[(0u + _e103)].frame[1u];
+                let _e261 = nodes.member[(0u + _e103)].frame[2u];
+                let _e265 = nodes.member[(0u + _e103)].frame[3u];
+                let _e304 = core_intrinsics_maximum_number_nsz_f32_(abs(_e171.direction.x), abs(_e171.direction.y));
+                let _e305 = core_intrinsics_maximum_number_nsz_f32_(_e304, abs(_e171.direction.z));
+                let _e306 = (_e305 * 0.0000000000009094947f);
+                if (abs(_e171.direction.x) < _e306) {
+                    phi_537_ = _e306;
                 } else {
-                    phi_518_ = abs(_e153.direction.x);
+                    phi_537_ = abs(_e171.direction.x);
                 }
-                let _e294 = phi_518_;
-                if (_e153.direction.x < 0f) {
-                    phi_525_ = (-1f / _e294);
+                let _e312 = phi_537_;
+                if (_e171.direction.x < 0f) {
+                    phi_544_ = (-1f / _e312);
                 } else {
-                    phi_525_ = (1f / _e294);
+                    phi_544_ = (1f / _e312);
                 }
-                let _e299 = phi_525_;
-                if (abs(_e153.direction.y) < _e288) {
-                    phi_533_ = _e288;
+                let _e317 = phi_544_;
+                if (abs(_e171.direction.y) < _e306) {
+                    phi_552_ = _e306;
                 } else {
-                    phi_533_ = abs(_e153.direction.y);
+                    phi_552_ = abs(_e171.direction.y);
                 }
-                let _e305 = phi_533_;
-                if (_e153.direction.y < 0f) {
-                    phi_540_ = (-1f / _e305);
+                let _e323 = phi_552_;
+                if (_e171.direction.y < 0f) {
+                    phi_559_ = (-1f / _e323);
                 } else {
-                    phi_540_ = (1f / _e305);
+                    phi_559_ = (1f / _e323);
                 }
-                let _e310 = phi_540_;
-                if (abs(_e153.direction.z) < _e288) {
-                    phi_548_ = _e288;
+                let _e328 = phi_559_;
+                if (abs(_e171.direction.z) < _e306) {
+                    phi_567_ = _e306;
                 } else {
-                    phi_548_ = abs(_e153.direction.z);
+                    phi_567_ = abs(_e171.direction.z);
                 }
-                let _e316 = phi_548_;
-                if (_e153.direction.z < 0f) {
-                    phi_555_ = (-1f / _e316);
+                let _e334 = phi_567_;
+                if (_e171.direction.z < 0f) {
+                    phi_574_ = (-1f / _e334);
                 } else {
-                    phi_555_ = (1f / _e316);
+                    phi_574_ = (1f / _e334);
                 }
-                let _e321 = phi_555_;
-                let _e328 = abs((bitcast<f32>(_e223) - _e153.origin.x));
-                let _e329 = abs((bitcast<f32>(_e227) - _e153.origin.y));
-                let _e330 = abs((bitcast<f32>(_e231) - _e153.origin.z));
-                let _e337 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e247 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.x));
-                let _e338 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e247 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.y));
-                let _e339 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e247 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153.origin.z));
-                if (_e328 > _e337) {
-                    phi_578_ = _e328;
+                let _e339 = phi_574_;
+                let _e346 = abs((bitcast<f32>(_e241) - _e171.origin.x));
+                let _e347 = abs((bitcast<f32>(_e245) - _e171.origin.y));
+                let _e348 = abs((bitcast<f32>(_e249) - _e171.origin.z));
+                let _e355 = abs(((bitcast<f32>(_e253) + (bitcast<f32>((((_e265 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e171.origin.x));
+                let _e356 = abs(((bitcast<f32>(_e257) + (bitcast<f32>((((_e265 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e171.origin.y));
+                let _e357 = abs(((bitcast<f32>(_e261) + (bitcast<f32>((((_e265 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e171.origin.z));
+                if (_e346 > _e355) {
+                    phi_597_ = _e346;
                 } else {
-                    phi_578_ = _e337;
+                    phi_597_ = _e355;
                 }
-                let _e342 = phi_578_;
-                if (_e329 > _e338) {
-                    phi_583_ = _e329;
+                let _e360 = phi_597_;
+                if (_e347 > _e356) {
+                    phi_602_ = _e347;
                 } else {
-                    phi_583_ = _e338;
+                    phi_602_ = _e356;
                 }
-                let _e345 = phi_583_;
-                if (_e330 > _e339) {
-                    phi_588_ = _e330;
+                let _e363 = phi_602_;
+                if (_e348 > _e357) {
+                    phi_607_ = _e348;
                 } else {
-                    phi_588_ = _e339;
+                    phi_607_ = _e357;
                 }
-                let _e348 = phi_588_;
-                if (_e342 > _e345) {
-                    phi_593_ = _e342;
+                let _e366 = phi_607_;
+                if (_e360 > _e363) {
+                    phi_612_ = _e360;
                 } else {
-                    phi_593_ = _e345;
+                    phi_612_ = _e363;
                 }
-                let _e351 = phi_593_;
-                if (_e351 > _e348) {
-                    phi_598_ = _e351;
+                let _e369 = phi_612_;
+                if (_e369 > _e366) {
+                    phi_617_ = _e369;
                 } else {
-                    phi_598_ = _e348;
+                    phi_617_ = _e366;
                 }
-                let _e354 = phi_598_;
-                let _e358 = (_e354 * 0.0000019073486f);
-                let _e359 = (abs(_e299) * _e358);
-                let _e360 = (abs(_e310) * _e358);
-                let _e361 = (abs(_e321) * _e358);
-                let _e365 = (_e354 * 0.0000009536743f);
-                let _e366 = (abs(_e299) * _e365);
-                let _e367 = (abs(_e310) * _e365);
-                let _e368 = (abs(_e321) * _e365);
-                if (_e299 < 0f) {
-                    phi_617_ = 0u;
+                let _e372 = phi_617_;
+                let _e376 = (_e372 * 0.0000019073486f);
+                let _e377 = (abs(_e317) * _e376);
+                let _e378 = (abs(_e328) * _e376);
+                let _e379 = (abs(_e339) * _e376);
+                let _e383 = (_e372 * 0.0000009536743f);
+                let _e384 = (abs(_e317) * _e383);
+                let _e385 = (abs(_e328) * _e383);
+                let _e386 = (abs(_e339) * _e383);
+                if (_e317 < 0f) {
+                    phi_636_ = 0u;
                 } else {
-                    phi_617_ = 1u;
+                    phi_636_ = 1u;
                 }
-                let _e371 = phi_617_;
-                if (_e310 < 0f) {
-                    phi_622_ = 0u;
+                let _e389 = phi_636_;
+                if (_e328 < 0f) {
+                    phi_641_ = 0u;
                 } else {
-                    phi_622_ = 2u;
+                    phi_641_ = 2u;
                 }
-                let _e374 = phi_622_;
-                if (_e321 < 0f) {
-                    phi_627_ = 0u;
+                let _e392 = phi_641_;
+                if (_e339 < 0f) {
+                    phi_646_ = 0u;
                 } else {
-                    phi_627_ = 4u;
+                    phi_646_ = 4u;
                 }
-                let _e377 = phi_627_;
-                let _e379 = ((_e371 | _e374) | _e377);
-                let _e380 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e102, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e380.first[0], _e380.first[1], _e380.first[2], _e380.first[3], _e380.first[4], _e380.first[5], _e380.first[6], _e380.first[7], _e380.first[8], _e380.first[9], _e380.first[10], _e380.first[11], _e380.first[12], _e380.first[13], _e380.first[14], _e380.first[15], _e380.first[16], _e380.first[17], _e380.first[18], _e380.first[19], _e380.first[20], _e380.first[21], _e380.first[22], _e380.first[23], _e380.first[24], _e380.first[25], _e380.first[26], _e380.first[27], _e380.first[28], _e380.first[29], _e380.first[30], _e380.first[31]), array<u32, 32>(_e380.mask[0], _e380.mask[1], _e380.mask[2], _e380.mask[3], _e380.mask[4], _e380.mask[5], _e380.mask[6], _e380.mask[7], _e380.mask[8], _e380.mask[9], _e380.mask[10], _e380.mask[11], _e380.mask[12], _e380.mask[13], _e380.mask[14], _e380.mask[15], _e380.mask[16], _e380.mask[17], _e380.mask[18], _e380.mask[19], _e380.mask[20], _e380.mask[21], _e380.mask[22], _e380.mask[23], _e380.mask[24], _e380.mask[25], _e380.mask[26], _e380.mask[27], _e380.mask[28], _e380.mask[29], _e380.mask[30], _e380.mask[31]), _e380.len, _e380.group, _e380.group_mask);
-                let _e454 = local_1.group_mask;
-                if ((_e454 & 4278190080u) == 0u) {
-                    let _e458 = local_1.len;
-                    if (_e458 == 0u) {
-                        phi_741_ = false;
+                let _e395 = phi_646_;
+                let _e397 = ((_e389 | _e392) | _e395);
+                let _e398 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e103, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e398.first[0], _e398.first[1], _e398.first[2], _e398.first[3], _e398.first[4], _e398.first[5], _e398.first[6], _e398.first[7], _e398.first[8], _e398.first[9], _e398.first[10], _e398.first[11], _e398.first[12], _e398.first[13], _e398.first[14], _e398.first[15], _e398.first[16], _e398.first[17], _e398.first[18], _e398.first[19], _e398.first[20], _e398.first[21], _e398.first[22], _e398.first[23], _e398.first[24], _e398.first[25], _e398.first[26], _e398.first[27], _e398.first[28], _e398.first[29], _e398.first[30], _e398.first[31]), array<u32, 32>(_e398.mask[0], _e398.mask[1], _e398.mask[2], _e398.mask[3], _e398.mask[4], _e398.mask[5], _e398.mask[6], _e398.mask[7], _e398.mask[8], _e398.mask[9], _e398.mask[10], _e398.mask[11], _e398.mask[12], _e398.mask[13], _e398.mask[14], _e398.mask[15], _e398.mask[16], _e398.mask[17], _e398.mask[18], _e398.mask[19], _e398.mask[20], _e398.mask[21], _e398.mask[22], _e398.mask[23], _e398.mask[24], _e398.mask[25], _e398.mask[26], _e398.mask[27], _e398.mask[28], _e398.mask[29], _e398.mask[30], _e398.mask[31]), _e398.len, _e398.group, _e398.group_mask);
+                let _e472 = local_1.group_mask;
+                if ((_e472 & 4278190080u) == 0u) {
+                    let _e476 = local_1.len;
+                    if (_e476 == 0u) {
+                        phi_760_ = false;
                     } else {
-                        let _e462 = local_1.len;
-                        local_1.len = (_e462 - 1u);
-                        let _e465 = local_1.len;
-                        if (_e465 < 32u) {
+                        let _e480 = local_1.len;
+                        local_1.len = (_e480 - 1u);
+                        let _e483 = local_1.len;
+                        if (_e483 < 32u) {
                         } else {
                             return;
                         }
-                        let _e470 = local_1.first[(0u + _e465)];
-                        local_1.group = _e470;
-                        let _e473 = local_1.len;
-                        if (_e473 < 32u) {
+                        let _e488 = local_1.first[(0u + _e483)];
+                        local_1.group = _e488;
+                        let _e491 = local_1.len;
+                        if (_e491 < 32u) {
                         } else {
                             return;
                         }
-                        let _e478 = local_1.mask[(0u + _e473)];
-                        local_1.group_mask = _e478;
-                        phi_741_ = true;
+                        let _e496 = local_1.mask[(0u + _e491)];
+                        local_1.group_mask = _e496;
+                        phi_760_ = true;
                     }
-                    let _e481 = phi_741_;
-                    phi_742_ = _e481;
+                    let _e499 = phi_760_;
+                    phi_761_ = _e499;
                 } else {
-                    phi_742_ = true;
+                    phi_761_ = true;
                 }
-                let _e483 = phi_742_;
-                if _e483 {
-                    let _e485 = local_1.group_mask;
-                    let _e491 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e485)), 32u, (_e485 == 0u)));
-                    let _e495 = local_1.group_mask;
-                    let _e509 = local_1.group_mask;
-                    local_1.group_mask = (_e509 & ~((1u << bitcast<u32>((_e491 & 31u)))));
-                    let _e512 = local_1.group;
-                    phi_773_ = (_e512 + countOneBits(((_e495 & ~((4294967295u << bitcast<u32>((((_e491 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e501 = phi_761_;
+                if _e501 {
+                    let _e503 = local_1.group_mask;
+                    let _e509 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e503)), 32u, (_e503 == 0u)));
+                    let _e513 = local_1.group_mask;
+                    let _e527 = local_1.group_mask;
+                    local_1.group_mask = (_e527 & ~((1u << bitcast<u32>((_e509 & 31u)))));
+                    let _e530 = local_1.group;
+                    phi_792_ = (_e530 + countOneBits(((_e513 & ~((4294967295u << bitcast<u32>((((_e509 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_773_ = 4294967295u;
+                    phi_792_ = 4294967295u;
                 }
-                let _e515 = phi_773_;
-                phi_775_ = _e515;
-                phi_778_ = _e155;
+                let _e533 = phi_792_;
+                phi_794_ = _e533;
+                phi_797_ = _e173;
                 loop {
-                    let _e517 = phi_775_;
-                    let _e519 = phi_778_;
-                    local_11 = _e519;
-                    let _e520 = (_e517 != 4294967295u);
-                    if _e520 {
-                        if (_e517 < _e69) {
+                    let _e535 = phi_794_;
+                    let _e537 = phi_797_;
+                    local_11 = _e537;
+                    let _e538 = (_e535 != 4294967295u);
+                    if _e538 {
+                        if (_e535 < _e70) {
                         } else {
                             return;
                         }
-                        let _e528 = nodes.member[(0u + _e517)].frame[3u];
-                        let _e553 = (bitcast<f32>((((_e528 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e299);
-                        let _e554 = (bitcast<f32>((((_e528 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
-                        let _e555 = (bitcast<f32>((((_e528 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e321);
-                        let _e558 = nodes.member[(0u + _e517)].frame[0u];
-                        let _e562 = nodes.member[(0u + _e517)].frame[1u];
-                        let _e566 = nodes.member[(0u + _e517)].frame[2u];
-                        let _e574 = ((bitcast<f32>(_e558) - _e153.origin.x) * _e299);
-                        let _e575 = ((bitcast<f32>(_e562) - _e153.origin.y) * _e310);
-                        let _e576 = ((bitcast<f32>(_e566) - _e153.origin.z) * _e321);
-                        let _e584 = nodes.member[(0u + _e517)].x;
-                        if (_e299 < 0f) {
-                            let _e595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e584.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e595.unnamed.word, _e584.w), _e595.unnamed_1);
-                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e601.unnamed, lt_mask_LightPlace(_e584.x, _e601.unnamed_1.shift));
-                            phi_863_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_mask_LightPlace(_e607.unnamed_1.word, _e584.y));
+                        let _e546 = nodes.member[(0u + _e535)].frame[3u];
+                        let _e571 = (bitcast<f32>((((_e546 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e317);
+                        let _e572 = (bitcast<f32>((((_e546 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e328);
+                        let _e573 = (bitcast<f32>((((_e546 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e339);
+                        let _e576 = nodes.member[(0u + _e535)].frame[0u];
+                        let _e580 = nodes.member[(0u + _e535)].frame[1u];
+                        let _e584 = nodes.member[(0u + _e535)].frame[2u];
+                        let _e592 = ((bitcast<f32>(_e576) - _e171.origin.x) * _e317);
+                        let _e593 = ((bitcast<f32>(_e580) - _e171.origin.y) * _e328);
+                        let _e594 = ((bitcast<f32>(_e584) - _e171.origin.z) * _e339);
+                        let _e602 = nodes.member[(0u + _e535)].x;
+                        if (_e317 < 0f) {
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e613.unnamed.word, _e602.w), _e613.unnamed_1);
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_mask_LightPlace(_e602.x, _e619.unnamed_1.shift));
+                            phi_882_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_mask_LightPlace(_e625.unnamed_1.word, _e602.y));
                         } else {
-                            let _e623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e584.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e623.unnamed.word, _e584.y), _e623.unnamed_1);
-                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e629.unnamed, lt_mask_LightPlace(_e584.z, _e629.unnamed_1.shift));
-                            phi_863_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e635.unnamed, lt_mask_LightPlace(_e635.unnamed_1.word, _e584.w));
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.unnamed.word, _e602.y), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e602.z, _e647.unnamed_1.shift));
+                            phi_882_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e653.unnamed_1.word, _e602.w));
                         }
-                        let _e643 = phi_863_;
-                        let _e653 = nodes.member[(0u + _e517)].y;
-                        if (_e310 < 0f) {
-                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e653.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e664.unnamed.word, _e653.w), _e664.unnamed_1);
-                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_mask_LightPlace(_e653.x, _e670.unnamed_1.shift));
-                            phi_890_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_mask_LightPlace(_e676.unnamed_1.word, _e653.y));
+                        let _e661 = phi_882_;
+                        let _e671 = nodes.member[(0u + _e535)].y;
+                        if (_e328 < 0f) {
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e682.unnamed.word, _e671.w), _e682.unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e671.x, _e688.unnamed_1.shift));
+                            phi_909_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_mask_LightPlace(_e694.unnamed_1.word, _e671.y));
                         } else {
-                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e653.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e692.unnamed.word, _e653.y), _e692.unnamed_1);
-                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e698.unnamed, lt_mask_LightPlace(_e653.z, _e698.unnamed_1.shift));
-                            phi_890_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_mask_LightPlace(_e704.unnamed_1.word, _e653.w));
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.unnamed.word, _e671.y), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e671.z, _e716.unnamed_1.shift));
+                            phi_909_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e722.unnamed_1.word, _e671.w));
                         }
-                        let _e712 = phi_890_;
-                        let _e722 = nodes.member[(0u + _e517)].z;
-                        if (_e321 < 0f) {
-                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e722.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e733.unnamed.word, _e722.w), _e733.unnamed_1);
-                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_mask_LightPlace(_e722.x, _e739.unnamed_1.shift));
-                            phi_917_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_mask_LightPlace(_e745.unnamed_1.word, _e722.y));
+                        let _e730 = phi_909_;
+                        let _e740 = nodes.member[(0u + _e535)].z;
+                        if (_e339 < 0f) {
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e751.unnamed.word, _e740.w), _e751.unnamed_1);
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e740.x, _e757.unnamed_1.shift));
+                            phi_936_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e763.unnamed_1.word, _e740.y));
                         } else {
-                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e722.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e761.unnamed.word, _e722.y), _e761.unnamed_1);
-                            let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_mask_LightPlace(_e722.z, _e767.unnamed_1.shift));
-                            phi_917_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_mask_LightPlace(_e773.unnamed_1.word, _e722.w));
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.unnamed.word, _e740.y), _e779.unnamed_1);
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_mask_LightPlace(_e740.z, _e785.unnamed_1.shift));
+                            phi_936_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e791.unnamed_1.word, _e740.w));
                         }
-                        let _e781 = phi_917_;
-                        phi_923_ = 0u;
-                        phi_926_ = 0u;
+                        let _e799 = phi_936_;
+                        phi_942_ = 0u;
+                        phi_945_ = 0u;
                         loop {
-                            let _e791 = phi_923_;
-                            let _e793 = phi_926_;
-                            local_2 = _e793;
-                            local_3 = _e793;
-                            local_4 = _e793;
-                            let _e794 = (_e791 < 8u);
-                            if _e794 {
-                                let _e796 = (_e791 >> bitcast<u32>(2i));
-                                let _e797 = (_e791 & 3u);
-                                if (_e796 == 0u) {
-                                    phi_940_ = _e643.unnamed.word;
+                            let _e809 = phi_942_;
+                            let _e811 = phi_945_;
+                            local_2 = _e811;
+                            local_3 = _e811;
+                            local_4 = _e811;
+                            let _e812 = (_e809 < 8u);
+                            if _e812 {
+                                let _e814 = (_e809 >> bitcast<u32>(2i));
+                                let _e815 = (_e809 & 3u);
+                                if (_e814 == 0u) {
+                                    phi_959_ = _e661.unnamed.word;
                                 } else {
-                                    phi_940_ = _e643.unnamed.shift;
+                                    phi_959_ = _e661.unnamed.shift;
                                 }
-                                let _e800 = phi_940_;
-                                if (_e796 == 0u) {
-                                    phi_950_ = _e712.unnamed.word;
+                                let _e818 = phi_959_;
+                                if (_e814 == 0u) {
+                                    phi_969_ = _e730.unnamed.word;
                                 } else {
-                                    phi_950_ = _e712.unnamed.shift;
+                                    phi_969_ = _e730.unnamed.shift;
                                 }
-                                let _e809 = phi_950_;
-                                if (_e796 == 0u) {
-                                    phi_960_ = _e781.unnamed.word;
+                                let _e827 = phi_969_;
+                                if (_e814 == 0u) {
+                                    phi_979_ = _e799.unnamed.word;
                                 } else {
-                                    phi_960_ = _e781.unnamed.shift;
+                                    phi_979_ = _e799.unnamed.shift;
                                 }
-                                let _e818 = phi_960_;
-                                let _e831 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e800 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e553) + (_e574 - _e359)), ((f32(((_e809 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e554) + (_e575 - _e360)));
-                                let _e832 = core_intrinsics_maximum_number_nsz_f32_(_e831, ((f32(((_e818 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e555) + (_e576 - _e361)));
-                                if (_e796 == 0u) {
-                                    phi_978_ = _e643.unnamed_1.word;
+                                let _e836 = phi_979_;
+                                let _e849 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e818 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 - _e377)), ((f32(((_e827 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 - _e378)));
+                                let _e850 = core_intrinsics_maximum_number_nsz_f32_(_e849, ((f32(((_e836 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 - _e379)));
+                                if (_e814 == 0u) {
+                                    phi_997_ = _e661.unnamed_1.word;
                                 } else {
-                                    phi_978_ = _e643.unnamed_1.shift;
+                                    phi_997_ = _e661.unnamed_1.shift;
                                 }
-                                let _e835 = phi_978_;
-                                if (_e796 == 0u) {
-                                    phi_988_ = _e712.unnamed_1.word;
+                                let _e853 = phi_997_;
+                                if (_e814 == 0u) {
+                                    phi_1007_ = _e730.unnamed_1.word;
                                 } else {
-                                    phi_988_ = _e712.unnamed_1.shift;
+                                    phi_1007_ = _e730.unnamed_1.shift;
                                 }
-                                let _e844 = phi_988_;
-                                if (_e796 == 0u) {
-                                    phi_998_ = _e781.unnamed_1.word;
+                                let _e862 = phi_1007_;
+                                if (_e814 == 0u) {
+                                    phi_1017_ = _e799.unnamed_1.word;
                                 } else {
-                                    phi_998_ = _e781.unnamed_1.shift;
+                                    phi_1017_ = _e799.unnamed_1.shift;
                                 }
-                                let _e853 = phi_998_;
-                                let _e866 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e835 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e553) + (_e574 + _e359)), ((f32(((_e844 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e554) + (_e575 + _e360)));
-                                let _e867 = core_intrinsics_minimum_number_nsz_f32_(_e866, ((f32(((_e853 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e555) + (_e576 + _e361)));
-                                if (_e832 <= _e867) {
-                                    if (_e832 <= _e519.t) {
-                                        if (_e867 >= _e153.tmin) {
-                                            if (_e796 == 0u) {
-                                                let _e874 = nodes.member[(0u + _e517)].links[2u];
-                                                phi_1034_ = _e874;
+                                let _e871 = phi_1017_;
+                                let _e884 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e853 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 + _e377)), ((f32(((_e862 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 + _e378)));
+                                let _e885 = core_intrinsics_minimum_number_nsz_f32_(_e884, ((f32(((_e871 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 + _e379)));
+                                if (_e850 <= _e885) {
+                                    if (_e850 <= _e537.t) {
+                                        if (_e885 >= _e171.tmin) {
+                                            if (_e814 == 0u) {
+                                                let _e892 = nodes.member[(0u + _e535)].links[2u];
+                                                phi_1053_ = _e892;
                                             } else {
-                                                let _e877 = nodes.member[(0u + _e517)].links[3u];
-                                                phi_1034_ = _e877;
+                                                let _e895 = nodes.member[(0u + _e535)].links[3u];
+                                                phi_1053_ = _e895;
                                             }
-                                            let _e879 = phi_1034_;
-                                            let _e884 = ((_e879 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u);
-                                            let _e885 = (_e884 & 31u);
-                                            if (_e885 >= 24u) {
-                                                phi_1047_ = (24u + ((_e885 - 24u) ^ _e379));
+                                            let _e897 = phi_1053_;
+                                            let _e902 = ((_e897 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u);
+                                            let _e903 = (_e902 & 31u);
+                                            if (_e903 >= 24u) {
+                                                phi_1066_ = (24u + ((_e903 - 24u) ^ _e397));
                                             } else {
-                                                phi_1047_ = _e885;
+                                                phi_1066_ = _e903;
                                             }
-                                            let _e891 = phi_1047_;
-                                            phi_1052_ = (_e793 | ((_e884 >> bitcast<u32>(5i)) << bitcast<u32>((_e891 & 31u))));
+                                            let _e909 = phi_1066_;
+                                            phi_1071_ = (_e811 | ((_e902 >> bitcast<u32>(5i)) << bitcast<u32>((_e909 & 31u))));
                                         } else {
-                                            phi_1052_ = _e793;
+                                            phi_1071_ = _e811;
                                         }
-                                        let _e899 = phi_1052_;
-                                        phi_1053_ = _e899;
+                                        let _e917 = phi_1071_;
+                                        phi_1072_ = _e917;
                                     } else {
-                                        phi_1053_ = _e793;
+                                        phi_1072_ = _e811;
                                     }
-                                    let _e901 = phi_1053_;
-                                    phi_1054_ = _e901;
+                                    let _e919 = phi_1072_;
+                                    phi_1073_ = _e919;
                                 } else {
-                                    phi_1054_ = _e793;
+                                    phi_1073_ = _e811;
                                 }
-                                let _e903 = phi_1054_;
-                                phi_924_ = (_e791 + 1u);
-                                phi_927_ = _e903;
+                                let _e921 = phi_1073_;
+                                phi_943_ = (_e809 + 1u);
+                                phi_946_ = _e921;
                             } else {
-                                phi_924_ = u32();
-                                phi_927_ = u32();
+                                phi_943_ = u32();
+                                phi_946_ = u32();
                             }
-                            let _e906 = phi_924_;
-                            let _e908 = phi_927_;
+                            let _e924 = phi_943_;
+                            let _e926 = phi_946_;
                             continue;
                             continuing {
-                                phi_923_ = _e906;
-                                phi_926_ = _e908;
-                                break if !(_e794);
+                                phi_942_ = _e924;
+                                phi_945_ = _e926;
+                                break if !(_e812);
                             }
                         }
-                        let _e912 = nodes.member[(0u + _e517)].links[0u];
-                        let _e916 = nodes.member[(0u + _e517)].frame[3u];
-                        let _e920 = local_2;
-                        if ((_e920 & 4278190080u) == 0u) {
+                        let _e930 = nodes.member[(0u + _e535)].links[0u];
+                        let _e934 = nodes.member[(0u + _e535)].frame[3u];
+                        let _e938 = local_2;
+                        if ((_e938 & 4278190080u) == 0u) {
                         } else {
-                            let _e924 = local_1.group_mask;
-                            if ((_e924 & 4278190080u) == 0u) {
+                            let _e942 = local_1.group_mask;
+                            if ((_e942 & 4278190080u) == 0u) {
                             } else {
-                                let _e928 = local_1.len;
-                                if (_e928 < 32u) {
-                                    let _e931 = local_1.group;
-                                    let _e933 = local_1.len;
-                                    if (_e933 < 32u) {
+                                let _e946 = local_1.len;
+                                if (_e946 < 32u) {
+                                    let _e949 = local_1.group;
+                                    let _e951 = local_1.len;
+                                    if (_e951 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e933)] = _e931;
-                                    let _e939 = local_1.group_mask;
-                                    let _e941 = local_1.len;
-                                    if (_e941 < 32u) {
+                                    local_1.first[(0u + _e951)] = _e949;
+                                    let _e957 = local_1.group_mask;
+                                    let _e959 = local_1.len;
+                                    if (_e959 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e941)] = _e939;
-                                    let _e948 = local_1.len;
-                                    local_1.len = (_e948 + 1u);
+                                    local_1.mask[(0u + _e959)] = _e957;
+                                    let _e966 = local_1.len;
+                                    local_1.len = (_e966 + 1u);
                                 }
                             }
-                            local_1.group = (_e102 + _e912);
-                            let _e952 = local_3;
-                            local_1.group_mask = ((_e952 & 4278190080u) | (_e916 >> bitcast<u32>(24i)));
+                            local_1.group = (_e103 + _e930);
+                            let _e970 = local_3;
+                            local_1.group_mask = ((_e970 & 4278190080u) | (_e934 >> bitcast<u32>(24i)));
                         }
-                        let _e957 = local_4;
-                        phi_1112_ = (_e957 & 16777215u);
-                        phi_1115_ = _e519;
+                        let _e975 = local_4;
+                        phi_1131_ = (_e975 & 16777215u);
+                        phi_1134_ = _e537;
                         loop {
-                            let _e960 = phi_1112_;
-                            let _e962 = phi_1115_;
-                            local_10 = _e962;
-                            if (_e960 == 0u) {
-                                phi_1113_ = u32();
-                                phi_1116_ = lt_bvh_Hit();
-                                phi_2805_ = false;
+                            let _e978 = phi_1131_;
+                            let _e980 = phi_1134_;
+                            local_10 = _e980;
+                            if (_e978 == 0u) {
+                                phi_1132_ = u32();
+                                phi_1135_ = lt_bvh_Hit();
+                                phi_2824_ = false;
                             } else {
-                                let _e966 = nodes.member[(0u + _e517)].links[1u];
-                                let _e970 = (_e966 + select(firstTrailingBit(_e960), 32u, (_e960 == 0u)));
-                                if (_e970 < _e84) {
+                                let _e984 = nodes.member[(0u + _e535)].links[1u];
+                                let _e988 = (_e984 + select(firstTrailingBit(_e978), 32u, (_e978 == 0u)));
+                                if (_e988 < _e85) {
                                 } else {
                                     return;
                                 }
-                                let _e977 = instances.member[(0u + _e970)].low_world;
-                                let _e979 = instances.member[(0u + _e970)].high_world;
-                                let _e989 = ((_e977.x - _e153.origin.x) * _e299);
-                                let _e990 = ((_e977.y - _e153.origin.y) * _e310);
-                                let _e991 = ((_e977.z - _e153.origin.z) * _e321);
-                                let _e1001 = ((_e979.x - _e153.origin.x) * _e299);
-                                let _e1002 = ((_e979.y - _e153.origin.y) * _e310);
-                                let _e1003 = ((_e979.z - _e153.origin.z) * _e321);
-                                if (_e989 < _e1001) {
-                                    phi_1170_ = _e989;
+                                let _e995 = instances.member[(0u + _e988)].low_world;
+                                let _e997 = instances.member[(0u + _e988)].high_world;
+                                let _e1007 = ((_e995.x - _e171.origin.x) * _e317);
+                                let _e1008 = ((_e995.y - _e171.origin.y) * _e328);
+                                let _e1009 = ((_e995.z - _e171.origin.z) * _e339);
+                                let _e1019 = ((_e997.x - _e171.origin.x) * _e317);
+                                let _e1020 = ((_e997.y - _e171.origin.y) * _e328);
+                                let _e1021 = ((_e997.z - _e171.origin.z) * _e339);
+                                if (_e1007 < _e1019) {
+                                    phi_1189_ = _e1007;
                                 } else {
-                                    phi_1170_ = _e1001;
+                                    phi_1189_ = _e1019;
                                 }
-                                let _e1006 = phi_1170_;
-                                if (_e990 < _e1002) {
-                                    phi_1175_ = _e990;
+                                let _e1024 = phi_1189_;
+                                if (_e1008 < _e1020) {
+                                    phi_1194_ = _e1008;
                                 } else {
-                                    phi_1175_ = _e1002;
+                                    phi_1194_ = _e1020;
                                 }
-                                let _e1009 = phi_1175_;
-                                if (_e991 < _e1003) {
-                                    phi_1180_ = _e991;
+                                let _e1027 = phi_1194_;
+                                if (_e1009 < _e1021) {
+                                    phi_1199_ = _e1009;
                                 } else {
-                                    phi_1180_ = _e1003;
+                                    phi_1199_ = _e1021;
                                 }
-                                let _e1012 = phi_1180_;
-                                if (_e989 > _e1001) {
-                                    phi_1188_ = _e989;
+                                let _e1030 = phi_1199_;
+                                if (_e1007 > _e1019) {
+                                    phi_1207_ = _e1007;
                                 } else {
-                                    phi_1188_ = _e1001;
+                                    phi_1207_ = _e1019;
                                 }
-                                let _e1018 = phi_1188_;
-                                if (_e990 > _e1002) {
-                                    phi_1193_ = _e990;
+                                let _e1036 = phi_1207_;
+                                if (_e1008 > _e1020) {
+                                    phi_1212_ = _e1008;
                                 } else {
-                                    phi_1193_ = _e1002;
+                                    phi_1212_ = _e1020;
                                 }
-                                let _e1021 = phi_1193_;
-                                if (_e991 > _e1003) {
-                                    phi_1198_ = _e991;
+                                let _e1039 = phi_1212_;
+                                if (_e1009 > _e1021) {
+                                    phi_1217_ = _e1009;
                                 } else {
-                                    phi_1198_ = _e1003;
+                                    phi_1217_ = _e1021;
                                 }
-                                let _e1024 = phi_1198_;
-                                let _e1028 = core_intrinsics_maximum_number_nsz_f32_((_e1006 - _e366), (_e1009 - _e367));
-                                let _e1029 = core_intrinsics_maximum_number_nsz_f32_(_e1028, (_e1012 - _e368));
-                                let _e1030 = core_intrinsics_minimum_number_nsz_f32_((_e1018 + _e366), (_e1021 + _e367));
-                                let _e1031 = core_intrinsics_minimum_number_nsz_f32_(_e1030, (_e1024 + _e368));
-                                if (_e1029 <= _e1031) {
-                                    if (_e1029 <= _e962.t) {
-                                        if (_e1031 >= _e153.tmin) {
-                                            let _e1043 = instances.member[(0u + _e970)].world_to_object[0u];
-                                            let _e1054 = ((((_e1043.x * _e153.origin.x) + (_e1043.y * _e153.origin.y)) + (_e1043.z * _e153.origin.z)) + (_e1043.w * 1f));
-                                            let _e1056 = instances.member[(0u + _e970)].world_to_object[1u];
-                                            let _e1067 = ((((_e1056.x * _e153.origin.x) + (_e1056.y * _e153.origin.y)) + (_e1056.z * _e153.origin.z)) + (_e1056.w * 1f));
-                                            let _e1069 = instances.member[(0u + _e970)].world_to_object[2u];
-                                            let _e1080 = ((((_e1069.x * _e153.origin.x) + (_e1069.y * _e153.origin.y)) + (_e1069.z * _e153.origin.z)) + (_e1069.w * 1f));
-                                            let _e1087 = instances.member[(0u + _e970)].world_to_object[0u];
-                                            let _e1098 = ((((_e1087.x * _e153.direction.x) + (_e1087.y * _e153.direction.y)) + (_e1087.z * _e153.direction.z)) + (_e1087.w * 0f));
-                                            let _e1100 = instances.member[(0u + _e970)].world_to_object[1u];
-                                            let _e1111 = ((((_e1100.x * _e153.direction.x) + (_e1100.y * _e153.direction.y)) + (_e1100.z * _e153.direction.z)) + (_e1100.w * 0f));
-                                            let _e1113 = instances.member[(0u + _e970)].world_to_object[2u];
-                                            let _e1124 = ((((_e1113.x * _e153.direction.x) + (_e1113.y * _e153.direction.y)) + (_e1113.z * _e153.direction.z)) + (_e1113.w * 0f));
-                                            let _e1129 = instances.member[(0u + _e970)].root;
-                                            let _e1131 = instances.member[(0u + _e970)].first_triangle;
-                                            let _e1132 = abs(_e1098);
-                                            let _e1133 = abs(_e1111);
-                                            let _e1134 = abs(_e1124);
-                                            if (abs(_e1054) < 1000000000000000f) {
-                                                if (abs(_e1067) < 1000000000000000f) {
-                                                    phi_1330_ = (abs(_e1080) < 1000000000000000f);
-                                                    phi_1331_ = false;
+                                let _e1042 = phi_1217_;
+                                let _e1046 = core_intrinsics_maximum_number_nsz_f32_((_e1024 - _e384), (_e1027 - _e385));
+                                let _e1047 = core_intrinsics_maximum_number_nsz_f32_(_e1046, (_e1030 - _e386));
+                                let _e1048 = core_intrinsics_minimum_number_nsz_f32_((_e1036 + _e384), (_e1039 + _e385));
+                                let _e1049 = core_intrinsics_minimum_number_nsz_f32_(_e1048, (_e1042 + _e386));
+                                if (_e1047 <= _e1049) {
+                                    if (_e1047 <= _e980.t) {
+                                        if (_e1049 >= _e171.tmin) {
+                                            let _e1061 = instances.member[(0u + _e988)].world_to_object[0u];
+                                            let _e1072 = ((((_e1061.x * _e171.origin.x) + (_e1061.y * _e171.origin.y)) + (_e1061.z * _e171.origin.z)) + (_e1061.w * 1f));
+                                            let _e1074 = instances.member[(0u + _e988)].world_to_object[1u];
+                                            let _e1085 = ((((_e1074.x * _e171.origin.x) + (_e1074.y * _e171.origin.y)) + (_e1074.z * _e171.origin.z)) + (_e1074.w * 1f));
+                                            let _e1087 = instances.member[(0u + _e988)].world_to_object[2u];
+                                            let _e1098 = ((((_e1087.x * _e171.origin.x) + (_e1087.y * _e171.origin.y)) + (_e1087.z * _e171.origin.z)) + (_e1087.w * 1f));
+                                            let _e1105 = instances.member[(0u + _e988)].world_to_object[0u];
+                                            let _e1116 = ((((_e1105.x * _e171.direction.x) + (_e1105.y * _e171.direction.y)) + (_e1105.z * _e171.direction.z)) + (_e1105.w * 0f));
+                                            let _e1118 = instances.member[(0u + _e988)].world_to_object[1u];
+                                            let _e1129 = ((((_e1118.x * _e171.direction.x) + (_e1118.y * _e171.direction.y)) + (_e1118.z * _e171.direction.z)) + (_e1118.w * 0f));
+                                            let _e1131 = instances.member[(0u + _e988)].world_to_object[2u];
+                                            let _e1142 = ((((_e1131.x * _e171.direction.x) + (_e1131.y * _e171.direction.y)) + (_e1131.z * _e171.direction.z)) + (_e1131.w * 0f));
+                                            let _e1147 = instances.member[(0u + _e988)].root;
+                                            let _e1149 = instances.member[(0u + _e988)].first_triangle;
+                                            let _e1150 = abs(_e1116);
+                                            let _e1151 = abs(_e1129);
+                                            let _e1152 = abs(_e1142);
+                                            if (abs(_e1072) < 1000000000000000f) {
+                                                if (abs(_e1085) < 1000000000000000f) {
+                                                    phi_1349_ = (abs(_e1098) < 1000000000000000f);
+                                                    phi_1350_ = false;
                                                 } else {
-                                                    phi_1330_ = bool();
-                                                    phi_1331_ = true;
+                                                    phi_1349_ = bool();
+                                                    phi_1350_ = true;
                                                 }
-                                                let _e1142 = phi_1330_;
-                                                let _e1144 = phi_1331_;
-                                                phi_1332_ = _e1142;
-                                                phi_1333_ = _e1144;
+                                                let _e1160 = phi_1349_;
+                                                let _e1162 = phi_1350_;
+                                                phi_1351_ = _e1160;
+                                                phi_1352_ = _e1162;
                                             } else {
-                                                phi_1332_ = bool();
-                                                phi_1333_ = true;
+                                                phi_1351_ = bool();
+                                                phi_1352_ = true;
                                             }
-                                            let _e1146 = phi_1332_;
-                                            let _e1148 = phi_1333_;
-                                            if _e1148 {
-                                                phi_1337_ = false;
+                                            let _e1164 = phi_1351_;
+                                            let _e1166 = phi_1352_;
+                                            if _e1166 {
+                                                phi_1356_ = false;
                                             } else {
-                                                phi_1337_ = _e1146;
+                                                phi_1356_ = _e1164;
                                             }
-                                            let _e1150 = phi_1337_;
-                                            if _e1150 {
-                                                if (_e1132 < 1000000000000000f) {
-                                                    if (_e1133 < 1000000000000000f) {
-                                                        phi_1350_ = (_e1134 < 1000000000000000f);
-                                                        phi_1351_ = false;
+                                            let _e1168 = phi_1356_;
+                                            if _e1168 {
+                                                if (_e1150 < 1000000000000000f) {
+                                                    if (_e1151 < 1000000000000000f) {
+                                                        phi_1369_ = (_e1152 < 1000000000000000f);
+                                                        phi_1370_ = false;
                                                     } else {
-                                                        phi_1350_ = bool();
-                                                        phi_1351_ = true;
+                                                        phi_1369_ = bool();
+                                                        phi_1370_ = true;
                                                     }
-                                                    let _e1155 = phi_1350_;
-                                                    let _e1157 = phi_1351_;
-                                                    phi_1352_ = _e1155;
-                                                    phi_1353_ = _e1157;
+                                                    let _e1173 = phi_1369_;
+                                                    let _e1175 = phi_1370_;
+                                                    phi_1371_ = _e1173;
+                                                    phi_1372_ = _e1175;
                                                 } else {
-                                                    phi_1352_ = bool();
-                                                    phi_1353_ = true;
+                                                    phi_1371_ = bool();
+                                                    phi_1372_ = true;
                                                 }
-                                                let _e1159 = phi_1352_;
-                                                let _e1161 = phi_1353_;
-                                                if _e1161 {
-                                                    phi_1357_ = false;
+                                                let _e1177 = phi_1371_;
+                                                let _e1179 = phi_1372_;
+                                                if _e1179 {
+                                                    phi_1376_ = false;
                                                 } else {
-                                                    phi_1357_ = _e1159;
+                                                    phi_1376_ = _e1177;
                                                 }
-                                                let _e1163 = phi_1357_;
-                                                if _e1163 {
-                                                    if (_e1132 > 0f) {
-                                                        phi_1371_ = bool();
-                                                        phi_1372_ = true;
+                                                let _e1181 = phi_1376_;
+                                                if _e1181 {
+                                                    if (_e1150 > 0f) {
+                                                        phi_1390_ = bool();
+                                                        phi_1391_ = true;
                                                     } else {
-                                                        let _e1165 = (_e1133 > 0f);
-                                                        if _e1165 {
-                                                            phi_1370_ = bool();
+                                                        let _e1183 = (_e1151 > 0f);
+                                                        if _e1183 {
+                                                            phi_1389_ = bool();
                                                         } else {
-                                                            phi_1370_ = (_e1134 > 0f);
+                                                            phi_1389_ = (_e1152 > 0f);
                                                         }
-                                                        let _e1168 = phi_1370_;
-                                                        phi_1371_ = _e1168;
-                                                        phi_1372_ = _e1165;
+                                                        let _e1186 = phi_1389_;
+                                                        phi_1390_ = _e1186;
+                                                        phi_1391_ = _e1183;
                                                     }
-                                                    let _e1170 = phi_1371_;
-                                                    let _e1172 = phi_1372_;
-                                                    if _e1172 {
-                                                        phi_1376_ = true;
+                                                    let _e1188 = phi_1390_;
+                                                    let _e1190 = phi_1391_;
+                                                    if _e1190 {
+                                                        phi_1395_ = true;
                                                     } else {
-                                                        phi_1376_ = _e1170;
+                                                        phi_1395_ = _e1188;
                                                     }
-                                                    let _e1174 = phi_1376_;
-                                                    phi_1377_ = _e1174;
-                                                    phi_1378_ = false;
+                                                    let _e1192 = phi_1395_;
+                                                    phi_1396_ = _e1192;
+                                                    phi_1397_ = false;
                                                 } else {
-                                                    phi_1377_ = bool();
-                                                    phi_1378_ = true;
+                                                    phi_1396_ = bool();
+                                                    phi_1397_ = true;
                                                 }
-                                                let _e1176 = phi_1377_;
-                                                let _e1178 = phi_1378_;
-                                                phi_1379_ = _e1176;
-                                                phi_1380_ = _e1178;
+                                                let _e1194 = phi_1396_;
+                                                let _e1196 = phi_1397_;
+                                                phi_1398_ = _e1194;
+                                                phi_1399_ = _e1196;
                                             } else {
-                                                phi_1379_ = bool();
-                                                phi_1380_ = true;
+                                                phi_1398_ = bool();
+                                                phi_1399_ = true;
                                             }
-                                            let _e1180 = phi_1379_;
-                                            let _e1182 = phi_1380_;
-                                            if _e1182 {
-                                                phi_1384_ = false;
+                                            let _e1198 = phi_1398_;
+                                            let _e1200 = phi_1399_;
+                                            if _e1200 {
+                                                phi_1403_ = false;
                                             } else {
-                                                phi_1384_ = _e1180;
+                                                phi_1403_ = _e1198;
                                             }
-                                            let _e1184 = phi_1384_;
-                                            if _e1184 {
-                                                let _e1185 = (_e1129 >= _e69);
-                                                if _e1185 {
-                                                    phi_2795_ = lt_bvh_Hit();
+                                            let _e1202 = phi_1403_;
+                                            if _e1202 {
+                                                let _e1203 = (_e1147 >= _e70);
+                                                if _e1203 {
+                                                    phi_2814_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1129 < _e69) {
+                                                    if (_e1147 < _e70) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1191 = nodes.member[(0u + _e1129)].frame[0u];
-                                                    let _e1195 = nodes.member[(0u + _e1129)].frame[1u];
-                                                    let _e1199 = nodes.member[(0u + _e1129)].frame[2u];
-                                                    let _e1203 = nodes.member[(0u + _e1129)].frame[0u];
-                                                    let _e1207 = nodes.member[(0u + _e1129)].frame[1u];
-                                                    let _e1211 = nodes.member[(0u + _e1129)].frame[2u];
-                                                    let _e1215 = nodes.member[(0u + _e1129)].frame[3u];
-                                                    let _e1249 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1098), abs(_e1111));
-                                                    let _e1250 = core_intrinsics_maximum_number_nsz_f32_(_e1249, abs(_e1124));
-                                                    let _e1251 = (_e1250 * 0.0000000000009094947f);
-                                                    if (abs(_e1098) < _e1251) {
-                                                        phi_1454_ = _e1251;
+                                                    let _e1209 = nodes.member[(0u + _e1147)].frame[0u];
+                                                    let _e1213 = nodes.member[(0u + _e1147)].frame[1u];
+                                                    let _e1217 = nodes.member[(0u + _e1147)].frame[2u];
+                                                    let _e1221 = nodes.member[(0u + _e1147)].frame[0u];
+                                                    let _e1225 = nodes.member[(0u + _e1147)].frame[1u];
+                                                    let _e1229 = nodes.member[(0u + _e1147)].frame[2u];
+                                                    let _e1233 = nodes.member[(0u + _e1147)].frame[3u];
+                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1116), abs(_e1129));
+                                                    let _e1268 = core_intrinsics_maximum_number_nsz_f32_(_e1267, abs(_e1142));
+                                                    let _e1269 = (_e1268 * 0.0000000000009094947f);
+                                                    if (abs(_e1116) < _e1269) {
+                                                        phi_1473_ = _e1269;
                                                     } else {
-                                                        phi_1454_ = abs(_e1098);
+                                                        phi_1473_ = abs(_e1116);
                                                     }
-                                                    let _e1256 = phi_1454_;
-                                                    if (_e1098 < 0f) {
-                                                        phi_1461_ = (-1f / _e1256);
+                                                    let _e1274 = phi_1473_;
+                                                    if (_e1116 < 0f) {
+                                                        phi_1480_ = (-1f / _e1274);
                                                     } else {
-                                                        phi_1461_ = (1f / _e1256);
+                                                        phi_1480_ = (1f / _e1274);
                                                     }
-                                                    let _e1261 = phi_1461_;
-                                                    if (abs(_e1111) < _e1251) {
-                                                        phi_1468_ = _e1251;
+                                                    let _e1279 = phi_1480_;
+                                                    if (abs(_e1129) < _e1269) {
+                                                        phi_1487_ = _e1269;
                                                     } else {
-                                                        phi_1468_ = abs(_e1111);
+                                                        phi_1487_ = abs(_e1129);
                                                     }
-                                                    let _e1266 = phi_1468_;
-                                                    if (_e1111 < 0f) {
-                                                        phi_1475_ = (-1f / _e1266);
+                                                    let _e1284 = phi_1487_;
+                                                    if (_e1129 < 0f) {
+                                                        phi_1494_ = (-1f / _e1284);
                                                     } else {
-                                                        phi_1475_ = (1f / _e1266);
+                                                        phi_1494_ = (1f / _e1284);
                                                     }
-                                                    let _e1271 = phi_1475_;
-                                                    if (abs(_e1124) < _e1251) {
-                                                        phi_1482_ = _e1251;
+                                                    let _e1289 = phi_1494_;
+                                                    if (abs(_e1142) < _e1269) {
+                                                        phi_1501_ = _e1269;
                                                     } else {
-                                                        phi_1482_ = abs(_e1124);
+                                                        phi_1501_ = abs(_e1142);
                                                     }
-                                                    let _e1276 = phi_1482_;
-                                                    if (_e1124 < 0f) {
-                                                        phi_1489_ = (-1f / _e1276);
+                                                    let _e1294 = phi_1501_;
+                                                    if (_e1142 < 0f) {
+                                                        phi_1508_ = (-1f / _e1294);
                                                     } else {
-                                                        phi_1489_ = (1f / _e1276);
+                                                        phi_1508_ = (1f / _e1294);
                                                     }
-                                                    let _e1281 = phi_1489_;
-                                                    let _e1285 = abs((bitcast<f32>(_e1191) - _e1054));
-                                                    let _e1286 = abs((bitcast<f32>(_e1195) - _e1067));
-                                                    let _e1287 = abs((bitcast<f32>(_e1199) - _e1080));
-                                                    let _e1291 = abs(((bitcast<f32>(_e1203) + (bitcast<f32>((((_e1215 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1054));
-                                                    let _e1292 = abs(((bitcast<f32>(_e1207) + (bitcast<f32>((((_e1215 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1067));
-                                                    let _e1293 = abs(((bitcast<f32>(_e1211) + (bitcast<f32>((((_e1215 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1080));
-                                                    if (_e1285 > _e1291) {
-                                                        phi_1506_ = _e1285;
+                                                    let _e1299 = phi_1508_;
+                                                    let _e1303 = abs((bitcast<f32>(_e1209) - _e1072));
+                                                    let _e1304 = abs((bitcast<f32>(_e1213) - _e1085));
+                                                    let _e1305 = abs((bitcast<f32>(_e1217) - _e1098));
+                                                    let _e1309 = abs(((bitcast<f32>(_e1221) + (bitcast<f32>((((_e1233 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1072));
+                                                    let _e1310 = abs(((bitcast<f32>(_e1225) + (bitcast<f32>((((_e1233 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1085));
+                                                    let _e1311 = abs(((bitcast<f32>(_e1229) + (bitcast<f32>((((_e1233 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1098));
+                                                    if (_e1303 > _e1309) {
+                                                        phi_1525_ = _e1303;
                                                     } else {
-                                                        phi_1506_ = _e1291;
+                                                        phi_1525_ = _e1309;
                                                     }
-                                                    let _e1296 = phi_1506_;
-                                                    if (_e1286 > _e1292) {
-                                                        phi_1511_ = _e1286;
+                                                    let _e1314 = phi_1525_;
+                                                    if (_e1304 > _e1310) {
+                                                        phi_1530_ = _e1304;
                                                     } else {
-                                                        phi_1511_ = _e1292;
+                                                        phi_1530_ = _e1310;
                                                     }
-                                                    let _e1299 = phi_1511_;
-                                                    if (_e1287 > _e1293) {
-                                                        phi_1516_ = _e1287;
+                                                    let _e1317 = phi_1530_;
+                                                    if (_e1305 > _e1311) {
+                                                        phi_1535_ = _e1305;
                                                     } else {
-                                                        phi_1516_ = _e1293;
+                                                        phi_1535_ = _e1311;
                                                     }
-                                                    let _e1302 = phi_1516_;
-                                                    if (_e1296 > _e1299) {
-                                                        phi_1521_ = _e1296;
+                                                    let _e1320 = phi_1535_;
+                                                    if (_e1314 > _e1317) {
+                                                        phi_1540_ = _e1314;
                                                     } else {
-                                                        phi_1521_ = _e1299;
+                                                        phi_1540_ = _e1317;
                                                     }
-                                                    let _e1305 = phi_1521_;
-                                                    if (_e1305 > _e1302) {
-                                                        phi_1526_ = _e1305;
+                                                    let _e1323 = phi_1540_;
+                                                    if (_e1323 > _e1320) {
+                                                        phi_1545_ = _e1323;
                                                     } else {
-                                                        phi_1526_ = _e1302;
+                                                        phi_1545_ = _e1320;
                                                     }
-                                                    let _e1308 = phi_1526_;
-                                                    let _e1312 = (_e1308 * 0.0000019073486f);
-                                                    let _e1313 = (abs(_e1261) * _e1312);
-                                                    let _e1314 = (abs(_e1271) * _e1312);
-                                                    let _e1315 = (abs(_e1281) * _e1312);
-                                                    let _e1319 = (_e1308 * 0.0000009536743f);
-                                                    let _e1320 = (abs(_e1261) * _e1319);
-                                                    let _e1321 = (abs(_e1271) * _e1319);
-                                                    let _e1322 = (abs(_e1281) * _e1319);
-                                                    let _e1323 = abs(_e1098);
-                                                    let _e1324 = abs(_e1111);
-                                                    let _e1325 = abs(_e1124);
-                                                    if (_e1323 >= _e1324) {
-                                                        if (_e1323 >= _e1325) {
-                                                            phi_1552_ = false;
+                                                    let _e1326 = phi_1545_;
+                                                    let _e1330 = (_e1326 * 0.0000019073486f);
+                                                    let _e1331 = (abs(_e1279) * _e1330);
+                                                    let _e1332 = (abs(_e1289) * _e1330);
+                                                    let _e1333 = (abs(_e1299) * _e1330);
+                                                    let _e1337 = (_e1326 * 0.0000009536743f);
+                                                    let _e1338 = (abs(_e1279) * _e1337);
+                                                    let _e1339 = (abs(_e1289) * _e1337);
+                                                    let _e1340 = (abs(_e1299) * _e1337);
+                                                    let _e1341 = abs(_e1116);
+                                                    let _e1342 = abs(_e1129);
+                                                    let _e1343 = abs(_e1142);
+                                                    if (_e1341 >= _e1342) {
+                                                        if (_e1341 >= _e1343) {
+                                                            phi_1571_ = false;
                                                         } else {
-                                                            phi_1552_ = true;
+                                                            phi_1571_ = true;
                                                         }
-                                                        let _e1329 = phi_1552_;
-                                                        phi_1553_ = _e1329;
+                                                        let _e1347 = phi_1571_;
+                                                        phi_1572_ = _e1347;
                                                     } else {
-                                                        phi_1553_ = true;
+                                                        phi_1572_ = true;
                                                     }
-                                                    let _e1331 = phi_1553_;
-                                                    if _e1331 {
-                                                        if (_e1324 >= _e1325) {
-                                                            phi_1561_ = 1u;
+                                                    let _e1349 = phi_1572_;
+                                                    if _e1349 {
+                                                        if (_e1342 >= _e1343) {
+                                                            phi_1580_ = 1u;
                                                         } else {
-                                                            phi_1561_ = 2u;
+                                                            phi_1580_ = 2u;
                                                         }
-                                                        let _e1334 = phi_1561_;
-                                                        phi_1562_ = _e1334;
+                                                        let _e1352 = phi_1580_;
+                                                        phi_1581_ = _e1352;
                                                     } else {
-                                                        phi_1562_ = 0u;
+                                                        phi_1581_ = 0u;
                                                     }
-                                                    let _e1336 = phi_1562_;
-                                                    if (_e1336 == 0u) {
-                                                        phi_1574_ = vec3<f32>(_e1111, _e1124, _e1098);
+                                                    let _e1354 = phi_1581_;
+                                                    if (_e1354 == 0u) {
+                                                        phi_1593_ = vec3<f32>(_e1129, _e1142, _e1116);
                                                     } else {
-                                                        if (_e1336 == 1u) {
-                                                            phi_1573_ = vec3<f32>(_e1124, _e1098, _e1111);
+                                                        if (_e1354 == 1u) {
+                                                            phi_1592_ = vec3<f32>(_e1142, _e1116, _e1129);
                                                         } else {
-                                                            phi_1573_ = vec3<f32>(_e1098, _e1111, _e1124);
+                                                            phi_1592_ = vec3<f32>(_e1116, _e1129, _e1142);
                                                         }
-                                                        let _e1342 = phi_1573_;
-                                                        phi_1574_ = _e1342;
+                                                        let _e1360 = phi_1592_;
+                                                        phi_1593_ = _e1360;
                                                     }
-                                                    let _e1344 = phi_1574_;
-                                                    let _e1347 = (_e1344.x / _e1344.z);
-                                                    let _e1350 = (_e1344.y / _e1344.z);
-                                                    if (_e1261 < 0f) {
-                                                        phi_1587_ = 0u;
+                                                    let _e1362 = phi_1593_;
+                                                    let _e1365 = (_e1362.x / _e1362.z);
+                                                    let _e1368 = (_e1362.y / _e1362.z);
+                                                    if (_e1279 < 0f) {
+                                                        phi_1606_ = 0u;
                                                     } else {
-                                                        phi_1587_ = 1u;
+                                                        phi_1606_ = 1u;
                                                     }
-                                                    let _e1355 = phi_1587_;
-                                                    if (_e1271 < 0f) {
-                                                        phi_1592_ = 0u;
+                                                    let _e1373 = phi_1606_;
+                                                    if (_e1289 < 0f) {
+                                                        phi_1611_ = 0u;
                                                     } else {
-                                                        phi_1592_ = 2u;
+                                                        phi_1611_ = 2u;
                                                     }
-                                                    let _e1358 = phi_1592_;
-                                                    if (_e1281 < 0f) {
-                                                        phi_1597_ = 0u;
+                                                    let _e1376 = phi_1611_;
+                                                    if (_e1299 < 0f) {
+                                                        phi_1616_ = 0u;
                                                     } else {
-                                                        phi_1597_ = 4u;
+                                                        phi_1616_ = 4u;
                                                     }
-                                                    let _e1361 = phi_1597_;
-                                                    let _e1363 = ((_e1355 | _e1358) | _e1361);
-                                                    let _e1364 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1129, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1364.first[0], _e1364.first[1], _e1364.first[2], _e1364.first[3], _e1364.first[4], _e1364.first[5], _e1364.first[6], _e1364.first[7], _e1364.first[8], _e1364.first[9], _e1364.first[10], _e1364.first[11], _e1364.first[12], _e1364.first[13], _e1364.first[14], _e1364.first[15], _e1364.first[16], _e1364.first[17], _e1364.first[18], _e1364.first[19], _e1364.first[20], _e1364.first[21], _e1364.first[22], _e1364.first[23], _e1364.first[24], _e1364.first[25], _e1364.first[26], _e1364.first[27], _e1364.first[28], _e1364.first[29], _e1364.first[30], _e1364.first[31]), array<u32, 32>(_e1364.mask[0], _e1364.mask[1], _e1364.mask[2], _e1364.mask[3], _e1364.mask[4], _e1364.mask[5], _e1364.mask[6], _e1364.mask[7], _e1364.mask[8], _e1364.mask[9], _e1364.mask[10], _e1364.mask[11], _e1364.mask[12], _e1364.mask[13], _e1364.mask[14], _e1364.mask[15], _e1364.mask[16], _e1364.mask[17], _e1364.mask[18], _e1364.mask[19], _e1364.mask[20], _e1364.mask[21], _e1364.mask[22], _e1364.mask[23], _e1364.mask[24], _e1364.mask[25], _e1364.mask[26], _e1364.mask[27], _e1364.mask[28], _e1364.mask[29], _e1364.mask[30], _e1364.mask[31]), _e1364.len, _e1364.group, _e1364.group_mask);
-                                                    let _e1438 = local.group_mask;
-                                                    if ((_e1438 & 4278190080u) == 0u) {
-                                                        let _e1442 = local.len;
-                                                        if (_e1442 == 0u) {
-                                                            phi_1711_ = false;
+                                                    let _e1379 = phi_1616_;
+                                                    let _e1381 = ((_e1373 | _e1376) | _e1379);
+                                                    let _e1382 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1147, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1382.first[0], _e1382.first[1], _e1382.first[2], _e1382.first[3], _e1382.first[4], _e1382.first[5], _e1382.first[6], _e1382.first[7], _e1382.first[8], _e1382.first[9], _e1382.first[10], _e1382.first[11], _e1382.first[12], _e1382.first[13], _e1382.first[14], _e1382.first[15], _e1382.first[16], _e1382.first[17], _e1382.first[18], _e1382.first[19], _e1382.first[20], _e1382.first[21], _e1382.first[22], _e1382.first[23], _e1382.first[24], _e1382.first[25], _e1382.first[26], _e1382.first[27], _e1382.first[28], _e1382.first[29], _e1382.first[30], _e1382.first[31]), array<u32, 32>(_e1382.mask[0], _e1382.mask[1], _e1382.mask[2], _e1382.mask[3], _e1382.mask[4], _e1382.mask[5], _e1382.mask[6], _e1382.mask[7], _e1382.mask[8], _e1382.mask[9], _e1382.mask[10], _e1382.mask[11], _e1382.mask[12], _e1382.mask[13], _e1382.mask[14], _e1382.mask[15], _e1382.mask[16], _e1382.mask[17], _e1382.mask[18], _e1382.mask[19], _e1382.mask[20], _e1382.mask[21], _e1382.mask[22], _e1382.mask[23], _e1382.mask[24], _e1382.mask[25], _e1382.mask[26], _e1382.mask[27], _e1382.mask[28], _e1382.mask[29], _e1382.mask[30], _e1382.mask[31]), _e1382.len, _e1382.group, _e1382.group_mask);
+                                                    let _e1456 = local.group_mask;
+                                                    if ((_e1456 & 4278190080u) == 0u) {
+                                                        let _e1460 = local.len;
+                                                        if (_e1460 == 0u) {
+                                                            phi_1730_ = false;
                                                         } else {
-                                                            let _e1446 = local.len;
-                                                            local.len = (_e1446 - 1u);
-                                                            let _e1449 = local.len;
-                                                            if (_e1449 < 32u) {
+                                                            let _e1464 = local.len;
+                                                            local.len = (_e1464 - 1u);
+                                                            let _e1467 = local.len;
+                                                            if (_e1467 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1454 = local.first[(0u + _e1449)];
-                                                            local.group = _e1454;
-                                                            let _e1457 = local.len;
-                                                            if (_e1457 < 32u) {
+                                                            let _e1472 = local.first[(0u + _e1467)];
+                                                            local.group = _e1472;
+                                                            let _e1475 = local.len;
+                                                            if (_e1475 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1462 = local.mask[(0u + _e1457)];
-                                                            local.group_mask = _e1462;
-                                                            phi_1711_ = true;
+                                                            let _e1480 = local.mask[(0u + _e1475)];
+                                                            local.group_mask = _e1480;
+                                                            phi_1730_ = true;
                                                         }
-                                                        let _e1465 = phi_1711_;
-                                                        phi_1712_ = _e1465;
+                                                        let _e1483 = phi_1730_;
+                                                        phi_1731_ = _e1483;
                                                     } else {
-                                                        phi_1712_ = true;
+                                                        phi_1731_ = true;
                                                     }
-                                                    let _e1467 = phi_1712_;
-                                                    if _e1467 {
-                                                        let _e1469 = local.group_mask;
-                                                        let _e1475 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1469)), 32u, (_e1469 == 0u)));
-                                                        let _e1479 = local.group_mask;
-                                                        let _e1493 = local.group_mask;
-                                                        local.group_mask = (_e1493 & ~((1u << bitcast<u32>((_e1475 & 31u)))));
-                                                        let _e1496 = local.group;
-                                                        phi_1743_ = (_e1496 + countOneBits(((_e1479 & ~((4294967295u << bitcast<u32>((((_e1475 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1485 = phi_1731_;
+                                                    if _e1485 {
+                                                        let _e1487 = local.group_mask;
+                                                        let _e1493 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1487)), 32u, (_e1487 == 0u)));
+                                                        let _e1497 = local.group_mask;
+                                                        let _e1511 = local.group_mask;
+                                                        local.group_mask = (_e1511 & ~((1u << bitcast<u32>((_e1493 & 31u)))));
+                                                        let _e1514 = local.group;
+                                                        phi_1762_ = (_e1514 + countOneBits(((_e1497 & ~((4294967295u << bitcast<u32>((((_e1493 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1743_ = 4294967295u;
+                                                        phi_1762_ = 4294967295u;
                                                     }
-                                                    let _e1499 = phi_1743_;
-                                                    phi_1745_ = _e962;
-                                                    phi_1748_ = _e1499;
+                                                    let _e1517 = phi_1762_;
+                                                    phi_1764_ = _e980;
+                                                    phi_1767_ = _e1517;
                                                     loop {
-                                                        let _e1501 = phi_1745_;
-                                                        let _e1503 = phi_1748_;
-                                                        local_9 = _e1501;
-                                                        let _e1504 = (_e1503 != 4294967295u);
-                                                        if _e1504 {
-                                                            if (_e1503 < _e69) {
+                                                        let _e1519 = phi_1764_;
+                                                        let _e1521 = phi_1767_;
+                                                        local_9 = _e1519;
+                                                        let _e1522 = (_e1521 != 4294967295u);
+                                                        if _e1522 {
+                                                            if (_e1521 < _e70) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1511 = nodes.member[(0u + _e1503)].frame[3u];
-                                                            let _e1536 = (bitcast<f32>((((_e1511 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1261);
-                                                            let _e1537 = (bitcast<f32>((((_e1511 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1271);
-                                                            let _e1538 = (bitcast<f32>((((_e1511 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1281);
-                                                            let _e1541 = nodes.member[(0u + _e1503)].frame[0u];
-                                                            let _e1545 = nodes.member[(0u + _e1503)].frame[1u];
-                                                            let _e1549 = nodes.member[(0u + _e1503)].frame[2u];
-                                                            let _e1554 = ((bitcast<f32>(_e1541) - _e1054) * _e1261);
-                                                            let _e1555 = ((bitcast<f32>(_e1545) - _e1067) * _e1271);
-                                                            let _e1556 = ((bitcast<f32>(_e1549) - _e1080) * _e1281);
-                                                            let _e1564 = nodes.member[(0u + _e1503)].x;
-                                                            if (_e1261 < 0f) {
-                                                                let _e1575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1564.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1581 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1575.unnamed.word, _e1564.w), _e1575.unnamed_1);
-                                                                let _e1587 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1581.unnamed, lt_mask_LightPlace(_e1564.x, _e1581.unnamed_1.shift));
-                                                                phi_1829_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1587.unnamed, lt_mask_LightPlace(_e1587.unnamed_1.word, _e1564.y));
+                                                            let _e1529 = nodes.member[(0u + _e1521)].frame[3u];
+                                                            let _e1554 = (bitcast<f32>((((_e1529 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1279);
+                                                            let _e1555 = (bitcast<f32>((((_e1529 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1289);
+                                                            let _e1556 = (bitcast<f32>((((_e1529 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1299);
+                                                            let _e1559 = nodes.member[(0u + _e1521)].frame[0u];
+                                                            let _e1563 = nodes.member[(0u + _e1521)].frame[1u];
+                                                            let _e1567 = nodes.member[(0u + _e1521)].frame[2u];
+                                                            let _e1572 = ((bitcast<f32>(_e1559) - _e1072) * _e1279);
+                                                            let _e1573 = ((bitcast<f32>(_e1563) - _e1085) * _e1289);
+                                                            let _e1574 = ((bitcast<f32>(_e1567) - _e1098) * _e1299);
+                                                            let _e1582 = nodes.member[(0u + _e1521)].x;
+                                                            if (_e1279 < 0f) {
+                                                                let _e1593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1582.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1593.unnamed.word, _e1582.w), _e1593.unnamed_1);
+                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1599.unnamed, lt_mask_LightPlace(_e1582.x, _e1599.unnamed_1.shift));
+                                                                phi_1848_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1605.unnamed, lt_mask_LightPlace(_e1605.unnamed_1.word, _e1582.y));
                                                             } else {
-                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1564.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1603.unnamed.word, _e1564.y), _e1603.unnamed_1);
-                                                                let _e1615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_mask_LightPlace(_e1564.z, _e1609.unnamed_1.shift));
-                                                                phi_1829_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1615.unnamed, lt_mask_LightPlace(_e1615.unnamed_1.word, _e1564.w));
+                                                                let _e1621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1582.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1621.unnamed.word, _e1582.y), _e1621.unnamed_1);
+                                                                let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1627.unnamed, lt_mask_LightPlace(_e1582.z, _e1627.unnamed_1.shift));
+                                                                phi_1848_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1633.unnamed, lt_mask_LightPlace(_e1633.unnamed_1.word, _e1582.w));
                                                             }
-                                                            let _e1623 = phi_1829_;
-                                                            let _e1633 = nodes.member[(0u + _e1503)].y;
-                                                            if (_e1271 < 0f) {
-                                                                let _e1644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1633.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1644.unnamed.word, _e1633.w), _e1644.unnamed_1);
-                                                                let _e1656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1650.unnamed, lt_mask_LightPlace(_e1633.x, _e1650.unnamed_1.shift));
-                                                                phi_1856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1656.unnamed, lt_mask_LightPlace(_e1656.unnamed_1.word, _e1633.y));
+                                                            let _e1641 = phi_1848_;
+                                                            let _e1651 = nodes.member[(0u + _e1521)].y;
+                                                            if (_e1289 < 0f) {
+                                                                let _e1662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1651.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1662.unnamed.word, _e1651.w), _e1662.unnamed_1);
+                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1668.unnamed, lt_mask_LightPlace(_e1651.x, _e1668.unnamed_1.shift));
+                                                                phi_1875_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1674.unnamed, lt_mask_LightPlace(_e1674.unnamed_1.word, _e1651.y));
                                                             } else {
-                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1633.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1672.unnamed.word, _e1633.y), _e1672.unnamed_1);
-                                                                let _e1684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_mask_LightPlace(_e1633.z, _e1678.unnamed_1.shift));
-                                                                phi_1856_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1684.unnamed, lt_mask_LightPlace(_e1684.unnamed_1.word, _e1633.w));
+                                                                let _e1690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1651.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1690.unnamed.word, _e1651.y), _e1690.unnamed_1);
+                                                                let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1696.unnamed, lt_mask_LightPlace(_e1651.z, _e1696.unnamed_1.shift));
+                                                                phi_1875_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1702.unnamed, lt_mask_LightPlace(_e1702.unnamed_1.word, _e1651.w));
                                                             }
-                                                            let _e1692 = phi_1856_;
-                                                            let _e1702 = nodes.member[(0u + _e1503)].z;
-                                                            if (_e1281 < 0f) {
-                                                                let _e1713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1702.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1713.unnamed.word, _e1702.w), _e1713.unnamed_1);
-                                                                let _e1725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1719.unnamed, lt_mask_LightPlace(_e1702.x, _e1719.unnamed_1.shift));
-                                                                phi_1883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1725.unnamed, lt_mask_LightPlace(_e1725.unnamed_1.word, _e1702.y));
+                                                            let _e1710 = phi_1875_;
+                                                            let _e1720 = nodes.member[(0u + _e1521)].z;
+                                                            if (_e1299 < 0f) {
+                                                                let _e1731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1720.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1731.unnamed.word, _e1720.w), _e1731.unnamed_1);
+                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1737.unnamed, lt_mask_LightPlace(_e1720.x, _e1737.unnamed_1.shift));
+                                                                phi_1902_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1743.unnamed, lt_mask_LightPlace(_e1743.unnamed_1.word, _e1720.y));
                                                             } else {
-                                                                let _e1741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1702.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1741.unnamed.word, _e1702.y), _e1741.unnamed_1);
-                                                                let _e1753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1747.unnamed, lt_mask_LightPlace(_e1702.z, _e1747.unnamed_1.shift));
-                                                                phi_1883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1753.unnamed, lt_mask_LightPlace(_e1753.unnamed_1.word, _e1702.w));
+                                                                let _e1759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1720.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1759.unnamed.word, _e1720.y), _e1759.unnamed_1);
+                                                                let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1765.unnamed, lt_mask_LightPlace(_e1720.z, _e1765.unnamed_1.shift));
+                                                                phi_1902_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1771.unnamed, lt_mask_LightPlace(_e1771.unnamed_1.word, _e1720.w));
                                                             }
-                                                            let _e1761 = phi_1883_;
-                                                            phi_1889_ = 0u;
-                                                            phi_1892_ = 0u;
+                                                            let _e1779 = phi_1902_;
+                                                            phi_1908_ = 0u;
+                                                            phi_1911_ = 0u;
                                                             loop {
-                                                                let _e1771 = phi_1889_;
-                                                                let _e1773 = phi_1892_;
-                                                                local_5 = _e1773;
-                                                                local_6 = _e1773;
-                                                                local_7 = _e1773;
-                                                                let _e1774 = (_e1771 < 8u);
-                                                                if _e1774 {
-                                                                    let _e1776 = (_e1771 >> bitcast<u32>(2i));
-                                                                    let _e1777 = (_e1771 & 3u);
-                                                                    if (_e1776 == 0u) {
-                                                                        phi_1906_ = _e1623.unnamed.word;
+                                                                let _e1789 = phi_1908_;
+                                                                let _e1791 = phi_1911_;
+                                                                local_5 = _e1791;
+                                                                local_6 = _e1791;
+                                                                local_7 = _e1791;
+                                                                let _e1792 = (_e1789 < 8u);
+                                                                if _e1792 {
+                                                                    let _e1794 = (_e1789 >> bitcast<u32>(2i));
+                                                                    let _e1795 = (_e1789 & 3u);
+                                                                    if (_e1794 == 0u) {
+                                                                        phi_1925_ = _e1641.unnamed.word;
                                                                     } else {
-                                                                        phi_1906_ = _e1623.unnamed.shift;
+                                                                        phi_1925_ = _e1641.unnamed.shift;
                                                                     }
-                                                                    let _e1780 = phi_1906_;
-                                                                    if (_e1776 == 0u) {
-                                                                        phi_1916_ = _e1692.unnamed.word;
+                                                                    let _e1798 = phi_1925_;
+                                                                    if (_e1794 == 0u) {
+                                                                        phi_1935_ = _e1710.unnamed.word;
                                                                     } else {
-                                                                        phi_1916_ = _e1692.unnamed.shift;
+                                                                        phi_1935_ = _e1710.unnamed.shift;
                                                                     }
-                                                                    let _e1789 = phi_1916_;
-                                                                    if (_e1776 == 0u) {
-                                                                        phi_1926_ = _e1761.unnamed.word;
+                                                                    let _e1807 = phi_1935_;
+                                                                    if (_e1794 == 0u) {
+                                                                        phi_1945_ = _e1779.unnamed.word;
                                                                     } else {
-                                                                        phi_1926_ = _e1761.unnamed.shift;
+                                                                        phi_1945_ = _e1779.unnamed.shift;
                                                                     }
-                                                                    let _e1798 = phi_1926_;
-                                                                    let _e1811 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1780 >> bitcast<u32>(((_e1777 * 8u) & 31u))) & 255u)) * _e1536) + (_e1554 - _e1313)), ((f32(((_e1789 >> bitcast<u32>(((_e1777 * 8u) & 31u))) & 255u)) * _e1537) + (_e1555 - _e1314)));
-                                                                    let _e1812 = core_intrinsics_maximum_number_nsz_f32_(_e1811, ((f32(((_e1798 >> bitcast<u32>(((_e1777 * 8u) & 31u))) & 255u)) * _e1538) + (_e1556 - _e1315)));
-                                                                    if (_e1776 == 0u) {
-                                                                        phi_1944_ = _e1623.unnamed_1.word;
+                                                                    let _e1816 = phi_1945_;
+                                                                    let _e1829 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1798 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 - _e1331)), ((f32(((_e1807 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1332)));
+                                                                    let _e1830 = core_intrinsics_maximum_number_nsz_f32_(_e1829, ((f32(((_e1816 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1556) + (_e1574 - _e1333)));
+                                                                    if (_e1794 == 0u) {
+                                                                        phi_1963_ = _e1641.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1944_ = _e1623.unnamed_1.shift;
+                                                                        phi_1963_ = _e1641.unnamed_1.shift;
                                                                     }
-                                                                    let _e1815 = phi_1944_;
-                                                                    if (_e1776 == 0u) {
-                                                                        phi_1954_ = _e1692.unnamed_1.word;
+                                                                    let _e1833 = phi_1963_;
+                                                                    if (_e1794 == 0u) {
+                                                                        phi_1973_ = _e1710.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1954_ = _e1692.unnamed_1.shift;
+                                                                        phi_1973_ = _e1710.unnamed_1.shift;
                                                                     }
-                                                                    let _e1824 = phi_1954_;
-                                                                    if (_e1776 == 0u) {
-                                                                        phi_1964_ = _e1761.unnamed_1.word;
+                                                                    let _e1842 = phi_1973_;
+                                                                    if (_e1794 == 0u) {
+                                                                        phi_1983_ = _e1779.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1964_ = _e1761.unnamed_1.shift;
+                                                                        phi_1983_ = _e1779.unnamed_1.shift;
                                                                     }
-                                                                    let _e1833 = phi_1964_;
-                                                                    let _e1846 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1815 >> bitcast<u32>(((_e1777 * 8u) & 31u))) & 255u)) * _e1536) + (_e1554 + _e1313)), ((f32(((_e1824 >> bitcast<u32>(((_e1777 * 8u) & 31u))) & 255u)) * _e1537) + (_e1555 + _e1314)));
-                                                                    let _e1847 = core_intrinsics_minimum_number_nsz_f32_(_e1846, ((f32(((_e1833 >> bitcast<u32>(((_e1777 * 8u) & 31u))) & 255u)) * _e1538) + (_e1556 + _e1315)));
-                                                                    if (_e1812 <= _e1847) {
-                                                                        if (_e1812 <= _e1501.t) {
-                                                                            if (_e1847 >= _e153.tmin) {
-                                                                                if (_e1776 == 0u) {
-                                                                                    let _e1854 = nodes.member[(0u + _e1503)].links[2u];
-                                                                                    phi_2000_ = _e1854;
+                                                                    let _e1851 = phi_1983_;
+                                                                    let _e1864 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1833 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 + _e1331)), ((f32(((_e1842 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 + _e1332)));
+                                                                    let _e1865 = core_intrinsics_minimum_number_nsz_f32_(_e1864, ((f32(((_e1851 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1556) + (_e1574 + _e1333)));
+                                                                    if (_e1830 <= _e1865) {
+                                                                        if (_e1830 <= _e1519.t) {
+                                                                            if (_e1865 >= _e171.tmin) {
+                                                                                if (_e1794 == 0u) {
+                                                                                    let _e1872 = nodes.member[(0u + _e1521)].links[2u];
+                                                                                    phi_2019_ = _e1872;
                                                                                 } else {
-                                                                                    let _e1857 = nodes.member[(0u + _e1503)].links[3u];
-                                                                                    phi_2000_ = _e1857;
+                                                                                    let _e1875 = nodes.member[(0u + _e1521)].links[3u];
+                                                                                    phi_2019_ = _e1875;
                                                                                 }
-                                                                                let _e1859 = phi_2000_;
-                                                                                let _e1864 = ((_e1859 >> bitcast<u32>(((_e1777 * 8u) & 31u))) & 255u);
-                                                                                let _e1865 = (_e1864 & 31u);
-                                                                                if (_e1865 >= 24u) {
-                                                                                    phi_2013_ = (24u + ((_e1865 - 24u) ^ _e1363));
+                                                                                let _e1877 = phi_2019_;
+                                                                                let _e1882 = ((_e1877 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u);
+                                                                                let _e1883 = (_e1882 & 31u);
+                                                                                if (_e1883 >= 24u) {
+                                                                                    phi_2032_ = (24u + ((_e1883 - 24u) ^ _e1381));
                                                                                 } else {
-                                                                                    phi_2013_ = _e1865;
+                                                                                    phi_2032_ = _e1883;
                                                                                 }
-                                                                                let _e1871 = phi_2013_;
-                                                                                phi_2018_ = (_e1773 | ((_e1864 >> bitcast<u32>(5i)) << bitcast<u32>((_e1871 & 31u))));
+                                                                                let _e1889 = phi_2032_;
+                                                                                phi_2037_ = (_e1791 | ((_e1882 >> bitcast<u32>(5i)) << bitcast<u32>((_e1889 & 31u))));
                                                                             } else {
-                                                                                phi_2018_ = _e1773;
+                                                                                phi_2037_ = _e1791;
                                                                             }
-                                                                            let _e1879 = phi_2018_;
-                                                                            phi_2019_ = _e1879;
+                                                                            let _e1897 = phi_2037_;
+                                                                            phi_2038_ = _e1897;
                                                                         } else {
-                                                                            phi_2019_ = _e1773;
+                                                                            phi_2038_ = _e1791;
                                                                         }
-                                                                        let _e1881 = phi_2019_;
-                                                                        phi_2020_ = _e1881;
+                                                                        let _e1899 = phi_2038_;
+                                                                        phi_2039_ = _e1899;
                                                                     } else {
-                                                                        phi_2020_ = _e1773;
+                                                                        phi_2039_ = _e1791;
                                                                     }
-                                                                    let _e1883 = phi_2020_;
-                                                                    phi_1890_ = (_e1771 + 1u);
-                                                                    phi_1893_ = _e1883;
+                                                                    let _e1901 = phi_2039_;
+                                                                    phi_1909_ = (_e1789 + 1u);
+                                                                    phi_1912_ = _e1901;
                                                                 } else {
-                                                                    phi_1890_ = u32();
-                                                                    phi_1893_ = u32();
+                                                                    phi_1909_ = u32();
+                                                                    phi_1912_ = u32();
                                                                 }
-                                                                let _e1886 = phi_1890_;
-                                                                let _e1888 = phi_1893_;
+                                                                let _e1904 = phi_1909_;
+                                                                let _e1906 = phi_1912_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1889_ = _e1886;
-                                                                    phi_1892_ = _e1888;
-                                                                    break if !(_e1774);
+                                                                    phi_1908_ = _e1904;
+                                                                    phi_1911_ = _e1906;
+                                                                    break if !(_e1792);
                                                                 }
                                                             }
-                                                            let _e1892 = nodes.member[(0u + _e1503)].links[0u];
-                                                            let _e1896 = nodes.member[(0u + _e1503)].frame[3u];
-                                                            let _e1900 = local_5;
-                                                            if ((_e1900 & 4278190080u) == 0u) {
+                                                            let _e1910 = nodes.member[(0u + _e1521)].links[0u];
+                                                            let _e1914 = nodes.member[(0u + _e1521)].frame[3u];
+                                                            let _e1918 = local_5;
+                                                            if ((_e1918 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1904 = local.group_mask;
-                                                                if ((_e1904 & 4278190080u) == 0u) {
+                                                                let _e1922 = local.group_mask;
+                                                                if ((_e1922 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1908 = local.len;
-                                                                    if (_e1908 < 32u) {
-                                                                        let _e1911 = local.group;
-                                                                        let _e1913 = local.len;
-                                                                        if (_e1913 < 32u) {
+                                                                    let _e1926 = local.len;
+                                                                    if (_e1926 < 32u) {
+                                                                        let _e1929 = local.group;
+                                                                        let _e1931 = local.len;
+                                                                        if (_e1931 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1913)] = _e1911;
-                                                                        let _e1919 = local.group_mask;
-                                                                        let _e1921 = local.len;
-                                                                        if (_e1921 < 32u) {
+                                                                        local.first[(0u + _e1931)] = _e1929;
+                                                                        let _e1937 = local.group_mask;
+                                                                        let _e1939 = local.len;
+                                                                        if (_e1939 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.mask[(0u + _e1921)] = _e1919;
-                                                                        let _e1928 = local.len;
-                                                                        local.len = (_e1928 + 1u);
+                                                                        local.mask[(0u + _e1939)] = _e1937;
+                                                                        let _e1946 = local.len;
+                                                                        local.len = (_e1946 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1129 + _e1892);
-                                                                let _e1932 = local_6;
-                                                                local.group_mask = ((_e1932 & 4278190080u) | (_e1896 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1147 + _e1910);
+                                                                let _e1950 = local_6;
+                                                                local.group_mask = ((_e1950 & 4278190080u) | (_e1914 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1937 = local_7;
-                                                            phi_2078_ = _e1501;
-                                                            phi_2081_ = (_e1937 & 16777215u);
+                                                            let _e1955 = local_7;
+                                                            phi_2097_ = _e1519;
+                                                            phi_2100_ = (_e1955 & 16777215u);
                                                             loop {
-                                                                let _e1940 = phi_2078_;
-                                                                let _e1942 = phi_2081_;
-                                                                local_8 = _e1940;
-                                                                if (_e1942 == 0u) {
-                                                                    phi_2079_ = lt_bvh_Hit();
-                                                                    phi_2082_ = u32();
-                                                                    phi_2723_ = false;
+                                                                let _e1958 = phi_2097_;
+                                                                let _e1960 = phi_2100_;
+                                                                local_8 = _e1958;
+                                                                if (_e1960 == 0u) {
+                                                                    phi_2098_ = lt_bvh_Hit();
+                                                                    phi_2101_ = u32();
+                                                                    phi_2742_ = false;
                                                                 } else {
-                                                                    let _e1946 = nodes.member[(0u + _e1503)].links[1u];
-                                                                    let _e1951 = ((_e1131 + _e1946) + select(firstTrailingBit(_e1942), 32u, (_e1942 == 0u)));
-                                                                    if (_e1951 < _e72) {
+                                                                    let _e1964 = nodes.member[(0u + _e1521)].links[1u];
+                                                                    let _e1969 = ((_e1149 + _e1964) + select(firstTrailingBit(_e1960), 32u, (_e1960 == 0u)));
+                                                                    if (_e1969 < _e73) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1958 = triangles.member[(0u + _e1951)].v0_;
-                                                                    let _e1960 = (_e1958.x - _e1054);
-                                                                    let _e1962 = (_e1958.y - _e1067);
-                                                                    let _e1964 = (_e1958.z - _e1080);
-                                                                    if (_e1336 == 0u) {
-                                                                        phi_2126_ = vec3<f32>(_e1962, _e1964, _e1960);
+                                                                    let _e1976 = triangles.member[(0u + _e1969)].v0_;
+                                                                    let _e1978 = (_e1976.x - _e1072);
+                                                                    let _e1980 = (_e1976.y - _e1085);
+                                                                    let _e1982 = (_e1976.z - _e1098);
+                                                                    if (_e1354 == 0u) {
+                                                                        phi_2145_ = vec3<f32>(_e1980, _e1982, _e1978);
                                                                     } else {
-                                                                        if (_e1336 == 1u) {
-                                                                            phi_2125_ = vec3<f32>(_e1964, _e1960, _e1962);
+                                                                        if (_e1354 == 1u) {
+                                                                            phi_2144_ = vec3<f32>(_e1982, _e1978, _e1980);
                                                                         } else {
-                                                                            phi_2125_ = (_e1958 - vec3<f32>(_e1054, _e1067, _e1080));
+                                                                            phi_2144_ = (_e1976 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e1972 = phi_2125_;
-                                                                        phi_2126_ = _e1972;
+                                                                        let _e1990 = phi_2144_;
+                                                                        phi_2145_ = _e1990;
                                                                     }
-                                                                    let _e1974 = phi_2126_;
-                                                                    let _e1978 = (_e1974.x - (_e1347 * _e1974.z));
-                                                                    let _e1982 = (_e1974.y - (_e1350 * _e1974.z));
-                                                                    let _e1984 = triangles.member[(0u + _e1951)].v1_;
-                                                                    let _e1986 = (_e1984.x - _e1054);
-                                                                    let _e1988 = (_e1984.y - _e1067);
-                                                                    let _e1990 = (_e1984.z - _e1080);
-                                                                    if (_e1336 == 0u) {
-                                                                        phi_2156_ = vec3<f32>(_e1988, _e1990, _e1986);
+                                                                    let _e1992 = phi_2145_;
+                                                                    let _e1996 = (_e1992.x - (_e1365 * _e1992.z));
+                                                                    let _e2000 = (_e1992.y - (_e1368 * _e1992.z));
+                                                                    let _e2002 = triangles.member[(0u + _e1969)].v1_;
+                                                                    let _e2004 = (_e2002.x - _e1072);
+                                                                    let _e2006 = (_e2002.y - _e1085);
+                                                                    let _e2008 = (_e2002.z - _e1098);
+                                                                    if (_e1354 == 0u) {
+                                                                        phi_2175_ = vec3<f32>(_e2006, _e2008, _e2004);
                                                                     } else {
-                                                                        if (_e1336 == 1u) {
-                                                                            phi_2155_ = vec3<f32>(_e1990, _e1986, _e1988);
+                                                                        if (_e1354 == 1u) {
+                                                                            phi_2174_ = vec3<f32>(_e2008, _e2004, _e2006);
                                                                         } else {
-                                                                            phi_2155_ = (_e1984 - vec3<f32>(_e1054, _e1067, _e1080));
+                                                                            phi_2174_ = (_e2002 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e1998 = phi_2155_;
-                                                                        phi_2156_ = _e1998;
+                                                                        let _e2016 = phi_2174_;
+                                                                        phi_2175_ = _e2016;
                                                                     }
-                                                                    let _e2000 = phi_2156_;
-                                                                    let _e2004 = (_e2000.x - (_e1347 * _e2000.z));
-                                                                    let _e2008 = (_e2000.y - (_e1350 * _e2000.z));
-                                                                    let _e2010 = triangles.member[(0u + _e1951)].v2_;
-                                                                    let _e2012 = (_e2010.x - _e1054);
-                                                                    let _e2014 = (_e2010.y - _e1067);
-                                                                    let _e2016 = (_e2010.z - _e1080);
-                                                                    if (_e1336 == 0u) {
-                                                                        phi_2186_ = vec3<f32>(_e2014, _e2016, _e2012);
+                                                                    let _e2018 = phi_2175_;
+                                                                    let _e2022 = (_e2018.x - (_e1365 * _e2018.z));
+                                                                    let _e2026 = (_e2018.y - (_e1368 * _e2018.z));
+                                                                    let _e2028 = triangles.member[(0u + _e1969)].v2_;
+                                                                    let _e2030 = (_e2028.x - _e1072);
+                                                                    let _e2032 = (_e2028.y - _e1085);
+                                                                    let _e2034 = (_e2028.z - _e1098);
+                                                                    if (_e1354 == 0u) {
+                                                                        phi_2205_ = vec3<f32>(_e2032, _e2034, _e2030);
                                                                     } else {
-                                                                        if (_e1336 == 1u) {
-                                                                            phi_2185_ = vec3<f32>(_e2016, _e2012, _e2014);
+                                                                        if (_e1354 == 1u) {
+                                                                            phi_2204_ = vec3<f32>(_e2034, _e2030, _e2032);
                                                                         } else {
-                                                                            phi_2185_ = (_e2010 - vec3<f32>(_e1054, _e1067, _e1080));
+                                                                            phi_2204_ = (_e2028 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e2024 = phi_2185_;
-                                                                        phi_2186_ = _e2024;
+                                                                        let _e2042 = phi_2204_;
+                                                                        phi_2205_ = _e2042;
                                                                     }
-                                                                    let _e2026 = phi_2186_;
-                                                                    let _e2030 = (_e2026.x - (_e1347 * _e2026.z));
-                                                                    let _e2034 = (_e2026.y - (_e1350 * _e2026.z));
-                                                                    if (_e2004 < _e2030) {
-                                                                        phi_2205_ = true;
+                                                                    let _e2044 = phi_2205_;
+                                                                    let _e2048 = (_e2044.x - (_e1365 * _e2044.z));
+                                                                    let _e2052 = (_e2044.y - (_e1368 * _e2044.z));
+                                                                    if (_e2022 < _e2048) {
+                                                                        phi_2224_ = true;
                                                                     } else {
-                                                                        if (_e2004 == _e2030) {
-                                                                            phi_2204_ = (_e2008 < _e2034);
+                                                                        if (_e2022 == _e2048) {
+                                                                            phi_2223_ = (_e2026 < _e2052);
                                                                         } else {
-                                                                            phi_2204_ = false;
+                                                                            phi_2223_ = false;
                                                                         }
-                                                                        let _e2039 = phi_2204_;
-                                                                        phi_2205_ = _e2039;
+                                                                        let _e2057 = phi_2223_;
+                                                                        phi_2224_ = _e2057;
                                                                     }
-                                                                    let _e2041 = phi_2205_;
-                                                                    if _e2041 {
-                                                                        phi_2209_ = _e2034;
-                                                                        phi_2210_ = _e2030;
-                                                                        phi_2211_ = _e2008;
-                                                                        phi_2212_ = _e2004;
+                                                                    let _e2059 = phi_2224_;
+                                                                    if _e2059 {
+                                                                        phi_2228_ = _e2052;
+                                                                        phi_2229_ = _e2048;
+                                                                        phi_2230_ = _e2026;
+                                                                        phi_2231_ = _e2022;
                                                                     } else {
-                                                                        phi_2209_ = _e2008;
-                                                                        phi_2210_ = _e2004;
-                                                                        phi_2211_ = _e2034;
-                                                                        phi_2212_ = _e2030;
+                                                                        phi_2228_ = _e2026;
+                                                                        phi_2229_ = _e2022;
+                                                                        phi_2230_ = _e2052;
+                                                                        phi_2231_ = _e2048;
                                                                     }
-                                                                    let _e2043 = phi_2209_;
-                                                                    let _e2045 = phi_2210_;
-                                                                    let _e2047 = phi_2211_;
-                                                                    let _e2049 = phi_2212_;
-                                                                    let _e2052 = ((_e2049 * _e2043) - (_e2047 * _e2045));
-                                                                    if _e2041 {
-                                                                        phi_2220_ = -(_e2052);
+                                                                    let _e2061 = phi_2228_;
+                                                                    let _e2063 = phi_2229_;
+                                                                    let _e2065 = phi_2230_;
+                                                                    let _e2067 = phi_2231_;
+                                                                    let _e2070 = ((_e2067 * _e2061) - (_e2065 * _e2063));
+                                                                    if _e2059 {
+                                                                        phi_2239_ = -(_e2070);
                                                                     } else {
-                                                                        phi_2220_ = _e2052;
+                                                                        phi_2239_ = _e2070;
                                                                     }
-                                                                    let _e2055 = phi_2220_;
-                                                                    if (_e2030 < _e1978) {
-                                                                        phi_2231_ = true;
+                                                                    let _e2073 = phi_2239_;
+                                                                    if (_e2048 < _e1996) {
+                                                                        phi_2250_ = true;
                                                                     } else {
-                                                                        if (_e2030 == _e1978) {
-                                                                            phi_2230_ = (_e2034 < _e1982);
+                                                                        if (_e2048 == _e1996) {
+                                                                            phi_2249_ = (_e2052 < _e2000);
                                                                         } else {
-                                                                            phi_2230_ = false;
+                                                                            phi_2249_ = false;
                                                                         }
-                                                                        let _e2060 = phi_2230_;
-                                                                        phi_2231_ = _e2060;
+                                                                        let _e2078 = phi_2249_;
+                                                                        phi_2250_ = _e2078;
                                                                     }
-                                                                    let _e2062 = phi_2231_;
-                                                                    if _e2062 {
-                                                                        phi_2235_ = _e1982;
-                                                                        phi_2236_ = _e1978;
-                                                                        phi_2237_ = _e2034;
-                                                                        phi_2238_ = _e2030;
+                                                                    let _e2080 = phi_2250_;
+                                                                    if _e2080 {
+                                                                        phi_2254_ = _e2000;
+                                                                        phi_2255_ = _e1996;
+                                                                        phi_2256_ = _e2052;
+                                                                        phi_2257_ = _e2048;
                                                                     } else {
-                                                                        phi_2235_ = _e2034;
-                                                                        phi_2236_ = _e2030;
-                                                                        phi_2237_ = _e1982;
-                                                                        phi_2238_ = _e1978;
+                                                                        phi_2254_ = _e2052;
+                                                                        phi_2255_ = _e2048;
+                                                                        phi_2256_ = _e2000;
+                                                                        phi_2257_ = _e1996;
                                                                     }
-                                                                    let _e2064 = phi_2235_;
-                                                                    let _e2066 = phi_2236_;
-                                                                    let _e2068 = phi_2237_;
-                                                                    let _e2070 = phi_2238_;
-                                                                    let _e2073 = ((_e2070 * _e2064) - (_e2068 * _e2066));
-                                                                    if _e2062 {
-                                                                        phi_2246_ = -(_e2073);
+                                                                    let _e2082 = phi_2254_;
+                                                                    let _e2084 = phi_2255_;
+                                                                    let _e2086 = phi_2256_;
+                                                                    let _e2088 = phi_2257_;
+                                                                    let _e2091 = ((_e2088 * _e2082) - (_e2086 * _e2084));
+                                                                    if _e2080 {
+                                                                        phi_2265_ = -(_e2091);
                                                                     } else {
-                                                                        phi_2246_ = _e2073;
+                                                                        phi_2265_ = _e2091;
                                                                     }
-                                                                    let _e2076 = phi_2246_;
-                                                                    if (_e1978 < _e2004) {
-                                                                        phi_2257_ = true;
+                                                                    let _e2094 = phi_2265_;
+                                                                    if (_e1996 < _e2022) {
+                                                                        phi_2276_ = true;
                                                                     } else {
-                                                                        if (_e1978 == _e2004) {
-                                                                            phi_2256_ = (_e1982 < _e2008);
+                                                                        if (_e1996 == _e2022) {
+                                                                            phi_2275_ = (_e2000 < _e2026);
                                                                         } else {
-                                                                            phi_2256_ = false;
+                                                                            phi_2275_ = false;
                                                                         }
-                                                                        let _e2081 = phi_2256_;
-                                                                        phi_2257_ = _e2081;
+                                                                        let _e2099 = phi_2275_;
+                                                                        phi_2276_ = _e2099;
                                                                     }
-                                                                    let _e2083 = phi_2257_;
-                                                                    if _e2083 {
-                                                                        phi_2261_ = _e2008;
-                                                                        phi_2262_ = _e2004;
-                                                                        phi_2263_ = _e1982;
-                                                                        phi_2264_ = _e1978;
+                                                                    let _e2101 = phi_2276_;
+                                                                    if _e2101 {
+                                                                        phi_2280_ = _e2026;
+                                                                        phi_2281_ = _e2022;
+                                                                        phi_2282_ = _e2000;
+                                                                        phi_2283_ = _e1996;
                                                                     } else {
-                                                                        phi_2261_ = _e1982;
-                                                                        phi_2262_ = _e1978;
-                                                                        phi_2263_ = _e2008;
-                                                                        phi_2264_ = _e2004;
+                                                                        phi_2280_ = _e2000;
+                                                                        phi_2281_ = _e1996;
+                                                                        phi_2282_ = _e2026;
+                                                                        phi_2283_ = _e2022;
                                                                     }
-                                                                    let _e2085 = phi_2261_;
-                                                                    let _e2087 = phi_2262_;
-                                                                    let _e2089 = phi_2263_;
-                                                                    let _e2091 = phi_2264_;
-                                                                    let _e2094 = ((_e2091 * _e2085) - (_e2089 * _e2087));
-                                                                    if _e2083 {
-                                                                        phi_2272_ = -(_e2094);
+                                                                    let _e2103 = phi_2280_;
+                                                                    let _e2105 = phi_2281_;
+                                                                    let _e2107 = phi_2282_;
+                                                                    let _e2109 = phi_2283_;
+                                                                    let _e2112 = ((_e2109 * _e2103) - (_e2107 * _e2105));
+                                                                    if _e2101 {
+                                                                        phi_2291_ = -(_e2112);
                                                                     } else {
-                                                                        phi_2272_ = _e2094;
+                                                                        phi_2291_ = _e2112;
                                                                     }
-                                                                    let _e2097 = phi_2272_;
-                                                                    if (_e2055 >= 0f) {
-                                                                        if (_e2076 >= 0f) {
-                                                                            if (_e2097 >= 0f) {
-                                                                                phi_2287_ = ((_e2055 + _e2076) + _e2097);
-                                                                                phi_2288_ = false;
+                                                                    let _e2115 = phi_2291_;
+                                                                    if (_e2073 >= 0f) {
+                                                                        if (_e2094 >= 0f) {
+                                                                            if (_e2115 >= 0f) {
+                                                                                phi_2306_ = ((_e2073 + _e2094) + _e2115);
+                                                                                phi_2307_ = false;
                                                                             } else {
-                                                                                phi_2287_ = f32();
-                                                                                phi_2288_ = true;
+                                                                                phi_2306_ = f32();
+                                                                                phi_2307_ = true;
                                                                             }
-                                                                            let _e2104 = phi_2287_;
-                                                                            let _e2106 = phi_2288_;
-                                                                            phi_2289_ = _e2104;
-                                                                            phi_2290_ = _e2106;
+                                                                            let _e2122 = phi_2306_;
+                                                                            let _e2124 = phi_2307_;
+                                                                            phi_2308_ = _e2122;
+                                                                            phi_2309_ = _e2124;
                                                                         } else {
-                                                                            phi_2289_ = f32();
-                                                                            phi_2290_ = true;
+                                                                            phi_2308_ = f32();
+                                                                            phi_2309_ = true;
                                                                         }
-                                                                        let _e2108 = phi_2289_;
-                                                                        let _e2110 = phi_2290_;
-                                                                        phi_2291_ = _e2108;
-                                                                        phi_2292_ = _e2110;
+                                                                        let _e2126 = phi_2308_;
+                                                                        let _e2128 = phi_2309_;
+                                                                        phi_2310_ = _e2126;
+                                                                        phi_2311_ = _e2128;
                                                                     } else {
-                                                                        phi_2291_ = f32();
-                                                                        phi_2292_ = true;
+                                                                        phi_2310_ = f32();
+                                                                        phi_2311_ = true;
                                                                     }
-                                                                    let _e2112 = phi_2291_;
-                                                                    let _e2114 = phi_2292_;
-                                                                    if _e2114 {
-                                                                        if (_e2055 <= 0f) {
-                                                                            if (_e2076 <= 0f) {
-                                                                                let _e2117 = (_e2097 <= 0f);
-                                                                                if _e2117 {
+                                                                    let _e2130 = phi_2310_;
+                                                                    let _e2132 = phi_2311_;
+                                                                    if _e2132 {
+                                                                        if (_e2073 <= 0f) {
+                                                                            if (_e2094 <= 0f) {
+                                                                                let _e2135 = (_e2115 <= 0f);
+                                                                                if _e2135 {
                                                                                 }
-                                                                                phi_2310_ = ((_e2055 + _e2076) + _e2097);
-                                                                                phi_2311_ = false;
-                                                                                phi_2312_ = _e2117;
+                                                                                phi_2329_ = ((_e2073 + _e2094) + _e2115);
+                                                                                phi_2330_ = false;
+                                                                                phi_2331_ = _e2135;
                                                                             } else {
-                                                                                phi_2310_ = f32();
-                                                                                phi_2311_ = true;
-                                                                                phi_2312_ = false;
+                                                                                phi_2329_ = f32();
+                                                                                phi_2330_ = true;
+                                                                                phi_2331_ = false;
                                                                             }
-                                                                            let _e2121 = phi_2310_;
-                                                                            let _e2123 = phi_2311_;
-                                                                            let _e2125 = phi_2312_;
-                                                                            phi_2313_ = _e2121;
-                                                                            phi_2314_ = _e2123;
-                                                                            phi_2315_ = _e2125;
+                                                                            let _e2139 = phi_2329_;
+                                                                            let _e2141 = phi_2330_;
+                                                                            let _e2143 = phi_2331_;
+                                                                            phi_2332_ = _e2139;
+                                                                            phi_2333_ = _e2141;
+                                                                            phi_2334_ = _e2143;
                                                                         } else {
-                                                                            phi_2313_ = f32();
-                                                                            phi_2314_ = true;
-                                                                            phi_2315_ = false;
+                                                                            phi_2332_ = f32();
+                                                                            phi_2333_ = true;
+                                                                            phi_2334_ = false;
                                                                         }
-                                                                        let _e2127 = phi_2313_;
-                                                                        let _e2129 = phi_2314_;
-                                                                        let _e2131 = phi_2315_;
-                                                                        if _e2129 {
-                                                                            phi_2319_ = false;
+                                                                        let _e2145 = phi_2332_;
+                                                                        let _e2147 = phi_2333_;
+                                                                        let _e2149 = phi_2334_;
+                                                                        if _e2147 {
+                                                                            phi_2338_ = false;
                                                                         } else {
-                                                                            phi_2319_ = _e2131;
+                                                                            phi_2338_ = _e2149;
                                                                         }
-                                                                        let _e2133 = phi_2319_;
-                                                                        phi_2320_ = _e2127;
-                                                                        phi_2321_ = _e2133;
+                                                                        let _e2151 = phi_2338_;
+                                                                        phi_2339_ = _e2145;
+                                                                        phi_2340_ = _e2151;
                                                                     } else {
-                                                                        phi_2320_ = _e2112;
-                                                                        phi_2321_ = true;
+                                                                        phi_2339_ = _e2130;
+                                                                        phi_2340_ = true;
                                                                     }
-                                                                    let _e2135 = phi_2320_;
-                                                                    let _e2137 = phi_2321_;
-                                                                    if _e2137 {
-                                                                        let _e2138 = (_e2135 == 0f);
-                                                                        if _e2138 {
-                                                                            phi_2637_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2638_ = false;
+                                                                    let _e2153 = phi_2339_;
+                                                                    let _e2155 = phi_2340_;
+                                                                    if _e2155 {
+                                                                        let _e2156 = (_e2153 == 0f);
+                                                                        if _e2156 {
+                                                                            phi_2656_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2657_ = false;
                                                                         } else {
-                                                                            let _e2140 = triangles.member[(0u + _e1951)].v0_;
-                                                                            let _e2142 = (_e2140.x - _e1054);
-                                                                            let _e2144 = (_e2140.y - _e1067);
-                                                                            let _e2146 = (_e2140.z - _e1080);
-                                                                            if (_e1336 == 0u) {
-                                                                                phi_2350_ = vec3<f32>(_e2144, _e2146, _e2142);
+                                                                            let _e2158 = triangles.member[(0u + _e1969)].v0_;
+                                                                            let _e2160 = (_e2158.x - _e1072);
+                                                                            let _e2162 = (_e2158.y - _e1085);
+                                                                            let _e2164 = (_e2158.z - _e1098);
+                                                                            if (_e1354 == 0u) {
+                                                                                phi_2369_ = vec3<f32>(_e2162, _e2164, _e2160);
                                                                             } else {
-                                                                                if (_e1336 == 1u) {
-                                                                                    phi_2349_ = vec3<f32>(_e2146, _e2142, _e2144);
+                                                                                if (_e1354 == 1u) {
+                                                                                    phi_2368_ = vec3<f32>(_e2164, _e2160, _e2162);
                                                                                 } else {
-                                                                                    phi_2349_ = (_e2140 - vec3<f32>(_e1054, _e1067, _e1080));
+                                                                                    phi_2368_ = (_e2158 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                                 }
-                                                                                let _e2154 = phi_2349_;
-                                                                                phi_2350_ = _e2154;
+                                                                                let _e2172 = phi_2368_;
+                                                                                phi_2369_ = _e2172;
                                                                             }
-                                                                            let _e2156 = phi_2350_;
-                                                                            let _e2158 = triangles.member[(0u + _e1951)].v1_;
-                                                                            let _e2160 = triangles.member[(0u + _e1951)].v0_;
-                                                                            let _e2163 = (_e2158.x - _e2160.x);
-                                                                            let _e2166 = (_e2158.y - _e2160.y);
-                                                                            let _e2169 = (_e2158.z - _e2160.z);
-                                                                            if (_e1336 == 0u) {
-                                                                                phi_2376_ = vec3<f32>(_e2166, _e2169, _e2163);
+                                                                            let _e2174 = phi_2369_;
+                                                                            let _e2176 = triangles.member[(0u + _e1969)].v1_;
+                                                                            let _e2178 = triangles.member[(0u + _e1969)].v0_;
+                                                                            let _e2181 = (_e2176.x - _e2178.x);
+                                                                            let _e2184 = (_e2176.y - _e2178.y);
+                                                                            let _e2187 = (_e2176.z - _e2178.z);
+                                                                            if (_e1354 == 0u) {
+                                                                                phi_2395_ = vec3<f32>(_e2184, _e2187, _e2181);
                                                                             } else {
-                                                                                if (_e1336 == 1u) {
-                                                                                    phi_2375_ = vec3<f32>(_e2169, _e2163, _e2166);
+                                                                                if (_e1354 == 1u) {
+                                                                                    phi_2394_ = vec3<f32>(_e2187, _e2181, _e2184);
                                                                                 } else {
-                                                                                    phi_2375_ = (_e2158 - _e2160);
+                                                                                    phi_2394_ = (_e2176 - _e2178);
                                                                                 }
-                                                                                let _e2176 = phi_2375_;
-                                                                                phi_2376_ = _e2176;
+                                                                                let _e2194 = phi_2394_;
+                                                                                phi_2395_ = _e2194;
                                                                             }
-                                                                            let _e2178 = phi_2376_;
-                                                                            let _e2180 = triangles.member[(0u + _e1951)].v2_;
-                                                                            let _e2182 = triangles.member[(0u + _e1951)].v0_;
-                                                                            let _e2185 = (_e2180.x - _e2182.x);
-                                                                            let _e2188 = (_e2180.y - _e2182.y);
-                                                                            let _e2191 = (_e2180.z - _e2182.z);
-                                                                            if (_e1336 == 0u) {
-                                                                                phi_2402_ = vec3<f32>(_e2188, _e2191, _e2185);
+                                                                            let _e2196 = phi_2395_;
+                                                                            let _e2198 = triangles.member[(0u + _e1969)].v2_;
+                                                                            let _e2200 = triangles.member[(0u + _e1969)].v0_;
+                                                                            let _e2203 = (_e2198.x - _e2200.x);
+                                                                            let _e2206 = (_e2198.y - _e2200.y);
+                                                                            let _e2209 = (_e2198.z - _e2200.z);
+                                                                            if (_e1354 == 0u) {
+                                                                                phi_2421_ = vec3<f32>(_e2206, _e2209, _e2203);
                                                                             } else {
-                                                                                if (_e1336 == 1u) {
-                                                                                    phi_2401_ = vec3<f32>(_e2191, _e2185, _e2188);
+                                                                                if (_e1354 == 1u) {
+                                                                                    phi_2420_ = vec3<f32>(_e2209, _e2203, _e2206);
                                                                                 } else {
-                                                                                    phi_2401_ = (_e2180 - _e2182);
+                                                                                    phi_2420_ = (_e2198 - _e2200);
                                                                                 }
-                                                                                let _e2198 = phi_2401_;
-                                                                                phi_2402_ = _e2198;
+                                                                                let _e2216 = phi_2420_;
+                                                                                phi_2421_ = _e2216;
                                                                             }
-                                                                            let _e2200 = phi_2402_;
-                                                                            let _e2207 = ((_e2178.y * _e2200.z) - (_e2178.z * _e2200.y));
-                                                                            let _e2214 = ((_e2178.z * _e2200.x) - (_e2178.x * _e2200.z));
-                                                                            let _e2221 = ((_e2178.x * _e2200.y) - (_e2178.y * _e2200.x));
-                                                                            let _e2235 = (((1f / _e1344.z) * (((_e2207 * _e2156.x) + (_e2214 * _e2156.y)) + (_e2221 * _e2156.z))) / (((_e2207 * _e1347) + (_e2214 * _e1350)) + _e2221));
-                                                                            if (_e2235 > _e153.tmin) {
-                                                                                if (_e2235 < _e153.tmax) {
-                                                                                    let _e2239 = triangles.member[(0u + _e1951)].v0_;
-                                                                                    let _e2241 = triangles.member[(0u + _e1951)].v1_;
-                                                                                    if (_e2239.x < _e2241.x) {
-                                                                                        phi_2458_ = _e2239.x;
+                                                                            let _e2218 = phi_2421_;
+                                                                            let _e2225 = ((_e2196.y * _e2218.z) - (_e2196.z * _e2218.y));
+                                                                            let _e2232 = ((_e2196.z * _e2218.x) - (_e2196.x * _e2218.z));
+                                                                            let _e2239 = ((_e2196.x * _e2218.y) - (_e2196.y * _e2218.x));
+                                                                            let _e2253 = (((1f / _e1362.z) * (((_e2225 * _e2174.x) + (_e2232 * _e2174.y)) + (_e2239 * _e2174.z))) / (((_e2225 * _e1365) + (_e2232 * _e1368)) + _e2239));
+                                                                            if (_e2253 > _e171.tmin) {
+                                                                                if (_e2253 < _e171.tmax) {
+                                                                                    let _e2257 = triangles.member[(0u + _e1969)].v0_;
+                                                                                    let _e2259 = triangles.member[(0u + _e1969)].v1_;
+                                                                                    if (_e2257.x < _e2259.x) {
+                                                                                        phi_2477_ = _e2257.x;
                                                                                     } else {
-                                                                                        phi_2458_ = _e2241.x;
+                                                                                        phi_2477_ = _e2259.x;
                                                                                     }
-                                                                                    let _e2248 = phi_2458_;
-                                                                                    if (_e2239.y < _e2241.y) {
-                                                                                        phi_2467_ = _e2239.y;
+                                                                                    let _e2266 = phi_2477_;
+                                                                                    if (_e2257.y < _e2259.y) {
+                                                                                        phi_2486_ = _e2257.y;
                                                                                     } else {
-                                                                                        phi_2467_ = _e2241.y;
+                                                                                        phi_2486_ = _e2259.y;
                                                                                     }
-                                                                                    let _e2255 = phi_2467_;
-                                                                                    if (_e2239.z < _e2241.z) {
-                                                                                        phi_2476_ = _e2239.z;
+                                                                                    let _e2273 = phi_2486_;
+                                                                                    if (_e2257.z < _e2259.z) {
+                                                                                        phi_2495_ = _e2257.z;
                                                                                     } else {
-                                                                                        phi_2476_ = _e2241.z;
+                                                                                        phi_2495_ = _e2259.z;
                                                                                     }
-                                                                                    let _e2262 = phi_2476_;
-                                                                                    let _e2264 = triangles.member[(0u + _e1951)].v2_;
-                                                                                    if (_e2248 < _e2264.x) {
-                                                                                        phi_2485_ = _e2248;
+                                                                                    let _e2280 = phi_2495_;
+                                                                                    let _e2282 = triangles.member[(0u + _e1969)].v2_;
+                                                                                    if (_e2266 < _e2282.x) {
+                                                                                        phi_2504_ = _e2266;
                                                                                     } else {
-                                                                                        phi_2485_ = _e2264.x;
+                                                                                        phi_2504_ = _e2282.x;
                                                                                     }
-                                                                                    let _e2269 = phi_2485_;
-                                                                                    if (_e2255 < _e2264.y) {
-                                                                                        phi_2492_ = _e2255;
+                                                                                    let _e2287 = phi_2504_;
+                                                                                    if (_e2273 < _e2282.y) {
+                                                                                        phi_2511_ = _e2273;
                                                                                     } else {
-                                                                                        phi_2492_ = _e2264.y;
+                                                                                        phi_2511_ = _e2282.y;
                                                                                     }
-                                                                                    let _e2274 = phi_2492_;
-                                                                                    if (_e2262 < _e2264.z) {
-                                                                                        phi_2499_ = _e2262;
+                                                                                    let _e2292 = phi_2511_;
+                                                                                    if (_e2280 < _e2282.z) {
+                                                                                        phi_2518_ = _e2280;
                                                                                     } else {
-                                                                                        phi_2499_ = _e2264.z;
+                                                                                        phi_2518_ = _e2282.z;
                                                                                     }
-                                                                                    let _e2279 = phi_2499_;
-                                                                                    let _e2281 = triangles.member[(0u + _e1951)].v0_;
-                                                                                    let _e2283 = triangles.member[(0u + _e1951)].v1_;
-                                                                                    if (_e2281.x > _e2283.x) {
-                                                                                        phi_2512_ = _e2281.x;
+                                                                                    let _e2297 = phi_2518_;
+                                                                                    let _e2299 = triangles.member[(0u + _e1969)].v0_;
+                                                                                    let _e2301 = triangles.member[(0u + _e1969)].v1_;
+                                                                                    if (_e2299.x > _e2301.x) {
+                                                                                        phi_2531_ = _e2299.x;
                                                                                     } else {
-                                                                                        phi_2512_ = _e2283.x;
+                                                                                        phi_2531_ = _e2301.x;
                                                                                     }
-                                                                                    let _e2290 = phi_2512_;
-                                                                                    if (_e2281.y > _e2283.y) {
-                                                                                        phi_2521_ = _e2281.y;
+                                                                                    let _e2308 = phi_2531_;
+                                                                                    if (_e2299.y > _e2301.y) {
+                                                                                        phi_2540_ = _e2299.y;
                                                                                     } else {
-                                                                                        phi_2521_ = _e2283.y;
+                                                                                        phi_2540_ = _e2301.y;
                                                                                     }
-                                                                                    let _e2297 = phi_2521_;
-                                                                                    if (_e2281.z > _e2283.z) {
-                                                                                        phi_2530_ = _e2281.z;
+                                                                                    let _e2315 = phi_2540_;
+                                                                                    if (_e2299.z > _e2301.z) {
+                                                                                        phi_2549_ = _e2299.z;
                                                                                     } else {
-                                                                                        phi_2530_ = _e2283.z;
+                                                                                        phi_2549_ = _e2301.z;
                                                                                     }
-                                                                                    let _e2304 = phi_2530_;
-                                                                                    let _e2306 = triangles.member[(0u + _e1951)].v2_;
-                                                                                    if (_e2290 > _e2306.x) {
-                                                                                        phi_2539_ = _e2290;
+                                                                                    let _e2322 = phi_2549_;
+                                                                                    let _e2324 = triangles.member[(0u + _e1969)].v2_;
+                                                                                    if (_e2308 > _e2324.x) {
+                                                                                        phi_2558_ = _e2308;
                                                                                     } else {
-                                                                                        phi_2539_ = _e2306.x;
+                                                                                        phi_2558_ = _e2324.x;
                                                                                     }
-                                                                                    let _e2311 = phi_2539_;
-                                                                                    if (_e2297 > _e2306.y) {
-                                                                                        phi_2546_ = _e2297;
+                                                                                    let _e2329 = phi_2558_;
+                                                                                    if (_e2315 > _e2324.y) {
+                                                                                        phi_2565_ = _e2315;
                                                                                     } else {
-                                                                                        phi_2546_ = _e2306.y;
+                                                                                        phi_2565_ = _e2324.y;
                                                                                     }
-                                                                                    let _e2316 = phi_2546_;
-                                                                                    if (_e2304 > _e2306.z) {
-                                                                                        phi_2553_ = _e2304;
+                                                                                    let _e2334 = phi_2565_;
+                                                                                    if (_e2322 > _e2324.z) {
+                                                                                        phi_2572_ = _e2322;
                                                                                     } else {
-                                                                                        phi_2553_ = _e2306.z;
+                                                                                        phi_2572_ = _e2324.z;
                                                                                     }
-                                                                                    let _e2321 = phi_2553_;
-                                                                                    let _e2325 = ((_e2269 - _e1054) * _e1261);
-                                                                                    let _e2326 = ((_e2274 - _e1067) * _e1271);
-                                                                                    let _e2327 = ((_e2279 - _e1080) * _e1281);
-                                                                                    let _e2331 = ((_e2311 - _e1054) * _e1261);
-                                                                                    let _e2332 = ((_e2316 - _e1067) * _e1271);
-                                                                                    let _e2333 = ((_e2321 - _e1080) * _e1281);
-                                                                                    if (_e2325 < _e2331) {
-                                                                                        phi_2570_ = _e2325;
+                                                                                    let _e2339 = phi_2572_;
+                                                                                    let _e2343 = ((_e2287 - _e1072) * _e1279);
+                                                                                    let _e2344 = ((_e2292 - _e1085) * _e1289);
+                                                                                    let _e2345 = ((_e2297 - _e1098) * _e1299);
+                                                                                    let _e2349 = ((_e2329 - _e1072) * _e1279);
+                                                                                    let _e2350 = ((_e2334 - _e1085) * _e1289);
+                                                                                    let _e2351 = ((_e2339 - _e1098) * _e1299);
+                                                                                    if (_e2343 < _e2349) {
+                                                                                        phi_2589_ = _e2343;
                                                                                     } else {
-                                                                                        phi_2570_ = _e2331;
+                                                                                        phi_2589_ = _e2349;
                                                                                     }
-                                                                                    let _e2336 = phi_2570_;
-                                                                                    if (_e2326 < _e2332) {
-                                                                                        phi_2575_ = _e2326;
+                                                                                    let _e2354 = phi_2589_;
+                                                                                    if (_e2344 < _e2350) {
+                                                                                        phi_2594_ = _e2344;
                                                                                     } else {
-                                                                                        phi_2575_ = _e2332;
+                                                                                        phi_2594_ = _e2350;
                                                                                     }
-                                                                                    let _e2339 = phi_2575_;
-                                                                                    if (_e2327 < _e2333) {
-                                                                                        phi_2580_ = _e2327;
+                                                                                    let _e2357 = phi_2594_;
+                                                                                    if (_e2345 < _e2351) {
+                                                                                        phi_2599_ = _e2345;
                                                                                     } else {
-                                                                                        phi_2580_ = _e2333;
+                                                                                        phi_2599_ = _e2351;
                                                                                     }
-                                                                                    let _e2342 = phi_2580_;
-                                                                                    if (_e2325 > _e2331) {
-                                                                                        phi_2588_ = _e2325;
+                                                                                    let _e2360 = phi_2599_;
+                                                                                    if (_e2343 > _e2349) {
+                                                                                        phi_2607_ = _e2343;
                                                                                     } else {
-                                                                                        phi_2588_ = _e2331;
+                                                                                        phi_2607_ = _e2349;
                                                                                     }
-                                                                                    let _e2348 = phi_2588_;
-                                                                                    if (_e2326 > _e2332) {
-                                                                                        phi_2593_ = _e2326;
+                                                                                    let _e2366 = phi_2607_;
+                                                                                    if (_e2344 > _e2350) {
+                                                                                        phi_2612_ = _e2344;
                                                                                     } else {
-                                                                                        phi_2593_ = _e2332;
+                                                                                        phi_2612_ = _e2350;
                                                                                     }
-                                                                                    let _e2351 = phi_2593_;
-                                                                                    if (_e2327 > _e2333) {
-                                                                                        phi_2598_ = _e2327;
+                                                                                    let _e2369 = phi_2612_;
+                                                                                    if (_e2345 > _e2351) {
+                                                                                        phi_2617_ = _e2345;
                                                                                     } else {
-                                                                                        phi_2598_ = _e2333;
+                                                                                        phi_2617_ = _e2351;
                                                                                     }
-                                                                                    let _e2354 = phi_2598_;
-                                                                                    let _e2358 = core_intrinsics_maximum_number_nsz_f32_((_e2336 - _e1320), (_e2339 - _e1321));
-                                                                                    let _e2359 = core_intrinsics_maximum_number_nsz_f32_(_e2358, (_e2342 - _e1322));
-                                                                                    let _e2360 = core_intrinsics_minimum_number_nsz_f32_((_e2348 + _e1320), (_e2351 + _e1321));
-                                                                                    let _e2361 = core_intrinsics_minimum_number_nsz_f32_(_e2360, (_e2354 + _e1322));
-                                                                                    if (_e2359 > _e1029) {
-                                                                                        phi_2610_ = _e2359;
+                                                                                    let _e2372 = phi_2617_;
+                                                                                    let _e2376 = core_intrinsics_maximum_number_nsz_f32_((_e2354 - _e1338), (_e2357 - _e1339));
+                                                                                    let _e2377 = core_intrinsics_maximum_number_nsz_f32_(_e2376, (_e2360 - _e1340));
+                                                                                    let _e2378 = core_intrinsics_minimum_number_nsz_f32_((_e2366 + _e1338), (_e2369 + _e1339));
+                                                                                    let _e2379 = core_intrinsics_minimum_number_nsz_f32_(_e2378, (_e2372 + _e1340));
+                                                                                    if (_e2377 > _e1047) {
+                                                                                        phi_2629_ = _e2377;
                                                                                     } else {
-                                                                                        phi_2610_ = _e1029;
+                                                                                        phi_2629_ = _e1047;
                                                                                     }
-                                                                                    let _e2364 = phi_2610_;
-                                                                                    if (_e2361 < _e1031) {
-                                                                                        phi_2615_ = _e2361;
+                                                                                    let _e2382 = phi_2629_;
+                                                                                    if (_e2379 < _e1049) {
+                                                                                        phi_2634_ = _e2379;
                                                                                     } else {
-                                                                                        phi_2615_ = _e1031;
+                                                                                        phi_2634_ = _e1049;
                                                                                     }
-                                                                                    let _e2367 = phi_2615_;
-                                                                                    if (_e2235 < _e2364) {
-                                                                                        phi_2620_ = _e2364;
+                                                                                    let _e2385 = phi_2634_;
+                                                                                    if (_e2253 < _e2382) {
+                                                                                        phi_2639_ = _e2382;
                                                                                     } else {
-                                                                                        phi_2620_ = _e2235;
+                                                                                        phi_2639_ = _e2253;
                                                                                     }
-                                                                                    let _e2370 = phi_2620_;
-                                                                                    if (_e2370 > _e2367) {
-                                                                                        phi_2625_ = _e2367;
+                                                                                    let _e2388 = phi_2639_;
+                                                                                    if (_e2388 > _e2385) {
+                                                                                        phi_2644_ = _e2385;
                                                                                     } else {
-                                                                                        phi_2625_ = _e2370;
+                                                                                        phi_2644_ = _e2388;
                                                                                     }
-                                                                                    let _e2373 = phi_2625_;
-                                                                                    phi_2630_ = lt_bvh_triangle_Intersection(_e2373, (_e2076 / _e2135), (_e2097 / _e2135), (_e2364 <= _e2367));
-                                                                                    phi_2631_ = false;
+                                                                                    let _e2391 = phi_2644_;
+                                                                                    phi_2649_ = lt_bvh_triangle_Intersection(_e2391, (_e2094 / _e2153), (_e2115 / _e2153), (_e2382 <= _e2385));
+                                                                                    phi_2650_ = false;
                                                                                 } else {
-                                                                                    phi_2630_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2631_ = true;
+                                                                                    phi_2649_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2650_ = true;
                                                                                 }
-                                                                                let _e2379 = phi_2630_;
-                                                                                let _e2381 = phi_2631_;
-                                                                                phi_2632_ = _e2379;
-                                                                                phi_2633_ = _e2381;
+                                                                                let _e2397 = phi_2649_;
+                                                                                let _e2399 = phi_2650_;
+                                                                                phi_2651_ = _e2397;
+                                                                                phi_2652_ = _e2399;
                                                                             } else {
-                                                                                phi_2632_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2633_ = true;
+                                                                                phi_2651_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2652_ = true;
                                                                             }
-                                                                            let _e2383 = phi_2632_;
-                                                                            let _e2385 = phi_2633_;
-                                                                            if _e2385 {
+                                                                            let _e2401 = phi_2651_;
+                                                                            let _e2403 = phi_2652_;
+                                                                            if _e2403 {
                                                                             }
-                                                                            phi_2637_ = _e2383;
-                                                                            phi_2638_ = _e2385;
+                                                                            phi_2656_ = _e2401;
+                                                                            phi_2657_ = _e2403;
                                                                         }
-                                                                        let _e2387 = phi_2637_;
-                                                                        let _e2389 = phi_2638_;
-                                                                        phi_2639_ = _e2387;
-                                                                        phi_2640_ = _e2138;
-                                                                        phi_2641_ = _e2389;
+                                                                        let _e2405 = phi_2656_;
+                                                                        let _e2407 = phi_2657_;
+                                                                        phi_2658_ = _e2405;
+                                                                        phi_2659_ = _e2156;
+                                                                        phi_2660_ = _e2407;
                                                                     } else {
-                                                                        phi_2639_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2640_ = true;
-                                                                        phi_2641_ = false;
+                                                                        phi_2658_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2659_ = true;
+                                                                        phi_2660_ = false;
                                                                     }
-                                                                    let _e2391 = phi_2639_;
-                                                                    let _e2393 = phi_2640_;
-                                                                    let _e2395 = phi_2641_;
-                                                                    if _e2393 {
-                                                                        phi_2645_ = true;
+                                                                    let _e2409 = phi_2658_;
+                                                                    let _e2411 = phi_2659_;
+                                                                    let _e2413 = phi_2660_;
+                                                                    if _e2411 {
+                                                                        phi_2664_ = true;
                                                                     } else {
-                                                                        phi_2645_ = _e2395;
+                                                                        phi_2664_ = _e2413;
                                                                     }
-                                                                    let _e2397 = phi_2645_;
-                                                                    if _e2397 {
-                                                                        phi_2649_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2415 = phi_2664_;
+                                                                    if _e2415 {
+                                                                        phi_2668_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2649_ = _e2391;
+                                                                        phi_2668_ = _e2409;
                                                                     }
-                                                                    let _e2399 = phi_2649_;
-                                                                    if _e2399.is_hit {
-                                                                        if (_e2399.t > _e153.tmin) {
-                                                                            if (_e2399.t < _e1940.t) {
-                                                                                phi_2697_ = true;
+                                                                    let _e2417 = phi_2668_;
+                                                                    if _e2417.is_hit {
+                                                                        if (_e2417.t > _e171.tmin) {
+                                                                            if (_e2417.t < _e1958.t) {
+                                                                                phi_2716_ = true;
                                                                             } else {
-                                                                                if (_e2399.t == _e1940.t) {
-                                                                                    if (_e1940.triangle != 4294967295u) {
-                                                                                        if (_e1951 < _e1940.triangle) {
-                                                                                            phi_2688_ = true;
+                                                                                if (_e2417.t == _e1958.t) {
+                                                                                    if (_e1958.triangle != 4294967295u) {
+                                                                                        if (_e1969 < _e1958.triangle) {
+                                                                                            phi_2707_ = true;
                                                                                         } else {
-                                                                                            if (_e1951 == _e1940.triangle) {
-                                                                                                phi_2687_ = (_e970 < _e1940.instance);
+                                                                                            if (_e1969 == _e1958.triangle) {
+                                                                                                phi_2706_ = (_e988 < _e1958.instance);
                                                                                             } else {
-                                                                                                phi_2687_ = false;
+                                                                                                phi_2706_ = false;
                                                                                             }
-                                                                                            let _e2417 = phi_2687_;
-                                                                                            phi_2688_ = _e2417;
+                                                                                            let _e2435 = phi_2706_;
+                                                                                            phi_2707_ = _e2435;
                                                                                         }
-                                                                                        let _e2419 = phi_2688_;
-                                                                                        phi_2689_ = _e2419;
-                                                                                        phi_2690_ = false;
+                                                                                        let _e2437 = phi_2707_;
+                                                                                        phi_2708_ = _e2437;
+                                                                                        phi_2709_ = false;
                                                                                     } else {
-                                                                                        phi_2689_ = bool();
-                                                                                        phi_2690_ = true;
+                                                                                        phi_2708_ = bool();
+                                                                                        phi_2709_ = true;
                                                                                     }
-                                                                                    let _e2421 = phi_2689_;
-                                                                                    let _e2423 = phi_2690_;
-                                                                                    phi_2691_ = _e2421;
-                                                                                    phi_2692_ = _e2423;
+                                                                                    let _e2439 = phi_2708_;
+                                                                                    let _e2441 = phi_2709_;
+                                                                                    phi_2710_ = _e2439;
+                                                                                    phi_2711_ = _e2441;
                                                                                 } else {
-                                                                                    phi_2691_ = bool();
-                                                                                    phi_2692_ = true;
-                                                                                }
-                                                                                let _e2425 = phi_2691_;
-                                                                                let _e2427 = phi_2692_;
-                                                                                if _e2427 {
-                                                                                    phi_2696_ = false;
-                                                                                } else {
-                                                                                    phi_2696_ = _e2425;
-                                                                                }
-                                                                                let _e2429 = phi_2696_;
-                                                                                phi_2697_ = _e2429;
-                                                                            }
-                                                                            let _e2431 = phi_2697_;
-                                                                            if _e2431 {
-                                                                                let _e2433 = triangles.member[(0u + _e1951)].i0_;
-                                                                                if ((_e2433 & 2147483648u) == 0u) {
+                                                                                    phi_2710_ = bool();
                                                                                     phi_2711_ = true;
+                                                                                }
+                                                                                let _e2443 = phi_2710_;
+                                                                                let _e2445 = phi_2711_;
+                                                                                if _e2445 {
+                                                                                    phi_2715_ = false;
+                                                                                } else {
+                                                                                    phi_2715_ = _e2443;
+                                                                                }
+                                                                                let _e2447 = phi_2715_;
+                                                                                phi_2716_ = _e2447;
+                                                                            }
+                                                                            let _e2449 = phi_2716_;
+                                                                            if _e2449 {
+                                                                                let _e2451 = triangles.member[(0u + _e1969)].i0_;
+                                                                                if ((_e2451 & 2147483648u) == 0u) {
+                                                                                    phi_2730_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_2711_ = true;
+                                                                                    phi_2730_ = true;
                                                                                 }
-                                                                                let _e2437 = phi_2711_;
-                                                                                if _e2437 {
-                                                                                    phi_2719_ = lt_bvh_Hit(_e2399.t, _e2399.u, _e2399.v, _e1951, _e970);
+                                                                                let _e2455 = phi_2730_;
+                                                                                if _e2455 {
+                                                                                    phi_2738_ = lt_bvh_Hit(_e2417.t, _e2417.u, _e2417.v, _e1969, _e988);
                                                                                 } else {
-                                                                                    phi_2719_ = _e1940;
+                                                                                    phi_2738_ = _e1958;
                                                                                 }
-                                                                                let _e2443 = phi_2719_;
-                                                                                phi_2720_ = _e2443;
+                                                                                let _e2461 = phi_2738_;
+                                                                                phi_2739_ = _e2461;
                                                                             } else {
-                                                                                phi_2720_ = _e1940;
+                                                                                phi_2739_ = _e1958;
                                                                             }
-                                                                            let _e2445 = phi_2720_;
-                                                                            phi_2721_ = _e2445;
+                                                                            let _e2463 = phi_2739_;
+                                                                            phi_2740_ = _e2463;
                                                                         } else {
-                                                                            phi_2721_ = _e1940;
+                                                                            phi_2740_ = _e1958;
                                                                         }
-                                                                        let _e2447 = phi_2721_;
-                                                                        phi_2722_ = _e2447;
+                                                                        let _e2465 = phi_2740_;
+                                                                        phi_2741_ = _e2465;
                                                                     } else {
-                                                                        phi_2722_ = _e1940;
+                                                                        phi_2741_ = _e1958;
                                                                     }
-                                                                    let _e2449 = phi_2722_;
-                                                                    phi_2079_ = _e2449;
-                                                                    phi_2082_ = (_e1942 & (_e1942 - 1u));
-                                                                    phi_2723_ = true;
+                                                                    let _e2467 = phi_2741_;
+                                                                    phi_2098_ = _e2467;
+                                                                    phi_2101_ = (_e1960 & (_e1960 - 1u));
+                                                                    phi_2742_ = true;
                                                                 }
-                                                                let _e2451 = phi_2079_;
-                                                                let _e2453 = phi_2082_;
-                                                                let _e2455 = phi_2723_;
+                                                                let _e2469 = phi_2098_;
+                                                                let _e2471 = phi_2101_;
+                                                                let _e2473 = phi_2742_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2078_ = _e2451;
-                                                                    phi_2081_ = _e2453;
-                                                                    break if !(_e2455);
+                                                                    phi_2097_ = _e2469;
+                                                                    phi_2100_ = _e2471;
+                                                                    break if !(_e2473);
                                                                 }
                                                             }
-                                                            let _e2458 = local.group_mask;
-                                                            if ((_e2458 & 4278190080u) == 0u) {
-                                                                let _e2462 = local.len;
-                                                                if (_e2462 == 0u) {
-                                                                    phi_2762_ = false;
+                                                            let _e2476 = local.group_mask;
+                                                            if ((_e2476 & 4278190080u) == 0u) {
+                                                                let _e2480 = local.len;
+                                                                if (_e2480 == 0u) {
+                                                                    phi_2781_ = false;
                                                                 } else {
-                                                                    let _e2466 = local.len;
-                                                                    local.len = (_e2466 - 1u);
-                                                                    let _e2469 = local.len;
-                                                                    if (_e2469 < 32u) {
+                                                                    let _e2484 = local.len;
+                                                                    local.len = (_e2484 - 1u);
+                                                                    let _e2487 = local.len;
+                                                                    if (_e2487 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2474 = local.first[(0u + _e2469)];
-                                                                    local.group = _e2474;
-                                                                    let _e2477 = local.len;
-                                                                    if (_e2477 < 32u) {
+                                                                    let _e2492 = local.first[(0u + _e2487)];
+                                                                    local.group = _e2492;
+                                                                    let _e2495 = local.len;
+                                                                    if (_e2495 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2482 = local.mask[(0u + _e2477)];
-                                                                    local.group_mask = _e2482;
-                                                                    phi_2762_ = true;
+                                                                    let _e2500 = local.mask[(0u + _e2495)];
+                                                                    local.group_mask = _e2500;
+                                                                    phi_2781_ = true;
                                                                 }
-                                                                let _e2485 = phi_2762_;
-                                                                phi_2763_ = _e2485;
+                                                                let _e2503 = phi_2781_;
+                                                                phi_2782_ = _e2503;
                                                             } else {
-                                                                phi_2763_ = true;
+                                                                phi_2782_ = true;
                                                             }
-                                                            let _e2487 = phi_2763_;
-                                                            if _e2487 {
-                                                                let _e2489 = local.group_mask;
-                                                                let _e2495 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2489)), 32u, (_e2489 == 0u)));
-                                                                let _e2499 = local.group_mask;
-                                                                let _e2513 = local.group_mask;
-                                                                local.group_mask = (_e2513 & ~((1u << bitcast<u32>((_e2495 & 31u)))));
-                                                                let _e2516 = local.group;
-                                                                phi_2794_ = (_e2516 + countOneBits(((_e2499 & ~((4294967295u << bitcast<u32>((((_e2495 - 24u) ^ _e1363) & 31u))))) & 255u)));
+                                                            let _e2505 = phi_2782_;
+                                                            if _e2505 {
+                                                                let _e2507 = local.group_mask;
+                                                                let _e2513 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2507)), 32u, (_e2507 == 0u)));
+                                                                let _e2517 = local.group_mask;
+                                                                let _e2531 = local.group_mask;
+                                                                local.group_mask = (_e2531 & ~((1u << bitcast<u32>((_e2513 & 31u)))));
+                                                                let _e2534 = local.group;
+                                                                phi_2813_ = (_e2534 + countOneBits(((_e2517 & ~((4294967295u << bitcast<u32>((((_e2513 - 24u) ^ _e1381) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_2794_ = 4294967295u;
+                                                                phi_2813_ = 4294967295u;
                                                             }
-                                                            let _e2519 = phi_2794_;
-                                                            let _e3694 = local_8;
-                                                            phi_1746_ = _e3694;
-                                                            phi_1749_ = _e2519;
+                                                            let _e2537 = phi_2813_;
+                                                            let _e3712 = local_8;
+                                                            phi_1765_ = _e3712;
+                                                            phi_1768_ = _e2537;
                                                         } else {
-                                                            phi_1746_ = lt_bvh_Hit();
-                                                            phi_1749_ = u32();
+                                                            phi_1765_ = lt_bvh_Hit();
+                                                            phi_1768_ = u32();
                                                         }
-                                                        let _e2521 = phi_1746_;
-                                                        let _e2523 = phi_1749_;
+                                                        let _e2539 = phi_1765_;
+                                                        let _e2541 = phi_1768_;
                                                         continue;
                                                         continuing {
-                                                            phi_1745_ = _e2521;
-                                                            phi_1748_ = _e2523;
-                                                            break if !(_e1504);
+                                                            phi_1764_ = _e2539;
+                                                            phi_1767_ = _e2541;
+                                                            break if !(_e1522);
                                                         }
                                                     }
-                                                    let _e3698 = local_9;
-                                                    phi_2795_ = _e3698;
+                                                    let _e3716 = local_9;
+                                                    phi_2814_ = _e3716;
                                                 }
-                                                let _e2526 = phi_2795_;
-                                                phi_2796_ = _e2526;
-                                                phi_2797_ = _e1185;
+                                                let _e2544 = phi_2814_;
+                                                phi_2815_ = _e2544;
+                                                phi_2816_ = _e1203;
                                             } else {
-                                                phi_2796_ = lt_bvh_Hit();
-                                                phi_2797_ = true;
+                                                phi_2815_ = lt_bvh_Hit();
+                                                phi_2816_ = true;
                                             }
-                                            let _e2528 = phi_2796_;
-                                            let _e2530 = phi_2797_;
-                                            if _e2530 {
-                                                phi_2801_ = _e962;
+                                            let _e2546 = phi_2815_;
+                                            let _e2548 = phi_2816_;
+                                            if _e2548 {
+                                                phi_2820_ = _e980;
                                             } else {
-                                                phi_2801_ = _e2528;
+                                                phi_2820_ = _e2546;
                                             }
-                                            let _e2532 = phi_2801_;
-                                            phi_2802_ = _e2532;
+                                            let _e2550 = phi_2820_;
+                                            phi_2821_ = _e2550;
                                         } else {
-                                            phi_2802_ = _e962;
+                                            phi_2821_ = _e980;
                                         }
-                                        let _e2534 = phi_2802_;
-                                        phi_2803_ = _e2534;
+                                        let _e2552 = phi_2821_;
+                                        phi_2822_ = _e2552;
                                     } else {
-                                        phi_2803_ = _e962;
+                                        phi_2822_ = _e980;
                                     }
-                                    let _e2536 = phi_2803_;
-                                    phi_2804_ = _e2536;
+                                    let _e2554 = phi_2822_;
+                                    phi_2823_ = _e2554;
                                 } else {
-                                    phi_2804_ = _e962;
+                                    phi_2823_ = _e980;
                                 }
-                                let _e2538 = phi_2804_;
-                                phi_1113_ = (_e960 & (_e960 - 1u));
-                                phi_1116_ = _e2538;
-                                phi_2805_ = true;
+                                let _e2556 = phi_2823_;
+                                phi_1132_ = (_e978 & (_e978 - 1u));
+                                phi_1135_ = _e2556;
+                                phi_2824_ = true;
                             }
-                            let _e2540 = phi_1113_;
-                            let _e2542 = phi_1116_;
-                            let _e2544 = phi_2805_;
+                            let _e2558 = phi_1132_;
+                            let _e2560 = phi_1135_;
+                            let _e2562 = phi_2824_;
                             continue;
                             continuing {
-                                phi_1112_ = _e2540;
-                                phi_1115_ = _e2542;
-                                break if !(_e2544);
+                                phi_1131_ = _e2558;
+                                phi_1134_ = _e2560;
+                                break if !(_e2562);
                             }
                         }
-                        let _e2547 = local_1.group_mask;
-                        if ((_e2547 & 4278190080u) == 0u) {
-                            let _e2551 = local_1.len;
-                            if (_e2551 == 0u) {
-                                phi_2844_ = false;
+                        let _e2565 = local_1.group_mask;
+                        if ((_e2565 & 4278190080u) == 0u) {
+                            let _e2569 = local_1.len;
+                            if (_e2569 == 0u) {
+                                phi_2863_ = false;
                             } else {
-                                let _e2555 = local_1.len;
-                                local_1.len = (_e2555 - 1u);
-                                let _e2558 = local_1.len;
-                                if (_e2558 < 32u) {
+                                let _e2573 = local_1.len;
+                                local_1.len = (_e2573 - 1u);
+                                let _e2576 = local_1.len;
+                                if (_e2576 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2563 = local_1.first[(0u + _e2558)];
-                                local_1.group = _e2563;
-                                let _e2566 = local_1.len;
-                                if (_e2566 < 32u) {
+                                let _e2581 = local_1.first[(0u + _e2576)];
+                                local_1.group = _e2581;
+                                let _e2584 = local_1.len;
+                                if (_e2584 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2571 = local_1.mask[(0u + _e2566)];
-                                local_1.group_mask = _e2571;
-                                phi_2844_ = true;
+                                let _e2589 = local_1.mask[(0u + _e2584)];
+                                local_1.group_mask = _e2589;
+                                phi_2863_ = true;
                             }
-                            let _e2574 = phi_2844_;
-                            phi_2845_ = _e2574;
+                            let _e2592 = phi_2863_;
+                            phi_2864_ = _e2592;
                         } else {
-                            phi_2845_ = true;
+                            phi_2864_ = true;
                         }
-                        let _e2576 = phi_2845_;
-                        if _e2576 {
-                            let _e2578 = local_1.group_mask;
-                            let _e2584 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2578)), 32u, (_e2578 == 0u)));
-                            let _e2588 = local_1.group_mask;
-                            let _e2602 = local_1.group_mask;
-                            local_1.group_mask = (_e2602 & ~((1u << bitcast<u32>((_e2584 & 31u)))));
-                            let _e2605 = local_1.group;
-                            phi_2876_ = (_e2605 + countOneBits(((_e2588 & ~((4294967295u << bitcast<u32>((((_e2584 - 24u) ^ _e379) & 31u))))) & 255u)));
+                        let _e2594 = phi_2864_;
+                        if _e2594 {
+                            let _e2596 = local_1.group_mask;
+                            let _e2602 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2596)), 32u, (_e2596 == 0u)));
+                            let _e2606 = local_1.group_mask;
+                            let _e2620 = local_1.group_mask;
+                            local_1.group_mask = (_e2620 & ~((1u << bitcast<u32>((_e2602 & 31u)))));
+                            let _e2623 = local_1.group;
+                            phi_2895_ = (_e2623 + countOneBits(((_e2606 & ~((4294967295u << bitcast<u32>((((_e2602 - 24u) ^ _e397) & 31u))))) & 255u)));
                         } else {
-                            phi_2876_ = 4294967295u;
+                            phi_2895_ = 4294967295u;
                         }
-                        let _e2608 = phi_2876_;
-                        phi_776_ = _e2608;
-                        let _e3714 = local_10;
-                        phi_779_ = _e3714;
+                        let _e2626 = phi_2895_;
+                        phi_795_ = _e2626;
+                        let _e3732 = local_10;
+                        phi_798_ = _e3732;
                     } else {
-                        phi_776_ = u32();
-                        phi_779_ = lt_bvh_Hit();
+                        phi_795_ = u32();
+                        phi_798_ = lt_bvh_Hit();
                     }
-                    let _e2610 = phi_776_;
-                    let _e2612 = phi_779_;
+                    let _e2628 = phi_795_;
+                    let _e2630 = phi_798_;
                     continue;
                     continuing {
-                        phi_775_ = _e2610;
-                        phi_778_ = _e2612;
-                        break if !(_e520);
+                        phi_794_ = _e2628;
+                        phi_797_ = _e2630;
+                        break if !(_e538);
                     }
                 }
-                let _e3717 = local_11;
-                phi_2877_ = _e3717;
+                let _e3735 = local_11;
+                phi_2896_ = _e3735;
             }
-            let _e2615 = phi_2877_;
-            phi_2878_ = _e2615;
-            phi_2879_ = _e217;
+            let _e2633 = phi_2896_;
+            phi_2897_ = _e2633;
+            phi_2898_ = _e235;
         } else {
-            phi_2878_ = lt_bvh_Hit();
-            phi_2879_ = true;
+            phi_2897_ = lt_bvh_Hit();
+            phi_2898_ = true;
         }
-        let _e2617 = phi_2878_;
-        let _e2619 = phi_2879_;
-        if _e2619 {
-            phi_2883_ = _e155;
+        let _e2635 = phi_2897_;
+        let _e2637 = phi_2898_;
+        if _e2637 {
+            phi_2902_ = _e173;
         } else {
-            phi_2883_ = _e2617;
+            phi_2902_ = _e2635;
         }
-        let _e2621 = phi_2883_;
-        if (_e2621.triangle != 4294967295u) {
-            let _e2627 = ((1f - _e2621.u) - _e2621.v);
-            if (_e2621.triangle < _e72) {
+        let _e2639 = phi_2902_;
+        if (_e2639.triangle != 4294967295u) {
+            let _e2645 = ((1f - _e2639.u) - _e2639.v);
+            if (_e2639.triangle < _e73) {
             } else {
                 return;
             }
-            let _e2633 = triangles.member[(0u + _e2621.triangle)];
-            if (_e2621.instance < _e84) {
+            let _e2651 = triangles.member[(0u + _e2639.triangle)];
+            if (_e2639.instance < _e85) {
             } else {
                 return;
             }
-            let _e2644 = instances.member[(0u + _e2621.instance)].object_to_world[0u];
-            let _e2655 = ((((_e2644.x * _e2633.v0_.x) + (_e2644.y * _e2633.v0_.y)) + (_e2644.z * _e2633.v0_.z)) + (_e2644.w * 1f));
-            let _e2657 = instances.member[(0u + _e2621.instance)].object_to_world[1u];
-            let _e2668 = ((((_e2657.x * _e2633.v0_.x) + (_e2657.y * _e2633.v0_.y)) + (_e2657.z * _e2633.v0_.z)) + (_e2657.w * 1f));
-            let _e2670 = instances.member[(0u + _e2621.instance)].object_to_world[2u];
-            let _e2681 = ((((_e2670.x * _e2633.v0_.x) + (_e2670.y * _e2633.v0_.y)) + (_e2670.z * _e2633.v0_.z)) + (_e2670.w * 1f));
-            let _e2688 = instances.member[(0u + _e2621.instance)].object_to_world[0u];
-            let _e2699 = ((((_e2688.x * _e2633.v1_.x) + (_e2688.y * _e2633.v1_.y)) + (_e2688.z * _e2633.v1_.z)) + (_e2688.w * 1f));
-            let _e2701 = instances.member[(0u + _e2621.instance)].object_to_world[1u];
-            let _e2712 = ((((_e2701.x * _e2633.v1_.x) + (_e2701.y * _e2633.v1_.y)) + (_e2701.z * _e2633.v1_.z)) + (_e2701.w * 1f));
-            let _e2714 = instances.member[(0u + _e2621.instance)].object_to_world[2u];
-            let _e2725 = ((((_e2714.x * _e2633.v1_.x) + (_e2714.y * _e2633.v1_.y)) + (_e2714.z * _e2633.v1_.z)) + (_e2714.w * 1f));
-            let _e2732 = instances.member[(0u + _e2621.instance)].object_to_world[0u];
-            let _e2743 = ((((_e2732.x * _e2633.v2_.x) + (_e2732.y * _e2633.v2_.y)) + (_e2732.z * _e2633.v2_.z)) + (_e2732.w * 1f));
-            let _e2745 = instances.member[(0u + _e2621.instance)].object_to_world[1u];
-            let _e2756 = ((((_e2745.x * _e2633.v2_.x) + (_e2745.y * _e2633.v2_.y)) + (_e2745.z * _e2633.v2_.z)) + (_e2745.w * 1f));
-            let _e2758 = instances.member[(0u + _e2621.instance)].object_to_world[2u];
-            let _e2769 = ((((_e2758.x * _e2633.v2_.x) + (_e2758.y * _e2633.v2_.y)) + (_e2758.z * _e2633.v2_.z)) + (_e2758.w * 1f));
-            let _e2782 = (((_e2655 * _e2627) + (_e2699 * _e2621.u)) + (_e2743 * _e2621.v));
-            let _e2783 = (((_e2668 * _e2627) + (_e2712 * _e2621.u)) + (_e2756 * _e2621.v));
-            let _e2784 = (((_e2681 * _e2627) + (_e2725 * _e2621.u)) + (_e2769 * _e2621.v));
-            let _e2786 = abs(_e2655);
-            let _e2787 = abs(_e2668);
-            let _e2788 = abs(_e2681);
-            let _e2789 = abs(_e2699);
-            let _e2790 = abs(_e2712);
-            let _e2791 = abs(_e2725);
-            if (_e2786 > _e2789) {
-                phi_3071_ = _e2786;
+            let _e2662 = instances.member[(0u + _e2639.instance)].object_to_world[0u];
+            let _e2673 = ((((_e2662.x * _e2651.v0_.x) + (_e2662.y * _e2651.v0_.y)) + (_e2662.z * _e2651.v0_.z)) + (_e2662.w * 1f));
+            let _e2675 = instances.member[(0u + _e2639.instance)].object_to_world[1u];
+            let _e2686 = ((((_e2675.x * _e2651.v0_.x) + (_e2675.y * _e2651.v0_.y)) + (_e2675.z * _e2651.v0_.z)) + (_e2675.w * 1f));
+            let _e2688 = instances.member[(0u + _e2639.instance)].object_to_world[2u];
+            let _e2699 = ((((_e2688.x * _e2651.v0_.x) + (_e2688.y * _e2651.v0_.y)) + (_e2688.z * _e2651.v0_.z)) + (_e2688.w * 1f));
+            let _e2706 = instances.member[(0u + _e2639.instance)].object_to_world[0u];
+            let _e2717 = ((((_e2706.x * _e2651.v1_.x) + (_e2706.y * _e2651.v1_.y)) + (_e2706.z * _e2651.v1_.z)) + (_e2706.w * 1f));
+            let _e2719 = instances.member[(0u + _e2639.instance)].object_to_world[1u];
+            let _e2730 = ((((_e2719.x * _e2651.v1_.x) + (_e2719.y * _e2651.v1_.y)) + (_e2719.z * _e2651.v1_.z)) + (_e2719.w * 1f));
+            let _e2732 = instances.member[(0u + _e2639.instance)].object_to_world[2u];
+            let _e2743 = ((((_e2732.x * _e2651.v1_.x) + (_e2732.y * _e2651.v1_.y)) + (_e2732.z * _e2651.v1_.z)) + (_e2732.w * 1f));
+            let _e2750 = instances.member[(0u + _e2639.instance)].object_to_world[0u];
+            let _e2761 = ((((_e2750.x * _e2651.v2_.x) + (_e2750.y * _e2651.v2_.y)) + (_e2750.z * _e2651.v2_.z)) + (_e2750.w * 1f));
+            let _e2763 = instances.member[(0u + _e2639.instance)].object_to_world[1u];
+            let _e2774 = ((((_e2763.x * _e2651.v2_.x) + (_e2763.y * _e2651.v2_.y)) + (_e2763.z * _e2651.v2_.z)) + (_e2763.w * 1f));
+            let _e2776 = instances.member[(0u + _e2639.instance)].object_to_world[2u];
+            let _e2787 = ((((_e2776.x * _e2651.v2_.x) + (_e2776.y * _e2651.v2_.y)) + (_e2776.z * _e2651.v2_.z)) + (_e2776.w * 1f));
+            let _e2800 = (((_e2673 * _e2645) + (_e2717 * _e2639.u)) + (_e2761 * _e2639.v));
+            let _e2801 = (((_e2686 * _e2645) + (_e2730 * _e2639.u)) + (_e2774 * _e2639.v));
+            let _e2802 = (((_e2699 * _e2645) + (_e2743 * _e2639.u)) + (_e2787 * _e2639.v));
+            let _e2804 = abs(_e2673);
+            let _e2805 = abs(_e2686);
+            let _e2806 = abs(_e2699);
+            let _e2807 = abs(_e2717);
+            let _e2808 = abs(_e2730);
+            let _e2809 = abs(_e2743);
+            if (_e2804 > _e2807) {
+                phi_3090_ = _e2804;
             } else {
-                phi_3071_ = _e2789;
+                phi_3090_ = _e2807;
             }
-            let _e2794 = phi_3071_;
-            if (_e2787 > _e2790) {
-                phi_3076_ = _e2787;
+            let _e2812 = phi_3090_;
+            if (_e2805 > _e2808) {
+                phi_3095_ = _e2805;
             } else {
-                phi_3076_ = _e2790;
+                phi_3095_ = _e2808;
             }
-            let _e2797 = phi_3076_;
-            if (_e2788 > _e2791) {
-                phi_3081_ = _e2788;
+            let _e2815 = phi_3095_;
+            if (_e2806 > _e2809) {
+                phi_3100_ = _e2806;
             } else {
-                phi_3081_ = _e2791;
+                phi_3100_ = _e2809;
             }
-            let _e2800 = phi_3081_;
-            let _e2801 = abs(_e2743);
-            let _e2802 = abs(_e2756);
-            let _e2803 = abs(_e2769);
-            if (_e2794 > _e2801) {
-                phi_3089_ = _e2794;
+            let _e2818 = phi_3100_;
+            let _e2819 = abs(_e2761);
+            let _e2820 = abs(_e2774);
+            let _e2821 = abs(_e2787);
+            if (_e2812 > _e2819) {
+                phi_3108_ = _e2812;
             } else {
-                phi_3089_ = _e2801;
+                phi_3108_ = _e2819;
             }
-            let _e2806 = phi_3089_;
-            if (_e2797 > _e2802) {
-                phi_3094_ = _e2797;
+            let _e2824 = phi_3108_;
+            if (_e2815 > _e2820) {
+                phi_3113_ = _e2815;
             } else {
-                phi_3094_ = _e2802;
+                phi_3113_ = _e2820;
             }
-            let _e2809 = phi_3094_;
-            if (_e2800 > _e2803) {
-                phi_3099_ = _e2800;
+            let _e2827 = phi_3113_;
+            if (_e2818 > _e2821) {
+                phi_3118_ = _e2818;
             } else {
-                phi_3099_ = _e2803;
+                phi_3118_ = _e2821;
             }
-            let _e2812 = phi_3099_;
-            let _e2813 = (_e2699 - _e2655);
-            let _e2814 = (_e2712 - _e2668);
-            let _e2815 = (_e2725 - _e2681);
-            let _e2816 = (_e2743 - _e2655);
-            let _e2817 = (_e2756 - _e2668);
-            let _e2818 = (_e2769 - _e2681);
-            let _e2822 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2814), abs(_e2815));
-            let _e2823 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2813), _e2822);
-            let _e2824 = (_e2813 / _e2823);
-            let _e2825 = (_e2814 / _e2823);
-            let _e2826 = (_e2815 / _e2823);
-            let _e2830 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2817), abs(_e2818));
-            let _e2831 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2816), _e2830);
-            let _e2832 = (_e2816 / _e2831);
-            let _e2833 = (_e2817 / _e2831);
-            let _e2834 = (_e2818 / _e2831);
-            let _e2837 = ((_e2825 * _e2834) - (_e2833 * _e2826));
-            let _e2840 = ((_e2826 * _e2832) - (_e2834 * _e2824));
-            let _e2843 = ((_e2824 * _e2833) - (_e2832 * _e2825));
-            let _e2845 = p.member.eye;
-            let _e2858 = (1f / sqrt((((_e2837 * _e2837) + (_e2840 * _e2840)) + (_e2843 * _e2843))));
-            let _e2859 = (_e2837 * _e2858);
-            let _e2860 = (_e2840 * _e2858);
-            let _e2861 = (_e2843 * _e2858);
-            if ((((_e2859 * (_e2845.x - _e2782)) + (_e2860 * (_e2845.y - _e2783))) + (_e2861 * (_e2845.z - _e2784))) < 0f) {
-                phi_3163_ = vec3<f32>(-(_e2859), -(_e2860), -(_e2861));
+            let _e2830 = phi_3118_;
+            let _e2831 = (_e2717 - _e2673);
+            let _e2832 = (_e2730 - _e2686);
+            let _e2833 = (_e2743 - _e2699);
+            let _e2834 = (_e2761 - _e2673);
+            let _e2835 = (_e2774 - _e2686);
+            let _e2836 = (_e2787 - _e2699);
+            let _e2840 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2832), abs(_e2833));
+            let _e2841 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2831), _e2840);
+            let _e2842 = (_e2831 / _e2841);
+            let _e2843 = (_e2832 / _e2841);
+            let _e2844 = (_e2833 / _e2841);
+            let _e2848 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2835), abs(_e2836));
+            let _e2849 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2834), _e2848);
+            let _e2850 = (_e2834 / _e2849);
+            let _e2851 = (_e2835 / _e2849);
+            let _e2852 = (_e2836 / _e2849);
+            let _e2855 = ((_e2843 * _e2852) - (_e2851 * _e2844));
+            let _e2858 = ((_e2844 * _e2850) - (_e2852 * _e2842));
+            let _e2861 = ((_e2842 * _e2851) - (_e2850 * _e2843));
+            let _e2863 = p.member.eye;
+            let _e2876 = (1f / sqrt((((_e2855 * _e2855) + (_e2858 * _e2858)) + (_e2861 * _e2861))));
+            let _e2877 = (_e2855 * _e2876);
+            let _e2878 = (_e2858 * _e2876);
+            let _e2879 = (_e2861 * _e2876);
+            if ((((_e2877 * (_e2863.x - _e2800)) + (_e2878 * (_e2863.y - _e2801))) + (_e2879 * (_e2863.z - _e2802))) < 0f) {
+                phi_3182_ = vec3<f32>(-(_e2877), -(_e2878), -(_e2879));
             } else {
-                phi_3163_ = vec3<f32>(_e2859, _e2860, _e2861);
+                phi_3182_ = vec3<f32>(_e2877, _e2878, _e2879);
             }
-            let _e2874 = phi_3163_;
-            if (_e2621.triangle < _e72) {
+            let _e2892 = phi_3182_;
+            if (_e2639.triangle < _e73) {
             } else {
                 return;
             }
-            let _e2879 = triangles.member[(0u + _e2621.triangle)];
-            let _e2881 = (_e2879.i0_ & 2147483647u);
-            if (_e2881 < _e75) {
+            let _e2897 = triangles.member[(0u + _e2639.triangle)];
+            let _e2899 = (_e2897.i0_ & 2147483647u);
+            if (_e2899 < _e76) {
             } else {
                 return;
             }
-            let _e2887 = vertices.member[(0u + _e2881)];
-            if (_e2879.i1_ < _e75) {
+            let _e2905 = vertices.member[(0u + _e2899)];
+            if (_e2897.i1_ < _e76) {
             } else {
                 return;
             }
-            let _e2891 = vertices.member[(0u + _e2879.i1_)];
-            if (_e2879.i2_ < _e75) {
+            let _e2909 = vertices.member[(0u + _e2897.i1_)];
+            if (_e2897.i2_ < _e76) {
             } else {
                 return;
             }
-            let _e2895 = vertices.member[(0u + _e2879.i2_)];
-            let _e2896 = array<abi_Vertex, 3>(_e2887, _e2891, _e2895);
-            if (_e2896[0].material < arrayLength((&materials.member))) {
+            let _e2913 = vertices.member[(0u + _e2897.i2_)];
+            let _e2914 = array<abi_Vertex, 3>(_e2905, _e2909, _e2913);
+            if (_e2914[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2902 = materials.member[(0u + _e2896[0].material)];
-            let _e2919 = (1f / 255f);
-            let _e2938 = (1f / 255f);
-            let _e2960 = (1f / 255f);
-            let _e2973 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2627, _e2621.u, _e2621.v));
-            let _e2975 = ((_e2902.base_color.x * ((((f32((_e2896[0].color & 255u)) * _e2919) * _e2627) + ((f32((_e2896[1].color & 255u)) * _e2938) * _e2621.u)) + ((f32((_e2896[2].color & 255u)) * _e2960) * _e2621.v))) * _e2973.x);
-            let _e2977 = ((_e2902.base_color.y * ((((f32(((_e2896[0].color >> bitcast<u32>(8i)) & 255u)) * _e2919) * _e2627) + ((f32(((_e2896[1].color >> bitcast<u32>(8i)) & 255u)) * _e2938) * _e2621.u)) + ((f32(((_e2896[2].color >> bitcast<u32>(8i)) & 255u)) * _e2960) * _e2621.v))) * _e2973.y);
-            let _e2979 = ((_e2902.base_color.z * ((((f32(((_e2896[0].color >> bitcast<u32>(16i)) & 255u)) * _e2919) * _e2627) + ((f32(((_e2896[1].color >> bitcast<u32>(16i)) & 255u)) * _e2938) * _e2621.u)) + ((f32(((_e2896[2].color >> bitcast<u32>(16i)) & 255u)) * _e2960) * _e2621.v))) * _e2973.z);
-            let _e2980 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2809, _e2812);
-            let _e2981 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2806, _e2980);
-            if ((_e2902.flags & 2u) == 0u) {
-                phi_3284_ = 0u;
+            let _e2920 = materials.member[(0u + _e2914[0].material)];
+            let _e2937 = (1f / 255f);
+            let _e2956 = (1f / 255f);
+            let _e2978 = (1f / 255f);
+            let _e2991 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2645, _e2639.u, _e2639.v));
+            let _e2993 = ((_e2920.base_color.x * ((((f32((_e2914[0].color & 255u)) * _e2937) * _e2645) + ((f32((_e2914[1].color & 255u)) * _e2956) * _e2639.u)) + ((f32((_e2914[2].color & 255u)) * _e2978) * _e2639.v))) * _e2991.x);
+            let _e2995 = ((_e2920.base_color.y * ((((f32(((_e2914[0].color >> bitcast<u32>(8i)) & 255u)) * _e2937) * _e2645) + ((f32(((_e2914[1].color >> bitcast<u32>(8i)) & 255u)) * _e2956) * _e2639.u)) + ((f32(((_e2914[2].color >> bitcast<u32>(8i)) & 255u)) * _e2978) * _e2639.v))) * _e2991.y);
+            let _e2997 = ((_e2920.base_color.z * ((((f32(((_e2914[0].color >> bitcast<u32>(16i)) & 255u)) * _e2937) * _e2645) + ((f32(((_e2914[1].color >> bitcast<u32>(16i)) & 255u)) * _e2956) * _e2639.u)) + ((f32(((_e2914[2].color >> bitcast<u32>(16i)) & 255u)) * _e2978) * _e2639.v))) * _e2991.z);
+            let _e2998 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2827, _e2830);
+            let _e2999 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2824, _e2998);
+            if ((_e2920.flags & 2u) == 0u) {
+                phi_3303_ = 0u;
             } else {
-                phi_3284_ = 1u;
+                phi_3303_ = 1u;
             }
-            let _e2986 = phi_3284_;
-            if (_e2896[0].normal == 2147516416u) {
-                phi_3514_ = _e2874;
+            let _e3004 = phi_3303_;
+            if (_e2914[0].normal == 2147516416u) {
+                phi_3533_ = _e2892;
             } else {
-                let _e2999 = (f32((bitcast<i32>((_e2896[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3005 = (f32((bitcast<i32>(_e2896[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3009 = ((1f - abs(_e2999)) - abs(_e3005));
-                if (_e3009 < 0f) {
-                    phi_3311_ = -(_e3009);
+                let _e3017 = (f32((bitcast<i32>((_e2914[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3023 = (f32((bitcast<i32>(_e2914[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3027 = ((1f - abs(_e3017)) - abs(_e3023));
+                if (_e3027 < 0f) {
+                    phi_3330_ = -(_e3027);
                 } else {
-                    phi_3311_ = 0f;
+                    phi_3330_ = 0f;
                 }
-                let _e3013 = phi_3311_;
-                if (_e2999 < 0f) {
-                    phi_3318_ = (_e2999 + _e3013);
+                let _e3031 = phi_3330_;
+                if (_e3017 < 0f) {
+                    phi_3337_ = (_e3017 + _e3031);
                 } else {
-                    phi_3318_ = (_e2999 - _e3013);
+                    phi_3337_ = (_e3017 - _e3031);
                 }
-                let _e3018 = phi_3318_;
-                if (_e3005 < 0f) {
-                    phi_3325_ = (_e3005 + _e3013);
+                let _e3036 = phi_3337_;
+                if (_e3023 < 0f) {
+                    phi_3344_ = (_e3023 + _e3031);
                 } else {
-                    phi_3325_ = (_e3005 - _e3013);
+                    phi_3344_ = (_e3023 - _e3031);
                 }
-                let _e3023 = phi_3325_;
-                let _e3030 = (1f / sqrt((((_e3018 * _e3018) + (_e3023 * _e3023)) + (_e3009 * _e3009))));
-                let _e3046 = (f32((bitcast<i32>((_e2896[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3052 = (f32((bitcast<i32>(_e2896[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3056 = ((1f - abs(_e3046)) - abs(_e3052));
-                if (_e3056 < 0f) {
-                    phi_3360_ = -(_e3056);
+                let _e3041 = phi_3344_;
+                let _e3048 = (1f / sqrt((((_e3036 * _e3036) + (_e3041 * _e3041)) + (_e3027 * _e3027))));
+                let _e3064 = (f32((bitcast<i32>((_e2914[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3070 = (f32((bitcast<i32>(_e2914[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3074 = ((1f - abs(_e3064)) - abs(_e3070));
+                if (_e3074 < 0f) {
+                    phi_3379_ = -(_e3074);
                 } else {
-                    phi_3360_ = 0f;
+                    phi_3379_ = 0f;
                 }
-                let _e3060 = phi_3360_;
-                if (_e3046 < 0f) {
-                    phi_3367_ = (_e3046 + _e3060);
+                let _e3078 = phi_3379_;
+                if (_e3064 < 0f) {
+                    phi_3386_ = (_e3064 + _e3078);
                 } else {
-                    phi_3367_ = (_e3046 - _e3060);
+                    phi_3386_ = (_e3064 - _e3078);
                 }
-                let _e3065 = phi_3367_;
-                if (_e3052 < 0f) {
-                    phi_3374_ = (_e3052 + _e3060);
+                let _e3083 = phi_3386_;
+                if (_e3070 < 0f) {
+                    phi_3393_ = (_e3070 + _e3078);
                 } else {
-                    phi_3374_ = (_e3052 - _e3060);
+                    phi_3393_ = (_e3070 - _e3078);
                 }
-                let _e3070 = phi_3374_;
-                let _e3077 = (1f / sqrt((((_e3065 * _e3065) + (_e3070 * _e3070)) + (_e3056 * _e3056))));
-                let _e3096 = (f32((bitcast<i32>((_e2896[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3102 = (f32((bitcast<i32>(_e2896[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3106 = ((1f - abs(_e3096)) - abs(_e3102));
-                if (_e3106 < 0f) {
-                    phi_3412_ = -(_e3106);
+                let _e3088 = phi_3393_;
+                let _e3095 = (1f / sqrt((((_e3083 * _e3083) + (_e3088 * _e3088)) + (_e3074 * _e3074))));
+                let _e3114 = (f32((bitcast<i32>((_e2914[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3120 = (f32((bitcast<i32>(_e2914[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3124 = ((1f - abs(_e3114)) - abs(_e3120));
+                if (_e3124 < 0f) {
+                    phi_3431_ = -(_e3124);
                 } else {
-                    phi_3412_ = 0f;
+                    phi_3431_ = 0f;
                 }
-                let _e3110 = phi_3412_;
-                if (_e3096 < 0f) {
-                    phi_3419_ = (_e3096 + _e3110);
+                let _e3128 = phi_3431_;
+                if (_e3114 < 0f) {
+                    phi_3438_ = (_e3114 + _e3128);
                 } else {
-                    phi_3419_ = (_e3096 - _e3110);
+                    phi_3438_ = (_e3114 - _e3128);
                 }
-                let _e3115 = phi_3419_;
-                if (_e3102 < 0f) {
-                    phi_3426_ = (_e3102 + _e3110);
+                let _e3133 = phi_3438_;
+                if (_e3120 < 0f) {
+                    phi_3445_ = (_e3120 + _e3128);
                 } else {
-                    phi_3426_ = (_e3102 - _e3110);
+                    phi_3445_ = (_e3120 - _e3128);
                 }
-                let _e3120 = phi_3426_;
-                let _e3127 = (1f / sqrt((((_e3115 * _e3115) + (_e3120 * _e3120)) + (_e3106 * _e3106))));
-                let _e3134 = ((((_e3018 * _e3030) * _e2627) + ((_e3065 * _e3077) * _e2621.u)) + ((_e3115 * _e3127) * _e2621.v));
-                let _e3135 = ((((_e3023 * _e3030) * _e2627) + ((_e3070 * _e3077) * _e2621.u)) + ((_e3120 * _e3127) * _e2621.v));
-                let _e3136 = ((((_e3009 * _e3030) * _e2627) + ((_e3056 * _e3077) * _e2621.u)) + ((_e3106 * _e3127) * _e2621.v));
-                if (_e2621.instance < _e84) {
+                let _e3138 = phi_3445_;
+                let _e3145 = (1f / sqrt((((_e3133 * _e3133) + (_e3138 * _e3138)) + (_e3124 * _e3124))));
+                let _e3152 = ((((_e3036 * _e3048) * _e2645) + ((_e3083 * _e3095) * _e2639.u)) + ((_e3133 * _e3145) * _e2639.v));
+                let _e3153 = ((((_e3041 * _e3048) * _e2645) + ((_e3088 * _e3095) * _e2639.u)) + ((_e3138 * _e3145) * _e2639.v));
+                let _e3154 = ((((_e3027 * _e3048) * _e2645) + ((_e3074 * _e3095) * _e2639.u)) + ((_e3124 * _e3145) * _e2639.v));
+                if (_e2639.instance < _e85) {
                 } else {
                     return;
                 }
-                let _e3143 = instances.member[(0u + _e2621.instance)].world_to_object[0u];
-                let _e3152 = instances.member[(0u + _e2621.instance)].world_to_object[1u];
-                let _e3164 = instances.member[(0u + _e2621.instance)].world_to_object[2u];
-                let _e3171 = (((_e3143.x * _e3134) + (_e3152.x * _e3135)) + (_e3164.x * _e3136));
-                let _e3172 = (((_e3143.y * _e3134) + (_e3152.y * _e3135)) + (_e3164.y * _e3136));
-                let _e3173 = (((_e3143.z * _e3134) + (_e3152.z * _e3135)) + (_e3164.z * _e3136));
-                let _e3179 = sqrt((((_e3171 * _e3171) + (_e3172 * _e3172)) + (_e3173 * _e3173)));
-                if (_e3179 > 0f) {
-                    let _e3181 = (_e3171 / _e3179);
-                    let _e3182 = (_e3172 / _e3179);
-                    let _e3183 = (_e3173 / _e3179);
-                    if ((((_e3181 * _e2874.x) + (_e3182 * _e2874.y)) + (_e3183 * _e2874.z)) < 0f) {
-                        phi_3512_ = vec3<f32>(-(_e3181), -(_e3182), -(_e3183));
+                let _e3161 = instances.member[(0u + _e2639.instance)].world_to_object[0u];
+                let _e3170 = instances.member[(0u + _e2639.instance)].world_to_object[1u];
+                let _e3182 = instances.member[(0u + _e2639.instance)].world_to_object[2u];
+                let _e3189 = (((_e3161.x * _e3152) + (_e3170.x * _e3153)) + (_e3182.x * _e3154));
+                let _e3190 = (((_e3161.y * _e3152) + (_e3170.y * _e3153)) + (_e3182.y * _e3154));
+                let _e3191 = (((_e3161.z * _e3152) + (_e3170.z * _e3153)) + (_e3182.z * _e3154));
+                let _e3197 = sqrt((((_e3189 * _e3189) + (_e3190 * _e3190)) + (_e3191 * _e3191)));
+                if (_e3197 > 0f) {
+                    let _e3199 = (_e3189 / _e3197);
+                    let _e3200 = (_e3190 / _e3197);
+                    let _e3201 = (_e3191 / _e3197);
+                    if ((((_e3199 * _e2892.x) + (_e3200 * _e2892.y)) + (_e3201 * _e2892.z)) < 0f) {
+                        phi_3531_ = vec3<f32>(-(_e3199), -(_e3200), -(_e3201));
                     } else {
-                        phi_3512_ = vec3<f32>(_e3181, _e3182, _e3183);
+                        phi_3531_ = vec3<f32>(_e3199, _e3200, _e3201);
                     }
-                    let _e3199 = phi_3512_;
-                    phi_3513_ = _e3199;
+                    let _e3217 = phi_3531_;
+                    phi_3532_ = _e3217;
                 } else {
-                    phi_3513_ = _e2874;
+                    phi_3532_ = _e2892;
                 }
-                let _e3201 = phi_3513_;
-                phi_3514_ = _e3201;
+                let _e3219 = phi_3532_;
+                phi_3533_ = _e3219;
             }
-            let _e3203 = phi_3514_;
-            if (_e2975 > 0f) {
-                if (_e2975 < 1f) {
-                    phi_3523_ = _e2975;
+            let _e3221 = phi_3533_;
+            if (_e2993 > 0f) {
+                if (_e2993 < 1f) {
+                    phi_3542_ = _e2993;
                 } else {
-                    phi_3523_ = 1f;
+                    phi_3542_ = 1f;
                 }
-                let _e3207 = phi_3523_;
-                phi_3524_ = _e3207;
+                let _e3225 = phi_3542_;
+                phi_3543_ = _e3225;
             } else {
-                phi_3524_ = 0f;
+                phi_3543_ = 0f;
             }
-            let _e3209 = phi_3524_;
-            if (_e2977 > 0f) {
-                if (_e2977 < 1f) {
-                    phi_3534_ = _e2977;
+            let _e3227 = phi_3543_;
+            if (_e2995 > 0f) {
+                if (_e2995 < 1f) {
+                    phi_3553_ = _e2995;
                 } else {
-                    phi_3534_ = 1f;
+                    phi_3553_ = 1f;
                 }
-                let _e3214 = phi_3534_;
-                phi_3535_ = _e3214;
+                let _e3232 = phi_3553_;
+                phi_3554_ = _e3232;
             } else {
-                phi_3535_ = 0f;
+                phi_3554_ = 0f;
             }
-            let _e3216 = phi_3535_;
-            if (_e2979 > 0f) {
-                if (_e2979 < 1f) {
-                    phi_3545_ = _e2979;
+            let _e3234 = phi_3554_;
+            if (_e2997 > 0f) {
+                if (_e2997 < 1f) {
+                    phi_3564_ = _e2997;
                 } else {
-                    phi_3545_ = 1f;
+                    phi_3564_ = 1f;
                 }
-                let _e3221 = phi_3545_;
-                phi_3546_ = _e3221;
+                let _e3239 = phi_3564_;
+                phi_3565_ = _e3239;
             } else {
-                phi_3546_ = 0f;
+                phi_3565_ = 0f;
             }
-            let _e3223 = phi_3546_;
-            let _e3226 = ((sqrt(_e3209) * 255f) + 0.5f);
-            let _e3235 = ((sqrt(_e3216) * 255f) + 0.5f);
-            let _e3247 = ((sqrt(_e3223) * 255f) + 0.5f);
-            phi_3581_ = abi_Sample(vec3<f32>(_e2782, _e2783, _e2784), _e2981, _e2874, _e2986, _e3203, ((select(select(u32(_e3226), 0u, (_e3226 < bitcast<f32>(0u))), 4294967295u, (_e3226 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3235), 0u, (_e3235 < bitcast<f32>(0u))), 4294967295u, (_e3235 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3247), 0u, (_e3247 < bitcast<f32>(0u))), 4294967295u, (_e3247 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3241 = phi_3565_;
+            let _e3244 = ((sqrt(_e3227) * 255f) + 0.5f);
+            let _e3253 = ((sqrt(_e3234) * 255f) + 0.5f);
+            let _e3265 = ((sqrt(_e3241) * 255f) + 0.5f);
+            phi_3600_ = abi_Sample(vec3<f32>(_e2800, _e2801, _e2802), _e2999, _e2892, _e3004, _e3221, ((select(select(u32(_e3244), 0u, (_e3244 < bitcast<f32>(0u))), 4294967295u, (_e3244 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3253), 0u, (_e3253 < bitcast<f32>(0u))), 4294967295u, (_e3253 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3265), 0u, (_e3265 < bitcast<f32>(0u))), 4294967295u, (_e3265 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3581_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3600_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3261 = phi_3581_;
-        if (_e96.shift < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e96.shift)] = _e3261;
-        if (_e2621.triangle != 4294967295u) {
-            let _e3270 = ((1f - _e2621.u) - _e2621.v);
-            if (_e2621.triangle < _e72) {
-            } else {
-                return;
-            }
-            let _e3275 = triangles.member[(0u + _e2621.triangle)];
-            let _e3277 = (_e3275.i0_ & 2147483647u);
-            if (_e3277 < _e87) {
-            } else {
-                return;
-            }
-            let _e3283 = before.member[(0u + _e3277)];
-            if (_e3275.i1_ < _e87) {
-            } else {
-                return;
-            }
-            let _e3287 = before.member[(0u + _e3275.i1_)];
-            if (_e3275.i2_ < _e87) {
-            } else {
-                return;
-            }
-            let _e3291 = before.member[(0u + _e3275.i2_)];
-            if (_e2621.instance < _e84) {
-            } else {
-                return;
-            }
-            let _e3301 = instances.member[(0u + _e2621.instance)].object_to_world[0u];
-            let _e3314 = instances.member[(0u + _e2621.instance)].object_to_world[1u];
-            let _e3327 = instances.member[(0u + _e2621.instance)].object_to_world[2u];
-            if (_e2621.instance < _e84) {
-            } else {
-                return;
-            }
-            let _e3351 = instances.member[(0u + _e2621.instance)].object_to_world[0u];
-            let _e3364 = instances.member[(0u + _e2621.instance)].object_to_world[1u];
-            let _e3377 = instances.member[(0u + _e2621.instance)].object_to_world[2u];
-            if (_e2621.instance < _e84) {
-            } else {
-                return;
-            }
-            let _e3404 = instances.member[(0u + _e2621.instance)].object_to_world[0u];
-            let _e3417 = instances.member[(0u + _e2621.instance)].object_to_world[1u];
-            let _e3430 = instances.member[(0u + _e2621.instance)].object_to_world[2u];
-            phi_3804_ = vec3<f32>((((((((_e3301.x * _e3283.x) + (_e3301.y * _e3283.y)) + (_e3301.z * _e3283.z)) + (_e3301.w * 1f)) * _e3270) + (((((_e3351.x * _e3287.x) + (_e3351.y * _e3287.y)) + (_e3351.z * _e3287.z)) + (_e3351.w * 1f)) * _e2621.u)) + (((((_e3404.x * _e3291.x) + (_e3404.y * _e3291.y)) + (_e3404.z * _e3291.z)) + (_e3404.w * 1f)) * _e2621.v)), (((((((_e3314.x * _e3283.x) + (_e3314.y * _e3283.y)) + (_e3314.z * _e3283.z)) + (_e3314.w * 1f)) * _e3270) + (((((_e3364.x * _e3287.x) + (_e3364.y * _e3287.y)) + (_e3364.z * _e3287.z)) + (_e3364.w * 1f)) * _e2621.u)) + (((((_e3417.x * _e3291.x) + (_e3417.y * _e3291.y)) + (_e3417.z * _e3291.z)) + (_e3417.w * 1f)) * _e2621.v)), (((((((_e3327.x * _e3283.x) + (_e3327.y * _e3283.y)) + (_e3327.z * _e3283.z)) + (_e3327.w * 1f)) * _e3270) + (((((_e3377.x * _e3287.x) + (_e3377.y * _e3287.y)) + (_e3377.z * _e3287.z)) + (_e3377.w * 1f)) * _e2621.u)) + (((((_e3430.x * _e3291.x) + (_e3430.y * _e3291.y)) + (_e3430.z * _e3291.z)) + (_e3430.w * 1f)) * _e2621.v)));
-        } else {
-            phi_3804_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e3450 = phi_3804_;
-        if (_e96.shift < arrayLength((&past.member))) {
+        let _e3279 = phi_3600_;
+        if (_e97.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e96.shift)] = vec4<f32>(_e3450.x, _e3450.y, _e3450.z, 1f);
+        samples.member[(0u + _e97.shift)] = _e3279;
+        if (_e2639.triangle != 4294967295u) {
+            let _e3288 = ((1f - _e2639.u) - _e2639.v);
+            if (_e2639.triangle < _e73) {
+            } else {
+                return;
+            }
+            let _e3293 = triangles.member[(0u + _e2639.triangle)];
+            let _e3295 = (_e3293.i0_ & 2147483647u);
+            if (_e3295 < _e88) {
+            } else {
+                return;
+            }
+            let _e3301 = before.member[(0u + _e3295)];
+            if (_e3293.i1_ < _e88) {
+            } else {
+                return;
+            }
+            let _e3305 = before.member[(0u + _e3293.i1_)];
+            if (_e3293.i2_ < _e88) {
+            } else {
+                return;
+            }
+            let _e3309 = before.member[(0u + _e3293.i2_)];
+            if (_e2639.instance < _e85) {
+            } else {
+                return;
+            }
+            let _e3319 = instances.member[(0u + _e2639.instance)].object_to_world[0u];
+            let _e3332 = instances.member[(0u + _e2639.instance)].object_to_world[1u];
+            let _e3345 = instances.member[(0u + _e2639.instance)].object_to_world[2u];
+            if (_e2639.instance < _e85) {
+            } else {
+                return;
+            }
+            let _e3369 = instances.member[(0u + _e2639.instance)].object_to_world[0u];
+            let _e3382 = instances.member[(0u + _e2639.instance)].object_to_world[1u];
+            let _e3395 = instances.member[(0u + _e2639.instance)].object_to_world[2u];
+            if (_e2639.instance < _e85) {
+            } else {
+                return;
+            }
+            let _e3422 = instances.member[(0u + _e2639.instance)].object_to_world[0u];
+            let _e3435 = instances.member[(0u + _e2639.instance)].object_to_world[1u];
+            let _e3448 = instances.member[(0u + _e2639.instance)].object_to_world[2u];
+            phi_3823_ = vec3<f32>((((((((_e3319.x * _e3301.x) + (_e3319.y * _e3301.y)) + (_e3319.z * _e3301.z)) + (_e3319.w * 1f)) * _e3288) + (((((_e3369.x * _e3305.x) + (_e3369.y * _e3305.y)) + (_e3369.z * _e3305.z)) + (_e3369.w * 1f)) * _e2639.u)) + (((((_e3422.x * _e3309.x) + (_e3422.y * _e3309.y)) + (_e3422.z * _e3309.z)) + (_e3422.w * 1f)) * _e2639.v)), (((((((_e3332.x * _e3301.x) + (_e3332.y * _e3301.y)) + (_e3332.z * _e3301.z)) + (_e3332.w * 1f)) * _e3288) + (((((_e3382.x * _e3305.x) + (_e3382.y * _e3305.y)) + (_e3382.z * _e3305.z)) + (_e3382.w * 1f)) * _e2639.u)) + (((((_e3435.x * _e3309.x) + (_e3435.y * _e3309.y)) + (_e3435.z * _e3309.z)) + (_e3435.w * 1f)) * _e2639.v)), (((((((_e3345.x * _e3301.x) + (_e3345.y * _e3301.y)) + (_e3345.z * _e3301.z)) + (_e3345.w * 1f)) * _e3288) + (((((_e3395.x * _e3305.x) + (_e3395.y * _e3305.y)) + (_e3395.z * _e3305.z)) + (_e3395.w * 1f)) * _e2639.u)) + (((((_e3448.x * _e3309.x) + (_e3448.y * _e3309.y)) + (_e3448.z * _e3309.z)) + (_e3448.w * 1f)) * _e2639.v)));
+        } else {
+            phi_3823_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e3468 = phi_3823_;
+        if (_e97.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e97.shift)] = vec4<f32>(_e3468.x, _e3468.y, _e3468.z, 1f);
     }
     return;
 }

@@ -2,13 +2,13 @@ struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
     right: vec3<f32>,
-    pad0_: u32,
+    layers_behind: u32,
     up: vec3<f32>,
     pad1_: u32,
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_Sample {
@@ -144,81 +144,81 @@ var<storage> before: type_22;
 var<storage, read_write> past: type_22;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_195_: lt_mask_LightPlace;
-    var phi_196_: bool;
     var phi_197_: lt_mask_LightPlace;
     var phi_198_: bool;
-    var phi_203_: lt_mask_LightPlace;
+    var phi_199_: lt_mask_LightPlace;
+    var phi_200_: bool;
+    var phi_205_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_195_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_196_ = false;
+            phi_197_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_198_ = false;
         } else {
-            phi_195_ = lt_mask_LightPlace();
-            phi_196_ = true;
+            phi_197_ = lt_mask_LightPlace();
+            phi_198_ = true;
         }
-        let _e75 = phi_195_;
-        let _e77 = phi_196_;
-        phi_197_ = _e75;
-        phi_198_ = _e77;
+        let _e76 = phi_197_;
+        let _e78 = phi_198_;
+        phi_199_ = _e76;
+        phi_200_ = _e78;
     } else {
-        phi_197_ = lt_mask_LightPlace();
-        phi_198_ = true;
+        phi_199_ = lt_mask_LightPlace();
+        phi_200_ = true;
     }
-    let _e79 = phi_197_;
-    let _e81 = phi_198_;
-    if _e81 {
-        phi_203_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e80 = phi_199_;
+    let _e82 = phi_200_;
+    if _e82 {
+        phi_205_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_203_ = _e79;
+        phi_205_ = _e80;
     }
-    let _e86 = phi_203_;
-    return lt_mask_LightPlace(_e86.word, _e86.shift);
+    let _e87 = phi_205_;
+    return lt_mask_LightPlace(_e87.word, _e87.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_218_: bool;
-    var phi_222_: f32;
+    var phi_220_: bool;
+    var phi_224_: f32;
 
     if (param_3 != param_3) {
-        phi_218_ = true;
+        phi_220_ = true;
     } else {
-        let _e65 = (param_4 >= param_3);
-        if _e65 {
+        let _e66 = (param_4 >= param_3);
+        if _e66 {
         }
-        phi_218_ = _e65;
+        phi_220_ = _e66;
     }
-    let _e67 = phi_218_;
-    if _e67 {
-        phi_222_ = param_4;
+    let _e68 = phi_220_;
+    if _e68 {
+        phi_224_ = param_4;
     } else {
-        phi_222_ = param_3;
+        phi_224_ = param_3;
     }
-    let _e69 = phi_222_;
-    return _e69;
+    let _e70 = phi_224_;
+    return _e70;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_234_: bool;
-    var phi_238_: f32;
+    var phi_236_: bool;
+    var phi_240_: f32;
 
     if (param_5 != param_5) {
-        phi_234_ = true;
+        phi_236_ = true;
     } else {
-        let _e65 = (param_6 <= param_5);
-        if _e65 {
+        let _e66 = (param_6 <= param_5);
+        if _e66 {
         }
-        phi_234_ = _e65;
+        phi_236_ = _e66;
     }
-    let _e67 = phi_234_;
-    if _e67 {
-        phi_238_ = param_6;
+    let _e68 = phi_236_;
+    if _e68 {
+        phi_240_ = param_6;
     } else {
-        phi_238_ = param_5;
+        phi_240_ = param_5;
     }
-    let _e69 = phi_238_;
-    return _e69;
+    let _e70 = phi_240_;
+    return _e70;
 }
 
 fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
@@ -226,15 +226,15 @@ fn _lt_bvh_ray_Ray_new(param_7: vec3<f32>, param_8: vec3<f32>) -> lt_bvh_Ray {
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_9: f32, param_10: f32) -> f32 {
-    var phi_250_: f32;
+    var phi_252_: f32;
 
     if (param_9 > param_10) {
-        phi_250_ = param_9;
+        phi_252_ = param_9;
     } else {
-        phi_250_ = param_10;
+        phi_252_ = param_10;
     }
-    let _e66 = phi_250_;
-    return _e66;
+    let _e67 = phi_252_;
+    return _e67;
 }
 
 fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(param_11: vec3<f32>) -> vec3<f32> {
@@ -251,1688 +251,1690 @@ fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
-    var phi_370_: bool;
-    var phi_371_: bool;
-    var phi_372_: bool;
-    var phi_373_: bool;
-    var phi_377_: bool;
+    var phi_389_: bool;
     var phi_390_: bool;
     var phi_391_: bool;
     var phi_392_: bool;
-    var phi_393_: bool;
-    var phi_397_: bool;
+    var phi_396_: bool;
+    var phi_409_: bool;
     var phi_410_: bool;
     var phi_411_: bool;
     var phi_412_: bool;
     var phi_416_: bool;
-    var phi_417_: bool;
-    var phi_418_: bool;
-    var phi_419_: bool;
-    var phi_420_: bool;
-    var phi_424_: bool;
-    var phi_500_: f32;
-    var phi_507_: f32;
-    var phi_515_: f32;
-    var phi_522_: f32;
-    var phi_530_: f32;
-    var phi_537_: f32;
-    var phi_560_: f32;
-    var phi_565_: f32;
-    var phi_570_: f32;
-    var phi_575_: f32;
-    var phi_580_: f32;
-    var phi_611_: bool;
-    var phi_612_: bool;
-    var phi_620_: u32;
-    var phi_621_: u32;
-    var phi_638_: vec3<f32>;
-    var phi_639_: vec3<f32>;
-    var phi_652_: u32;
-    var phi_657_: u32;
-    var phi_662_: u32;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_808_: u32;
-    var phi_810_: lt_bvh_Hit;
-    var phi_813_: u32;
-    var phi_898_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_925_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_952_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_958_: u32;
-    var phi_961_: u32;
-    var phi_975_: u32;
-    var phi_985_: u32;
-    var phi_995_: u32;
-    var phi_1013_: u32;
-    var phi_1023_: u32;
-    var phi_1033_: u32;
-    var phi_1069_: u32;
-    var phi_1082_: u32;
-    var phi_1087_: u32;
+    var phi_429_: bool;
+    var phi_430_: bool;
+    var phi_431_: bool;
+    var phi_435_: bool;
+    var phi_436_: bool;
+    var phi_437_: bool;
+    var phi_438_: bool;
+    var phi_439_: bool;
+    var phi_443_: bool;
+    var phi_519_: f32;
+    var phi_526_: f32;
+    var phi_534_: f32;
+    var phi_541_: f32;
+    var phi_549_: f32;
+    var phi_556_: f32;
+    var phi_579_: f32;
+    var phi_584_: f32;
+    var phi_589_: f32;
+    var phi_594_: f32;
+    var phi_599_: f32;
+    var phi_630_: bool;
+    var phi_631_: bool;
+    var phi_639_: u32;
+    var phi_640_: u32;
+    var phi_657_: vec3<f32>;
+    var phi_658_: vec3<f32>;
+    var phi_671_: u32;
+    var phi_676_: u32;
+    var phi_681_: u32;
+    var phi_795_: bool;
+    var phi_796_: bool;
+    var phi_827_: u32;
+    var phi_829_: lt_bvh_Hit;
+    var phi_832_: u32;
+    var phi_917_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_944_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_971_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_977_: u32;
+    var phi_980_: u32;
+    var phi_994_: u32;
+    var phi_1004_: u32;
+    var phi_1014_: u32;
+    var phi_1032_: u32;
+    var phi_1042_: u32;
+    var phi_1052_: u32;
     var phi_1088_: u32;
-    var phi_1089_: u32;
-    var phi_959_: u32;
-    var phi_962_: u32;
+    var phi_1101_: u32;
+    var phi_1106_: u32;
+    var phi_1107_: u32;
+    var phi_1108_: u32;
+    var phi_978_: u32;
+    var phi_981_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1147_: lt_bvh_Hit;
-    var phi_1150_: u32;
-    var phi_1196_: vec3<f32>;
-    var phi_1197_: vec3<f32>;
-    var phi_1228_: vec3<f32>;
-    var phi_1229_: vec3<f32>;
-    var phi_1260_: vec3<f32>;
-    var phi_1261_: vec3<f32>;
-    var phi_1279_: bool;
-    var phi_1280_: bool;
-    var phi_1284_: f32;
-    var phi_1285_: f32;
-    var phi_1286_: f32;
-    var phi_1287_: f32;
-    var phi_1295_: f32;
-    var phi_1305_: bool;
-    var phi_1306_: bool;
-    var phi_1310_: f32;
-    var phi_1311_: f32;
-    var phi_1312_: f32;
-    var phi_1313_: f32;
-    var phi_1321_: f32;
-    var phi_1331_: bool;
-    var phi_1332_: bool;
-    var phi_1336_: f32;
-    var phi_1337_: f32;
-    var phi_1338_: f32;
-    var phi_1339_: f32;
-    var phi_1347_: f32;
-    var phi_1362_: f32;
-    var phi_1363_: bool;
-    var phi_1364_: f32;
-    var phi_1365_: bool;
+    var phi_1166_: lt_bvh_Hit;
+    var phi_1169_: u32;
+    var phi_1215_: vec3<f32>;
+    var phi_1216_: vec3<f32>;
+    var phi_1247_: vec3<f32>;
+    var phi_1248_: vec3<f32>;
+    var phi_1279_: vec3<f32>;
+    var phi_1280_: vec3<f32>;
+    var phi_1298_: bool;
+    var phi_1299_: bool;
+    var phi_1303_: f32;
+    var phi_1304_: f32;
+    var phi_1305_: f32;
+    var phi_1306_: f32;
+    var phi_1314_: f32;
+    var phi_1324_: bool;
+    var phi_1325_: bool;
+    var phi_1329_: f32;
+    var phi_1330_: f32;
+    var phi_1331_: f32;
+    var phi_1332_: f32;
+    var phi_1340_: f32;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
+    var phi_1355_: f32;
+    var phi_1356_: f32;
+    var phi_1357_: f32;
+    var phi_1358_: f32;
     var phi_1366_: f32;
-    var phi_1367_: bool;
+    var phi_1381_: f32;
+    var phi_1382_: bool;
+    var phi_1383_: f32;
+    var phi_1384_: bool;
     var phi_1385_: f32;
     var phi_1386_: bool;
-    var phi_1387_: bool;
-    var phi_1388_: f32;
-    var phi_1389_: bool;
-    var phi_1390_: bool;
-    var phi_1394_: bool;
-    var phi_1395_: f32;
-    var phi_1396_: bool;
-    var phi_1426_: vec3<f32>;
-    var phi_1427_: vec3<f32>;
-    var phi_1452_: vec3<f32>;
-    var phi_1453_: vec3<f32>;
-    var phi_1478_: vec3<f32>;
-    var phi_1479_: vec3<f32>;
-    var phi_1537_: f32;
-    var phi_1546_: f32;
-    var phi_1555_: f32;
-    var phi_1564_: f32;
-    var phi_1571_: f32;
-    var phi_1578_: f32;
-    var phi_1591_: f32;
-    var phi_1600_: f32;
-    var phi_1609_: f32;
-    var phi_1618_: f32;
-    var phi_1625_: f32;
-    var phi_1632_: f32;
-    var phi_1655_: f32;
-    var phi_1660_: f32;
-    var phi_1665_: f32;
-    var phi_1673_: f32;
-    var phi_1678_: f32;
-    var phi_1683_: f32;
-    var phi_1695_: f32;
-    var phi_1700_: f32;
-    var phi_1705_: f32;
-    var phi_1710_: f32;
-    var phi_1715_: lt_bvh_triangle_Intersection;
-    var phi_1716_: bool;
-    var phi_1717_: lt_bvh_triangle_Intersection;
-    var phi_1718_: bool;
-    var phi_1722_: lt_bvh_triangle_Intersection;
-    var phi_1723_: bool;
-    var phi_1724_: lt_bvh_triangle_Intersection;
-    var phi_1725_: bool;
-    var phi_1726_: bool;
-    var phi_1730_: bool;
+    var phi_1404_: f32;
+    var phi_1405_: bool;
+    var phi_1406_: bool;
+    var phi_1407_: f32;
+    var phi_1408_: bool;
+    var phi_1409_: bool;
+    var phi_1413_: bool;
+    var phi_1414_: f32;
+    var phi_1415_: bool;
+    var phi_1445_: vec3<f32>;
+    var phi_1446_: vec3<f32>;
+    var phi_1471_: vec3<f32>;
+    var phi_1472_: vec3<f32>;
+    var phi_1497_: vec3<f32>;
+    var phi_1498_: vec3<f32>;
+    var phi_1556_: f32;
+    var phi_1565_: f32;
+    var phi_1574_: f32;
+    var phi_1583_: f32;
+    var phi_1590_: f32;
+    var phi_1597_: f32;
+    var phi_1610_: f32;
+    var phi_1619_: f32;
+    var phi_1628_: f32;
+    var phi_1637_: f32;
+    var phi_1644_: f32;
+    var phi_1651_: f32;
+    var phi_1674_: f32;
+    var phi_1679_: f32;
+    var phi_1684_: f32;
+    var phi_1692_: f32;
+    var phi_1697_: f32;
+    var phi_1702_: f32;
+    var phi_1714_: f32;
+    var phi_1719_: f32;
+    var phi_1724_: f32;
+    var phi_1729_: f32;
     var phi_1734_: lt_bvh_triangle_Intersection;
-    var phi_1773_: bool;
-    var phi_1774_: bool;
-    var phi_1775_: bool;
-    var phi_1776_: bool;
-    var phi_1777_: bool;
-    var phi_1778_: bool;
-    var phi_1782_: bool;
-    var phi_1783_: bool;
+    var phi_1735_: bool;
+    var phi_1736_: lt_bvh_triangle_Intersection;
+    var phi_1737_: bool;
+    var phi_1741_: lt_bvh_triangle_Intersection;
+    var phi_1742_: bool;
+    var phi_1743_: lt_bvh_triangle_Intersection;
+    var phi_1744_: bool;
+    var phi_1745_: bool;
+    var phi_1749_: bool;
+    var phi_1753_: lt_bvh_triangle_Intersection;
+    var phi_1792_: bool;
+    var phi_1793_: bool;
+    var phi_1794_: bool;
+    var phi_1795_: bool;
+    var phi_1796_: bool;
     var phi_1797_: bool;
-    var phi_1805_: lt_bvh_Hit;
-    var phi_1806_: lt_bvh_Hit;
-    var phi_1807_: lt_bvh_Hit;
-    var phi_1808_: lt_bvh_Hit;
-    var phi_1148_: lt_bvh_Hit;
-    var phi_1151_: u32;
-    var phi_1809_: bool;
-    var phi_1848_: bool;
-    var phi_1849_: bool;
-    var phi_1880_: u32;
-    var phi_811_: lt_bvh_Hit;
-    var phi_814_: u32;
-    var phi_1881_: lt_bvh_Hit;
-    var phi_1882_: lt_bvh_Hit;
-    var phi_1883_: bool;
-    var phi_1887_: lt_bvh_Hit;
-    var phi_1952_: f32;
-    var phi_1957_: f32;
-    var phi_1962_: f32;
-    var phi_1973_: f32;
-    var phi_1978_: f32;
-    var phi_1983_: f32;
-    var phi_2059_: vec3<f32>;
-    var phi_2180_: u32;
-    var phi_2207_: f32;
-    var phi_2214_: f32;
-    var phi_2221_: f32;
-    var phi_2256_: f32;
-    var phi_2263_: f32;
-    var phi_2270_: f32;
-    var phi_2308_: f32;
-    var phi_2315_: f32;
-    var phi_2322_: f32;
-    var phi_2381_: vec3<f32>;
-    var phi_2382_: vec3<f32>;
-    var phi_2383_: vec3<f32>;
-    var phi_2392_: f32;
-    var phi_2393_: f32;
-    var phi_2403_: f32;
-    var phi_2404_: f32;
-    var phi_2414_: f32;
-    var phi_2415_: f32;
-    var phi_2450_: abi_Sample;
-    var phi_2541_: vec3<f32>;
+    var phi_1801_: bool;
+    var phi_1802_: bool;
+    var phi_1816_: bool;
+    var phi_1824_: lt_bvh_Hit;
+    var phi_1825_: lt_bvh_Hit;
+    var phi_1826_: lt_bvh_Hit;
+    var phi_1827_: lt_bvh_Hit;
+    var phi_1167_: lt_bvh_Hit;
+    var phi_1170_: u32;
+    var phi_1828_: bool;
+    var phi_1867_: bool;
+    var phi_1868_: bool;
+    var phi_1899_: u32;
+    var phi_830_: lt_bvh_Hit;
+    var phi_833_: u32;
+    var phi_1900_: lt_bvh_Hit;
+    var phi_1901_: lt_bvh_Hit;
+    var phi_1902_: bool;
+    var phi_1906_: lt_bvh_Hit;
+    var phi_1971_: f32;
+    var phi_1976_: f32;
+    var phi_1981_: f32;
+    var phi_1992_: f32;
+    var phi_1997_: f32;
+    var phi_2002_: f32;
+    var phi_2078_: vec3<f32>;
+    var phi_2199_: u32;
+    var phi_2226_: f32;
+    var phi_2233_: f32;
+    var phi_2240_: f32;
+    var phi_2275_: f32;
+    var phi_2282_: f32;
+    var phi_2289_: f32;
+    var phi_2327_: f32;
+    var phi_2334_: f32;
+    var phi_2341_: f32;
+    var phi_2400_: vec3<f32>;
+    var phi_2401_: vec3<f32>;
+    var phi_2402_: vec3<f32>;
+    var phi_2411_: f32;
+    var phi_2412_: f32;
+    var phi_2422_: f32;
+    var phi_2423_: f32;
+    var phi_2433_: f32;
+    var phi_2434_: f32;
+    var phi_2469_: abi_Sample;
+    var phi_2560_: vec3<f32>;
     var local_4: lt_bvh_Hit;
     var local_5: lt_bvh_Hit;
 
-    let _e63 = id_1;
-    let _e67 = arrayLength((&nodes.member));
-    let _e70 = arrayLength((&triangles.member));
-    let _e73 = arrayLength((&vertices.member));
-    let _e82 = arrayLength((&before.member));
-    let _e88 = p.member.size[0u];
-    let _e90 = p.member.size[1u];
-    let _e91 = lt_shaders_entry_pixel_index(_e63, _e88, _e90);
-    if (bitcast<i32>(_e91.word) != 0i) {
-        let _e99 = p.member.eye;
-        let _e104 = p.member.size[0u];
-        let _e108 = ((((f32(_e63.x) + 0.5f) / f32(_e104)) * 2f) - 1f);
-        let _e113 = p.member.size[1u];
-        let _e117 = (1f - (((f32(_e63.y) + 0.5f) / f32(_e113)) * 2f));
-        let _e119 = p.member.forward;
-        let _e121 = p.member.right;
-        let _e135 = p.member.up;
-        let _e146 = _lt_bvh_ray_Ray_new(_e99, vec3<f32>(((_e119.x + (_e121.x * _e108)) + (_e135.x * _e117)), ((_e119.y + (_e121.y * _e108)) + (_e135.y * _e117)), ((_e119.z + (_e121.z * _e108)) + (_e135.z * _e117))));
-        let _e148 = lt_bvh_Hit(_e146.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e151 = abs(_e146.direction.x);
-        let _e153 = abs(_e146.direction.y);
-        let _e155 = abs(_e146.direction.z);
-        if (abs(_e146.origin.x) < 1000000000000000f) {
-            if (abs(_e146.origin.y) < 1000000000000000f) {
-                phi_370_ = (abs(_e146.origin.z) < 1000000000000000f);
-                phi_371_ = false;
+    let _e64 = id_1;
+    let _e68 = arrayLength((&nodes.member));
+    let _e71 = arrayLength((&triangles.member));
+    let _e74 = arrayLength((&vertices.member));
+    let _e83 = arrayLength((&before.member));
+    let _e89 = p.member.size[0u];
+    let _e91 = p.member.size[1u];
+    let _e92 = lt_shaders_entry_pixel_index(_e64, _e89, _e91);
+    if (bitcast<i32>(_e92.word) != 0i) {
+        let _e100 = p.member.eye;
+        let _e103 = p.member.grid[0u];
+        let _e105 = p.member.grid[1u];
+        let _e124 = p.member.size[0u];
+        let _e128 = ((((f32(_e64.x) + ((f32((_e64.y & (_e105 - 1u))) + 0.5f) / f32(_e105))) / f32(_e124)) * 2f) - 1f);
+        let _e131 = p.member.size[1u];
+        let _e135 = (1f - (((f32(_e64.y) + ((f32((_e64.x & (_e103 - 1u))) + 0.5f) / f32(_e103))) / f32(_e131)) * 2f));
+        let _e137 = p.member.forward;
+        let _e139 = p.member.right;
+        let _e153 = p.member.up;
+        let _e164 = _lt_bvh_ray_Ray_new(_e100, vec3<f32>(((_e137.x + (_e139.x * _e128)) + (_e153.x * _e135)), ((_e137.y + (_e139.y * _e128)) + (_e153.y * _e135)), ((_e137.z + (_e139.z * _e128)) + (_e153.z * _e135))));
+        let _e166 = lt_bvh_Hit(_e164.tmax, 0f, 0f, 4294967295u, 4294967295u);
+        let _e169 = abs(_e164.direction.x);
+        let _e171 = abs(_e164.direction.y);
+        let _e173 = abs(_e164.direction.z);
+        if (abs(_e164.origin.x) < 1000000000000000f) {
+            if (abs(_e164.origin.y) < 1000000000000000f) {
+                phi_389_ = (abs(_e164.origin.z) < 1000000000000000f);
+                phi_390_ = false;
             } else {
-                phi_370_ = bool();
-                phi_371_ = true;
+                phi_389_ = bool();
+                phi_390_ = true;
             }
-            let _e167 = phi_370_;
-            let _e169 = phi_371_;
-            phi_372_ = _e167;
-            phi_373_ = _e169;
+            let _e185 = phi_389_;
+            let _e187 = phi_390_;
+            phi_391_ = _e185;
+            phi_392_ = _e187;
         } else {
-            phi_372_ = bool();
-            phi_373_ = true;
+            phi_391_ = bool();
+            phi_392_ = true;
         }
-        let _e171 = phi_372_;
-        let _e173 = phi_373_;
-        if _e173 {
-            phi_377_ = false;
+        let _e189 = phi_391_;
+        let _e191 = phi_392_;
+        if _e191 {
+            phi_396_ = false;
         } else {
-            phi_377_ = _e171;
+            phi_396_ = _e189;
         }
-        let _e175 = phi_377_;
-        if _e175 {
-            if (_e151 < 1000000000000000f) {
-                if (_e153 < 1000000000000000f) {
-                    phi_390_ = (_e155 < 1000000000000000f);
-                    phi_391_ = false;
+        let _e193 = phi_396_;
+        if _e193 {
+            if (_e169 < 1000000000000000f) {
+                if (_e171 < 1000000000000000f) {
+                    phi_409_ = (_e173 < 1000000000000000f);
+                    phi_410_ = false;
                 } else {
-                    phi_390_ = bool();
-                    phi_391_ = true;
+                    phi_409_ = bool();
+                    phi_410_ = true;
                 }
-                let _e180 = phi_390_;
-                let _e182 = phi_391_;
-                phi_392_ = _e180;
-                phi_393_ = _e182;
+                let _e198 = phi_409_;
+                let _e200 = phi_410_;
+                phi_411_ = _e198;
+                phi_412_ = _e200;
             } else {
-                phi_392_ = bool();
-                phi_393_ = true;
+                phi_411_ = bool();
+                phi_412_ = true;
             }
-            let _e184 = phi_392_;
-            let _e186 = phi_393_;
-            if _e186 {
-                phi_397_ = false;
+            let _e202 = phi_411_;
+            let _e204 = phi_412_;
+            if _e204 {
+                phi_416_ = false;
             } else {
-                phi_397_ = _e184;
+                phi_416_ = _e202;
             }
-            let _e188 = phi_397_;
-            if _e188 {
-                if (_e151 > 0f) {
-                    phi_411_ = bool();
-                    phi_412_ = true;
+            let _e206 = phi_416_;
+            if _e206 {
+                if (_e169 > 0f) {
+                    phi_430_ = bool();
+                    phi_431_ = true;
                 } else {
-                    let _e190 = (_e153 > 0f);
-                    if _e190 {
-                        phi_410_ = bool();
+                    let _e208 = (_e171 > 0f);
+                    if _e208 {
+                        phi_429_ = bool();
                     } else {
-                        phi_410_ = (_e155 > 0f);
+                        phi_429_ = (_e173 > 0f);
                     }
-                    let _e193 = phi_410_;
-                    phi_411_ = _e193;
-                    phi_412_ = _e190;
+                    let _e211 = phi_429_;
+                    phi_430_ = _e211;
+                    phi_431_ = _e208;
                 }
-                let _e195 = phi_411_;
-                let _e197 = phi_412_;
-                if _e197 {
-                    phi_416_ = true;
+                let _e213 = phi_430_;
+                let _e215 = phi_431_;
+                if _e215 {
+                    phi_435_ = true;
                 } else {
-                    phi_416_ = _e195;
+                    phi_435_ = _e213;
                 }
-                let _e199 = phi_416_;
-                phi_417_ = _e199;
-                phi_418_ = false;
+                let _e217 = phi_435_;
+                phi_436_ = _e217;
+                phi_437_ = false;
             } else {
-                phi_417_ = bool();
-                phi_418_ = true;
+                phi_436_ = bool();
+                phi_437_ = true;
             }
-            let _e201 = phi_417_;
-            let _e203 = phi_418_;
-            phi_419_ = _e201;
-            phi_420_ = _e203;
+            let _e219 = phi_436_;
+            let _e221 = phi_437_;
+            phi_438_ = _e219;
+            phi_439_ = _e221;
         } else {
-            phi_419_ = bool();
-            phi_420_ = true;
+            phi_438_ = bool();
+            phi_439_ = true;
         }
-        let _e205 = phi_419_;
-        let _e207 = phi_420_;
-        if _e207 {
-            phi_424_ = false;
+        let _e223 = phi_438_;
+        let _e225 = phi_439_;
+        if _e225 {
+            phi_443_ = false;
         } else {
-            phi_424_ = _e205;
+            phi_443_ = _e223;
         }
-        let _e209 = phi_424_;
-        if _e209 {
-            let _e210 = (0u >= _e67);
-            if _e210 {
-                phi_1881_ = lt_bvh_Hit();
+        let _e227 = phi_443_;
+        if _e227 {
+            let _e228 = (0u >= _e68);
+            if _e228 {
+                phi_1900_ = lt_bvh_Hit();
             } else {
-                if (0u < _e67) {
+                if (0u < _e68) {
                 } else {
                     return;
                 }
-                let _e216 = nodes.member[(0u + 0u)].frame[0u];
-                let _e220 = nodes.member[(0u + 0u)].frame[1u];
-                let _e224 = nodes.member[(0u + 0u)].frame[2u];
-                let _e228 = nodes.member[(0u + 0u)].frame[0u];
-                let _e232 = nodes.member[(0u + 0u)].frame[1u];
-                let _e236 = nodes.member[(0u + 0u)].frame[2u];
-                let _e240 = nodes.member[(0u + 0u)].frame[3u];
-                let _e279 = core_intrinsics_maximum_number_nsz_f32_(abs(_e146.direction.x), abs(_e146.direction.y));
-                let _e280 = core_intrinsics_maximum_number_nsz_f32_(_e279, abs(_e146.direction.z));
-                let _e281 = (_e280 * 0.0000000000009094947f);
-                if (abs(_e146.direction.x) < _e281) {
-                    phi_500_ = _e281;
+                let _e234 = nodes.member[(0u + 0u)].frame[0u];
+                let _e238 = nodes.member[(0u + 0u)].frame[1u];
+                let _e242 = nodes.member[(0u + 0u)].frame[2u];
+                let _e246 = nodes.member[(0u + 0u)].frame[0u];
+                let _e250 = nodes.member[(0u + 0u)].frame[1u];
+                let _e254 = nodes.member[(0u + 0u)].frame[2u];
+                let _e258 = nodes.member[(0u + 0u)].frame[3u];
+                let _e297 = core_intrinsics_maximum_number_nsz_f32_(abs(_e164.direction.x), abs(_e164.direction.y));
+                let _e298 = core_intrinsics_maximum_number_nsz_f32_(_e297, abs(_e164.direction.z));
+                let _e299 = (_e298 * 0.0000000000009094947f);
+                if (abs(_e164.direction.x) < _e299) {
+                    phi_519_ = _e299;
                 } else {
-                    phi_500_ = abs(_e146.direction.x);
+                    phi_519_ = abs(_e164.direction.x);
                 }
-                let _e287 = phi_500_;
-                if (_e146.direction.x < 0f) {
-                    phi_507_ = (-1f / _e287);
+                let _e305 = phi_519_;
+                if (_e164.direction.x < 0f) {
+                    phi_526_ = (-1f / _e305);
                 } else {
-                    phi_507_ = (1f / _e287);
+                    phi_526_ = (1f / _e305);
                 }
-                let _e292 = phi_507_;
-                if (abs(_e146.direction.y) < _e281) {
-                    phi_515_ = _e281;
+                let _e310 = phi_526_;
+                if (abs(_e164.direction.y) < _e299) {
+                    phi_534_ = _e299;
                 } else {
-                    phi_515_ = abs(_e146.direction.y);
+                    phi_534_ = abs(_e164.direction.y);
                 }
-                let _e298 = phi_515_;
-                if (_e146.direction.y < 0f) {
-                    phi_522_ = (-1f / _e298);
+                let _e316 = phi_534_;
+                if (_e164.direction.y < 0f) {
+                    phi_541_ = (-1f / _e316);
                 } else {
-                    phi_522_ = (1f / _e298);
+                    phi_541_ = (1f / _e316);
                 }
-                let _e303 = phi_522_;
-                if (abs(_e146.direction.z) < _e281) {
-                    phi_530_ = _e281;
+                let _e321 = phi_541_;
+                if (abs(_e164.direction.z) < _e299) {
+                    phi_549_ = _e299;
                 } else {
-                    phi_530_ = abs(_e146.direction.z);
+                    phi_549_ = abs(_e164.direction.z);
                 }
-                let _e309 = phi_530_;
-                if (_e146.direction.z < 0f) {
-                    phi_537_ = (-1f / _e309);
+                let _e327 = phi_549_;
+                if (_e164.direction.z < 0f) {
+                    phi_556_ = (-1f / _e327);
                 } else {
-                    phi_537_ = (1f / _e309);
+                    phi_556_ = (1f / _e327);
                 }
-                let _e314 = phi_537_;
-                let _e321 = abs((bitcast<f32>(_e216) - _e146.origin.x));
-                let _e322 = abs((bitcast<f32>(_e220) - _e146.origin.y));
-                let _e323 = abs((bitcast<f32>(_e224) - _e146.origin.z));
-                let _e330 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e240 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.x));
-                let _e331 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e240 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.y));
-                let _e332 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e240 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.z));
-                if (_e321 > _e330) {
-                    phi_560_ = _e321;
+                let _e332 = phi_556_;
+                let _e339 = abs((bitcast<f32>(_e234) - _e164.origin.x));
+                let _e340 = abs((bitcast<f32>(_e238) - _e164.origin.y));
+                let _e341 = abs((bitcast<f32>(_e242) - _e164.origin.z));
+                let _e348 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e258 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.x));
+                let _e349 = abs(((bitcast<f32>(_e250) + (bitcast<f32>((((_e258 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.y));
+                let _e350 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e258 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.z));
+                if (_e339 > _e348) {
+                    phi_579_ = _e339;
                 } else {
-                    phi_560_ = _e330;
+                    phi_579_ = _e348;
                 }
-                let _e335 = phi_560_;
-                if (_e322 > _e331) {
-                    phi_565_ = _e322;
+                let _e353 = phi_579_;
+                if (_e340 > _e349) {
+                    phi_584_ = _e340;
                 } else {
-                    phi_565_ = _e331;
+                    phi_584_ = _e349;
                 }
-                let _e338 = phi_565_;
-                if (_e323 > _e332) {
-                    phi_570_ = _e323;
+                let _e356 = phi_584_;
+                if (_e341 > _e350) {
+                    phi_589_ = _e341;
                 } else {
-                    phi_570_ = _e332;
+                    phi_589_ = _e350;
                 }
-                let _e341 = phi_570_;
-                if (_e335 > _e338) {
-                    phi_575_ = _e335;
+                let _e359 = phi_589_;
+                if (_e353 > _e356) {
+                    phi_594_ = _e353;
                 } else {
-                    phi_575_ = _e338;
+                    phi_594_ = _e356;
                 }
-                let _e344 = phi_575_;
-                if (_e344 > _e341) {
-                    phi_580_ = _e344;
+                let _e362 = phi_594_;
+                if (_e362 > _e359) {
+                    phi_599_ = _e362;
                 } else {
-                    phi_580_ = _e341;
+                    phi_599_ = _e359;
                 }
-                let _e347 = phi_580_;
-                let _e351 = (_e347 * 0.0000019073486f);
-                let _e352 = (abs(_e292) * _e351);
-                let _e353 = (abs(_e303) * _e351);
-                let _e354 = (abs(_e314) * _e351);
-                let _e358 = (_e347 * 0.0000009536743f);
-                let _e359 = (abs(_e292) * _e358);
-                let _e360 = (abs(_e303) * _e358);
-                let _e361 = (abs(_e314) * _e358);
-                let _e365 = abs(_e146.direction.x);
-                let _e367 = abs(_e146.direction.y);
-                let _e369 = abs(_e146.direction.z);
-                if (_e365 >= _e367) {
-                    if (_e365 >= _e369) {
-                        phi_611_ = false;
+                let _e365 = phi_599_;
+                let _e369 = (_e365 * 0.0000019073486f);
+                let _e370 = (abs(_e310) * _e369);
+                let _e371 = (abs(_e321) * _e369);
+                let _e372 = (abs(_e332) * _e369);
+                let _e376 = (_e365 * 0.0000009536743f);
+                let _e377 = (abs(_e310) * _e376);
+                let _e378 = (abs(_e321) * _e376);
+                let _e379 = (abs(_e332) * _e376);
+                let _e383 = abs(_e164.direction.x);
+                let _e385 = abs(_e164.direction.y);
+                let _e387 = abs(_e164.direction.z);
+                if (_e383 >= _e385) {
+                    if (_e383 >= _e387) {
+                        phi_630_ = false;
                     } else {
-                        phi_611_ = true;
+                        phi_630_ = true;
                     }
-                    let _e373 = phi_611_;
-                    phi_612_ = _e373;
+                    let _e391 = phi_630_;
+                    phi_631_ = _e391;
                 } else {
-                    phi_612_ = true;
+                    phi_631_ = true;
                 }
-                let _e375 = phi_612_;
-                if _e375 {
-                    if (_e367 >= _e369) {
-                        phi_620_ = 1u;
+                let _e393 = phi_631_;
+                if _e393 {
+                    if (_e385 >= _e387) {
+                        phi_639_ = 1u;
                     } else {
-                        phi_620_ = 2u;
+                        phi_639_ = 2u;
                     }
-                    let _e378 = phi_620_;
-                    phi_621_ = _e378;
+                    let _e396 = phi_639_;
+                    phi_640_ = _e396;
                 } else {
-                    phi_621_ = 0u;
+                    phi_640_ = 0u;
                 }
-                let _e380 = phi_621_;
-                if (_e380 == 0u) {
-                    phi_639_ = vec3<f32>(_e146.direction.y, _e146.direction.z, _e146.direction.x);
+                let _e398 = phi_640_;
+                if (_e398 == 0u) {
+                    phi_658_ = vec3<f32>(_e164.direction.y, _e164.direction.z, _e164.direction.x);
                 } else {
-                    if (_e380 == 1u) {
-                        phi_638_ = vec3<f32>(_e146.direction.z, _e146.direction.x, _e146.direction.y);
+                    if (_e398 == 1u) {
+                        phi_657_ = vec3<f32>(_e164.direction.z, _e164.direction.x, _e164.direction.y);
                     } else {
-                        phi_638_ = _e146.direction;
+                        phi_657_ = _e164.direction;
                     }
-                    let _e392 = phi_638_;
-                    phi_639_ = _e392;
+                    let _e410 = phi_657_;
+                    phi_658_ = _e410;
                 }
-                let _e394 = phi_639_;
-                let _e397 = (_e394.x / _e394.z);
-                let _e400 = (_e394.y / _e394.z);
-                if (_e292 < 0f) {
-                    phi_652_ = 0u;
+                let _e412 = phi_658_;
+                let _e415 = (_e412.x / _e412.z);
+                let _e418 = (_e412.y / _e412.z);
+                if (_e310 < 0f) {
+                    phi_671_ = 0u;
                 } else {
-                    phi_652_ = 1u;
+                    phi_671_ = 1u;
                 }
-                let _e405 = phi_652_;
-                if (_e303 < 0f) {
-                    phi_657_ = 0u;
+                let _e423 = phi_671_;
+                if (_e321 < 0f) {
+                    phi_676_ = 0u;
                 } else {
-                    phi_657_ = 2u;
+                    phi_676_ = 2u;
                 }
-                let _e408 = phi_657_;
-                if (_e314 < 0f) {
-                    phi_662_ = 0u;
+                let _e426 = phi_676_;
+                if (_e332 < 0f) {
+                    phi_681_ = 0u;
                 } else {
-                    phi_662_ = 4u;
+                    phi_681_ = 4u;
                 }
-                let _e411 = phi_662_;
-                let _e413 = ((_e405 | _e408) | _e411);
-                let _e414 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e414.first[0], _e414.first[1], _e414.first[2], _e414.first[3], _e414.first[4], _e414.first[5], _e414.first[6], _e414.first[7], _e414.first[8], _e414.first[9], _e414.first[10], _e414.first[11], _e414.first[12], _e414.first[13], _e414.first[14], _e414.first[15], _e414.first[16], _e414.first[17], _e414.first[18], _e414.first[19], _e414.first[20], _e414.first[21], _e414.first[22], _e414.first[23], _e414.first[24], _e414.first[25], _e414.first[26], _e414.first[27], _e414.first[28], _e414.first[29], _e414.first[30], _e414.first[31]), array<u32, 32>(_e414.mask[0], _e414.mask[1], _e414.mask[2], _e414.mask[3], _e414.mask[4], _e414.mask[5], _e414.mask[6], _e414.mask[7], _e414.mask[8], _e414.mask[9], _e414.mask[10], _e414.mask[11], _e414.mask[12], _e414.mask[13], _e414.mask[14], _e414.mask[15], _e414.mask[16], _e414.mask[17], _e414.mask[18], _e414.mask[19], _e414.mask[20], _e414.mask[21], _e414.mask[22], _e414.mask[23], _e414.mask[24], _e414.mask[25], _e414.mask[26], _e414.mask[27], _e414.mask[28], _e414.mask[29], _e414.mask[30], _e414.mask[31]), _e414.len, _e414.group, _e414.group_mask);
-                let _e488 = local.group_mask;
-                if ((_e488 & 4278190080u) == 0u) {
-                    let _e492 = local.len;
-                    if (_e492 == 0u) {
-                        phi_776_ = false;
+                let _e429 = phi_681_;
+                let _e431 = ((_e423 | _e426) | _e429);
+                let _e432 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e432.first[0], _e432.first[1], _e432.first[2], _e432.first[3], _e432.first[4], _e432.first[5], _e432.first[6], _e432.first[7], _e432.first[8], _e432.first[9], _e432.first[10], _e432.first[11], _e432.first[12], _e432.first[13], _e432.first[14], _e432.first[15], _e432.first[16], _e432.first[17], _e432.first[18], _e432.first[19], _e432.first[20], _e432.first[21], _e432.first[22], _e432.first[23], _e432.first[24], _e432.first[25], _e432.first[26], _e432.first[27], _e432.first[28], _e432.first[29], _e432.first[30], _e432.first[31]), array<u32, 32>(_e432.mask[0], _e432.mask[1], _e432.mask[2], _e432.mask[3], _e432.mask[4], _e432.mask[5], _e432.mask[6], _e432.mask[7], _e432.mask[8], _e432.mask[9], _e432.mask[10], _e432.mask[11], _e432.mask[12], _e432.mask[13], _e432.mask[14], _e432.mask[15], _e432.mask[16], _e432.mask[17], _e432.mask[18], _e432.mask[19], _e432.mask[20], _e432.mask[21], _e432.mask[22], _e432.mask[23], _e432.mask[24], _e432.mask[25], _e432.mask[26], _e432.mask[27], _e432.mask[28], _e432.mask[29], _e432.mask[30], _e432.mask[31]), _e432.len, _e432.group, _e432.group_mask);
+                let _e506 = local.group_mask;
+                if ((_e506 & 4278190080u) == 0u) {
+                    let _e510 = local.len;
+                    if (_e510 == 0u) {
+                        phi_795_ = false;
                     } else {
-                        let _e496 = local.len;
-                        local.len = (_e496 - 1u);
-                        let _e499 = local.len;
-                        if (_e499 < 32u) {
+                        let _e514 = local.len;
+                        local.len = (_e514 - 1u);
+                        let _e517 = local.len;
+                        if (_e517 < 32u) {
                         } else {
                             return;
                         }
-                        let _e504 = local.first[(0u + _e499)];
-                        local.group = _e504;
-                        let _e507 = local.len;
-                        if (_e507 < 32u) {
+                        let _e522 = local.first[(0u + _e517)];
+                        local.group = _e522;
+                        let _e525 = local.len;
+                        if (_e525 < 32u) {
                         } else {
                             return;
                         }
-                        let _e512 = local.mask[(0u + _e507)];
-                        local.group_mask = _e512;
-                        phi_776_ = true;
+                        let _e530 = local.mask[(0u + _e525)];
+                        local.group_mask = _e530;
+                        phi_795_ = true;
                     }
-                    let _e515 = phi_776_;
-                    phi_777_ = _e515;
+                    let _e533 = phi_795_;
+                    phi_796_ = _e533;
                 } else {
-                    phi_777_ = true;
+                    phi_796_ = true;
                 }
-                let _e517 = phi_777_;
-                if _e517 {
-                    let _e519 = local.group_mask;
-                    let _e525 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e519)), 32u, (_e519 == 0u)));
-                    let _e529 = local.group_mask;
-                    let _e543 = local.group_mask;
-                    local.group_mask = (_e543 & ~((1u << bitcast<u32>((_e525 & 31u)))));
-                    let _e546 = local.group;
-                    phi_808_ = (_e546 + countOneBits(((_e529 & ~((4294967295u << bitcast<u32>((((_e525 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e535 = phi_796_;
+                if _e535 {
+                    let _e537 = local.group_mask;
+                    let _e543 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e537)), 32u, (_e537 == 0u)));
+                    let _e547 = local.group_mask;
+                    let _e561 = local.group_mask;
+                    local.group_mask = (_e561 & ~((1u << bitcast<u32>((_e543 & 31u)))));
+                    let _e564 = local.group;
+                    phi_827_ = (_e564 + countOneBits(((_e547 & ~((4294967295u << bitcast<u32>((((_e543 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_808_ = 4294967295u;
+                    phi_827_ = 4294967295u;
                 }
-                let _e549 = phi_808_;
-                phi_810_ = _e148;
-                phi_813_ = _e549;
+                let _e567 = phi_827_;
+                phi_829_ = _e166;
+                phi_832_ = _e567;
                 loop {
-                    let _e551 = phi_810_;
-                    let _e553 = phi_813_;
-                    local_5 = _e551;
-                    let _e554 = (_e553 != 4294967295u);
-                    if _e554 {
-                        if (_e553 < _e67) {
+                    let _e569 = phi_829_;
+                    let _e571 = phi_832_;
+                    local_5 = _e569;
+                    let _e572 = (_e571 != 4294967295u);
+                    if _e572 {
+                        if (_e571 < _e68) {
                         } else {
                             return;
                         }
-                        let _e562 = nodes.member[(0u + _e553)].frame[3u];
-                        let _e587 = (bitcast<f32>((((_e562 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e292);
-                        let _e588 = (bitcast<f32>((((_e562 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e303);
-                        let _e589 = (bitcast<f32>((((_e562 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
-                        let _e592 = nodes.member[(0u + _e553)].frame[0u];
-                        let _e596 = nodes.member[(0u + _e553)].frame[1u];
-                        let _e600 = nodes.member[(0u + _e553)].frame[2u];
-                        let _e608 = ((bitcast<f32>(_e592) - _e146.origin.x) * _e292);
-                        let _e609 = ((bitcast<f32>(_e596) - _e146.origin.y) * _e303);
-                        let _e610 = ((bitcast<f32>(_e600) - _e146.origin.z) * _e314);
-                        let _e618 = nodes.member[(0u + _e553)].x;
-                        if (_e292 < 0f) {
-                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e618.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e629.unnamed.word, _e618.w), _e629.unnamed_1);
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e635.unnamed, lt_mask_LightPlace(_e618.x, _e635.unnamed_1.shift));
-                            phi_898_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_mask_LightPlace(_e641.unnamed_1.word, _e618.y));
+                        let _e580 = nodes.member[(0u + _e571)].frame[3u];
+                        let _e605 = (bitcast<f32>((((_e580 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
+                        let _e606 = (bitcast<f32>((((_e580 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e321);
+                        let _e607 = (bitcast<f32>((((_e580 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e332);
+                        let _e610 = nodes.member[(0u + _e571)].frame[0u];
+                        let _e614 = nodes.member[(0u + _e571)].frame[1u];
+                        let _e618 = nodes.member[(0u + _e571)].frame[2u];
+                        let _e626 = ((bitcast<f32>(_e610) - _e164.origin.x) * _e310);
+                        let _e627 = ((bitcast<f32>(_e614) - _e164.origin.y) * _e321);
+                        let _e628 = ((bitcast<f32>(_e618) - _e164.origin.z) * _e332);
+                        let _e636 = nodes.member[(0u + _e571)].x;
+                        if (_e310 < 0f) {
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e647.unnamed.word, _e636.w), _e647.unnamed_1);
+                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e636.x, _e653.unnamed_1.shift));
+                            phi_917_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e659.unnamed, lt_mask_LightPlace(_e659.unnamed_1.word, _e636.y));
                         } else {
-                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e618.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.unnamed.word, _e618.y), _e657.unnamed_1);
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_mask_LightPlace(_e618.z, _e663.unnamed_1.shift));
-                            phi_898_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_mask_LightPlace(_e669.unnamed_1.word, _e618.w));
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e675.unnamed.word, _e636.y), _e675.unnamed_1);
+                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_mask_LightPlace(_e636.z, _e681.unnamed_1.shift));
+                            phi_917_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e687.unnamed, lt_mask_LightPlace(_e687.unnamed_1.word, _e636.w));
                         }
-                        let _e677 = phi_898_;
-                        let _e687 = nodes.member[(0u + _e553)].y;
-                        if (_e303 < 0f) {
-                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.unnamed.word, _e687.w), _e698.unnamed_1);
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_mask_LightPlace(_e687.x, _e704.unnamed_1.shift));
-                            phi_925_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_mask_LightPlace(_e710.unnamed_1.word, _e687.y));
+                        let _e695 = phi_917_;
+                        let _e705 = nodes.member[(0u + _e571)].y;
+                        if (_e321 < 0f) {
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e716.unnamed.word, _e705.w), _e716.unnamed_1);
+                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e705.x, _e722.unnamed_1.shift));
+                            phi_944_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e728.unnamed, lt_mask_LightPlace(_e728.unnamed_1.word, _e705.y));
                         } else {
-                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.unnamed.word, _e687.y), _e726.unnamed_1);
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e687.z, _e732.unnamed_1.shift));
-                            phi_925_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e738.unnamed_1.word, _e687.w));
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e744.unnamed.word, _e705.y), _e744.unnamed_1);
+                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_mask_LightPlace(_e705.z, _e750.unnamed_1.shift));
+                            phi_944_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e756.unnamed, lt_mask_LightPlace(_e756.unnamed_1.word, _e705.w));
                         }
-                        let _e746 = phi_925_;
-                        let _e756 = nodes.member[(0u + _e553)].z;
-                        if (_e314 < 0f) {
-                            let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e767.unnamed.word, _e756.w), _e767.unnamed_1);
-                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_mask_LightPlace(_e756.x, _e773.unnamed_1.shift));
-                            phi_952_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_mask_LightPlace(_e779.unnamed_1.word, _e756.y));
+                        let _e764 = phi_944_;
+                        let _e774 = nodes.member[(0u + _e571)].z;
+                        if (_e332 < 0f) {
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e785.unnamed.word, _e774.w), _e785.unnamed_1);
+                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e774.x, _e791.unnamed_1.shift));
+                            phi_971_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_mask_LightPlace(_e797.unnamed_1.word, _e774.y));
                         } else {
-                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e795.unnamed.word, _e756.y), _e795.unnamed_1);
-                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e756.z, _e801.unnamed_1.shift));
-                            phi_952_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_mask_LightPlace(_e807.unnamed_1.word, _e756.w));
+                            let _e813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e813.unnamed.word, _e774.y), _e813.unnamed_1);
+                            let _e825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e819.unnamed, lt_mask_LightPlace(_e774.z, _e819.unnamed_1.shift));
+                            phi_971_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e825.unnamed, lt_mask_LightPlace(_e825.unnamed_1.word, _e774.w));
                         }
-                        let _e815 = phi_952_;
-                        phi_958_ = 0u;
-                        phi_961_ = 0u;
+                        let _e833 = phi_971_;
+                        phi_977_ = 0u;
+                        phi_980_ = 0u;
                         loop {
-                            let _e825 = phi_958_;
-                            let _e827 = phi_961_;
-                            local_1 = _e827;
-                            local_2 = _e827;
-                            local_3 = _e827;
-                            let _e828 = (_e825 < 8u);
-                            if _e828 {
-                                let _e830 = (_e825 >> bitcast<u32>(2i));
-                                let _e831 = (_e825 & 3u);
-                                if (_e830 == 0u) {
-                                    phi_975_ = _e677.unnamed.word;
+                            let _e843 = phi_977_;
+                            let _e845 = phi_980_;
+                            local_1 = _e845;
+                            local_2 = _e845;
+                            local_3 = _e845;
+                            let _e846 = (_e843 < 8u);
+                            if _e846 {
+                                let _e848 = (_e843 >> bitcast<u32>(2i));
+                                let _e849 = (_e843 & 3u);
+                                if (_e848 == 0u) {
+                                    phi_994_ = _e695.unnamed.word;
                                 } else {
-                                    phi_975_ = _e677.unnamed.shift;
+                                    phi_994_ = _e695.unnamed.shift;
                                 }
-                                let _e834 = phi_975_;
-                                if (_e830 == 0u) {
-                                    phi_985_ = _e746.unnamed.word;
+                                let _e852 = phi_994_;
+                                if (_e848 == 0u) {
+                                    phi_1004_ = _e764.unnamed.word;
                                 } else {
-                                    phi_985_ = _e746.unnamed.shift;
+                                    phi_1004_ = _e764.unnamed.shift;
                                 }
-                                let _e843 = phi_985_;
-                                if (_e830 == 0u) {
-                                    phi_995_ = _e815.unnamed.word;
+                                let _e861 = phi_1004_;
+                                if (_e848 == 0u) {
+                                    phi_1014_ = _e833.unnamed.word;
                                 } else {
-                                    phi_995_ = _e815.unnamed.shift;
+                                    phi_1014_ = _e833.unnamed.shift;
                                 }
-                                let _e852 = phi_995_;
-                                let _e865 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e834 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e587) + (_e608 - _e352)), ((f32(((_e843 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e588) + (_e609 - _e353)));
-                                let _e866 = core_intrinsics_maximum_number_nsz_f32_(_e865, ((f32(((_e852 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e589) + (_e610 - _e354)));
-                                if (_e830 == 0u) {
-                                    phi_1013_ = _e677.unnamed_1.word;
+                                let _e870 = phi_1014_;
+                                let _e883 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e852 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e605) + (_e626 - _e370)), ((f32(((_e861 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e606) + (_e627 - _e371)));
+                                let _e884 = core_intrinsics_maximum_number_nsz_f32_(_e883, ((f32(((_e870 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e372)));
+                                if (_e848 == 0u) {
+                                    phi_1032_ = _e695.unnamed_1.word;
                                 } else {
-                                    phi_1013_ = _e677.unnamed_1.shift;
+                                    phi_1032_ = _e695.unnamed_1.shift;
                                 }
-                                let _e869 = phi_1013_;
-                                if (_e830 == 0u) {
-                                    phi_1023_ = _e746.unnamed_1.word;
+                                let _e887 = phi_1032_;
+                                if (_e848 == 0u) {
+                                    phi_1042_ = _e764.unnamed_1.word;
                                 } else {
-                                    phi_1023_ = _e746.unnamed_1.shift;
+                                    phi_1042_ = _e764.unnamed_1.shift;
                                 }
-                                let _e878 = phi_1023_;
-                                if (_e830 == 0u) {
-                                    phi_1033_ = _e815.unnamed_1.word;
+                                let _e896 = phi_1042_;
+                                if (_e848 == 0u) {
+                                    phi_1052_ = _e833.unnamed_1.word;
                                 } else {
-                                    phi_1033_ = _e815.unnamed_1.shift;
+                                    phi_1052_ = _e833.unnamed_1.shift;
                                 }
-                                let _e887 = phi_1033_;
-                                let _e900 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e869 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e587) + (_e608 + _e352)), ((f32(((_e878 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e588) + (_e609 + _e353)));
-                                let _e901 = core_intrinsics_minimum_number_nsz_f32_(_e900, ((f32(((_e887 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e589) + (_e610 + _e354)));
-                                if (_e866 <= _e901) {
-                                    if (_e866 <= _e551.t) {
-                                        if (_e901 >= _e146.tmin) {
-                                            if (_e830 == 0u) {
-                                                let _e908 = nodes.member[(0u + _e553)].links[2u];
-                                                phi_1069_ = _e908;
+                                let _e905 = phi_1052_;
+                                let _e918 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e887 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e605) + (_e626 + _e370)), ((f32(((_e896 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e606) + (_e627 + _e371)));
+                                let _e919 = core_intrinsics_minimum_number_nsz_f32_(_e918, ((f32(((_e905 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e372)));
+                                if (_e884 <= _e919) {
+                                    if (_e884 <= _e569.t) {
+                                        if (_e919 >= _e164.tmin) {
+                                            if (_e848 == 0u) {
+                                                let _e926 = nodes.member[(0u + _e571)].links[2u];
+                                                phi_1088_ = _e926;
                                             } else {
-                                                let _e911 = nodes.member[(0u + _e553)].links[3u];
-                                                phi_1069_ = _e911;
+                                                let _e929 = nodes.member[(0u + _e571)].links[3u];
+                                                phi_1088_ = _e929;
                                             }
-                                            let _e913 = phi_1069_;
-                                            let _e918 = ((_e913 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u);
-                                            let _e919 = (_e918 & 31u);
-                                            if (_e919 >= 24u) {
-                                                phi_1082_ = (24u + ((_e919 - 24u) ^ _e413));
+                                            let _e931 = phi_1088_;
+                                            let _e936 = ((_e931 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u);
+                                            let _e937 = (_e936 & 31u);
+                                            if (_e937 >= 24u) {
+                                                phi_1101_ = (24u + ((_e937 - 24u) ^ _e431));
                                             } else {
-                                                phi_1082_ = _e919;
+                                                phi_1101_ = _e937;
                                             }
-                                            let _e925 = phi_1082_;
-                                            phi_1087_ = (_e827 | ((_e918 >> bitcast<u32>(5i)) << bitcast<u32>((_e925 & 31u))));
+                                            let _e943 = phi_1101_;
+                                            phi_1106_ = (_e845 | ((_e936 >> bitcast<u32>(5i)) << bitcast<u32>((_e943 & 31u))));
                                         } else {
-                                            phi_1087_ = _e827;
+                                            phi_1106_ = _e845;
                                         }
-                                        let _e933 = phi_1087_;
-                                        phi_1088_ = _e933;
+                                        let _e951 = phi_1106_;
+                                        phi_1107_ = _e951;
                                     } else {
-                                        phi_1088_ = _e827;
+                                        phi_1107_ = _e845;
                                     }
-                                    let _e935 = phi_1088_;
-                                    phi_1089_ = _e935;
+                                    let _e953 = phi_1107_;
+                                    phi_1108_ = _e953;
                                 } else {
-                                    phi_1089_ = _e827;
+                                    phi_1108_ = _e845;
                                 }
-                                let _e937 = phi_1089_;
-                                phi_959_ = (_e825 + 1u);
-                                phi_962_ = _e937;
+                                let _e955 = phi_1108_;
+                                phi_978_ = (_e843 + 1u);
+                                phi_981_ = _e955;
                             } else {
-                                phi_959_ = u32();
-                                phi_962_ = u32();
+                                phi_978_ = u32();
+                                phi_981_ = u32();
                             }
-                            let _e940 = phi_959_;
-                            let _e942 = phi_962_;
+                            let _e958 = phi_978_;
+                            let _e960 = phi_981_;
                             continue;
                             continuing {
-                                phi_958_ = _e940;
-                                phi_961_ = _e942;
-                                break if !(_e828);
+                                phi_977_ = _e958;
+                                phi_980_ = _e960;
+                                break if !(_e846);
                             }
                         }
-                        let _e946 = nodes.member[(0u + _e553)].links[0u];
-                        let _e950 = nodes.member[(0u + _e553)].frame[3u];
-                        let _e954 = local_1;
-                        if ((_e954 & 4278190080u) == 0u) {
+                        let _e964 = nodes.member[(0u + _e571)].links[0u];
+                        let _e968 = nodes.member[(0u + _e571)].frame[3u];
+                        let _e972 = local_1;
+                        if ((_e972 & 4278190080u) == 0u) {
                         } else {
-                            let _e958 = local.group_mask;
-                            if ((_e958 & 4278190080u) == 0u) {
+                            let _e976 = local.group_mask;
+                            if ((_e976 & 4278190080u) == 0u) {
                             } else {
-                                let _e962 = local.len;
-                                if (_e962 < 32u) {
-                                    let _e965 = local.group;
-                                    let _e967 = local.len;
-                                    if (_e967 < 32u) {
+                                let _e980 = local.len;
+                                if (_e980 < 32u) {
+                                    let _e983 = local.group;
+                                    let _e985 = local.len;
+                                    if (_e985 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e967)] = _e965;
-                                    let _e973 = local.group_mask;
-                                    let _e975 = local.len;
-                                    if (_e975 < 32u) {
+                                    local.first[(0u + _e985)] = _e983;
+                                    let _e991 = local.group_mask;
+                                    let _e993 = local.len;
+                                    if (_e993 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e975)] = _e973;
-                                    let _e982 = local.len;
-                                    local.len = (_e982 + 1u);
+                                    local.mask[(0u + _e993)] = _e991;
+                                    let _e1000 = local.len;
+                                    local.len = (_e1000 + 1u);
                                 }
                             }
-                            local.group = (0u + _e946);
-                            let _e986 = local_2;
-                            local.group_mask = ((_e986 & 4278190080u) | (_e950 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e964);
+                            let _e1004 = local_2;
+                            local.group_mask = ((_e1004 & 4278190080u) | (_e968 >> bitcast<u32>(24i)));
                         }
-                        let _e991 = local_3;
-                        phi_1147_ = _e551;
-                        phi_1150_ = (_e991 & 16777215u);
+                        let _e1009 = local_3;
+                        phi_1166_ = _e569;
+                        phi_1169_ = (_e1009 & 16777215u);
                         loop {
-                            let _e994 = phi_1147_;
-                            let _e996 = phi_1150_;
-                            local_4 = _e994;
-                            if (_e996 == 0u) {
-                                phi_1148_ = lt_bvh_Hit();
-                                phi_1151_ = u32();
-                                phi_1809_ = false;
+                            let _e1012 = phi_1166_;
+                            let _e1014 = phi_1169_;
+                            local_4 = _e1012;
+                            if (_e1014 == 0u) {
+                                phi_1167_ = lt_bvh_Hit();
+                                phi_1170_ = u32();
+                                phi_1828_ = false;
                             } else {
-                                let _e1000 = nodes.member[(0u + _e553)].links[1u];
-                                let _e1005 = ((0u + _e1000) + select(firstTrailingBit(_e996), 32u, (_e996 == 0u)));
-                                if (_e1005 < _e70) {
+                                let _e1018 = nodes.member[(0u + _e571)].links[1u];
+                                let _e1023 = ((0u + _e1018) + select(firstTrailingBit(_e1014), 32u, (_e1014 == 0u)));
+                                if (_e1023 < _e71) {
                                 } else {
                                     return;
                                 }
-                                let _e1012 = triangles.member[(0u + _e1005)].v0_;
-                                let _e1015 = (_e1012.x - _e146.origin.x);
-                                let _e1018 = (_e1012.y - _e146.origin.y);
-                                let _e1021 = (_e1012.z - _e146.origin.z);
-                                if (_e380 == 0u) {
-                                    phi_1197_ = vec3<f32>(_e1018, _e1021, _e1015);
+                                let _e1030 = triangles.member[(0u + _e1023)].v0_;
+                                let _e1033 = (_e1030.x - _e164.origin.x);
+                                let _e1036 = (_e1030.y - _e164.origin.y);
+                                let _e1039 = (_e1030.z - _e164.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1216_ = vec3<f32>(_e1036, _e1039, _e1033);
                                 } else {
-                                    if (_e380 == 1u) {
-                                        phi_1196_ = vec3<f32>(_e1021, _e1015, _e1018);
+                                    if (_e398 == 1u) {
+                                        phi_1215_ = vec3<f32>(_e1039, _e1033, _e1036);
                                     } else {
-                                        phi_1196_ = (_e1012 - _e146.origin);
+                                        phi_1215_ = (_e1030 - _e164.origin);
                                     }
-                                    let _e1028 = phi_1196_;
-                                    phi_1197_ = _e1028;
+                                    let _e1046 = phi_1215_;
+                                    phi_1216_ = _e1046;
                                 }
-                                let _e1030 = phi_1197_;
-                                let _e1034 = (_e1030.x - (_e397 * _e1030.z));
-                                let _e1038 = (_e1030.y - (_e400 * _e1030.z));
-                                let _e1040 = triangles.member[(0u + _e1005)].v1_;
-                                let _e1043 = (_e1040.x - _e146.origin.x);
-                                let _e1046 = (_e1040.y - _e146.origin.y);
-                                let _e1049 = (_e1040.z - _e146.origin.z);
-                                if (_e380 == 0u) {
-                                    phi_1229_ = vec3<f32>(_e1046, _e1049, _e1043);
+                                let _e1048 = phi_1216_;
+                                let _e1052 = (_e1048.x - (_e415 * _e1048.z));
+                                let _e1056 = (_e1048.y - (_e418 * _e1048.z));
+                                let _e1058 = triangles.member[(0u + _e1023)].v1_;
+                                let _e1061 = (_e1058.x - _e164.origin.x);
+                                let _e1064 = (_e1058.y - _e164.origin.y);
+                                let _e1067 = (_e1058.z - _e164.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1248_ = vec3<f32>(_e1064, _e1067, _e1061);
                                 } else {
-                                    if (_e380 == 1u) {
-                                        phi_1228_ = vec3<f32>(_e1049, _e1043, _e1046);
+                                    if (_e398 == 1u) {
+                                        phi_1247_ = vec3<f32>(_e1067, _e1061, _e1064);
                                     } else {
-                                        phi_1228_ = (_e1040 - _e146.origin);
+                                        phi_1247_ = (_e1058 - _e164.origin);
                                     }
-                                    let _e1056 = phi_1228_;
-                                    phi_1229_ = _e1056;
+                                    let _e1074 = phi_1247_;
+                                    phi_1248_ = _e1074;
                                 }
-                                let _e1058 = phi_1229_;
-                                let _e1062 = (_e1058.x - (_e397 * _e1058.z));
-                                let _e1066 = (_e1058.y - (_e400 * _e1058.z));
-                                let _e1068 = triangles.member[(0u + _e1005)].v2_;
-                                let _e1071 = (_e1068.x - _e146.origin.x);
-                                let _e1074 = (_e1068.y - _e146.origin.y);
-                                let _e1077 = (_e1068.z - _e146.origin.z);
-                                if (_e380 == 0u) {
-                                    phi_1261_ = vec3<f32>(_e1074, _e1077, _e1071);
+                                let _e1076 = phi_1248_;
+                                let _e1080 = (_e1076.x - (_e415 * _e1076.z));
+                                let _e1084 = (_e1076.y - (_e418 * _e1076.z));
+                                let _e1086 = triangles.member[(0u + _e1023)].v2_;
+                                let _e1089 = (_e1086.x - _e164.origin.x);
+                                let _e1092 = (_e1086.y - _e164.origin.y);
+                                let _e1095 = (_e1086.z - _e164.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1280_ = vec3<f32>(_e1092, _e1095, _e1089);
                                 } else {
-                                    if (_e380 == 1u) {
-                                        phi_1260_ = vec3<f32>(_e1077, _e1071, _e1074);
+                                    if (_e398 == 1u) {
+                                        phi_1279_ = vec3<f32>(_e1095, _e1089, _e1092);
                                     } else {
-                                        phi_1260_ = (_e1068 - _e146.origin);
+                                        phi_1279_ = (_e1086 - _e164.origin);
                                     }
-                                    let _e1084 = phi_1260_;
-                                    phi_1261_ = _e1084;
+                                    let _e1102 = phi_1279_;
+                                    phi_1280_ = _e1102;
                                 }
-                                let _e1086 = phi_1261_;
-                                let _e1090 = (_e1086.x - (_e397 * _e1086.z));
-                                let _e1094 = (_e1086.y - (_e400 * _e1086.z));
-                                if (_e1062 < _e1090) {
-                                    phi_1280_ = true;
+                                let _e1104 = phi_1280_;
+                                let _e1108 = (_e1104.x - (_e415 * _e1104.z));
+                                let _e1112 = (_e1104.y - (_e418 * _e1104.z));
+                                if (_e1080 < _e1108) {
+                                    phi_1299_ = true;
                                 } else {
-                                    if (_e1062 == _e1090) {
-                                        phi_1279_ = (_e1066 < _e1094);
+                                    if (_e1080 == _e1108) {
+                                        phi_1298_ = (_e1084 < _e1112);
                                     } else {
-                                        phi_1279_ = false;
+                                        phi_1298_ = false;
                                     }
-                                    let _e1099 = phi_1279_;
-                                    phi_1280_ = _e1099;
+                                    let _e1117 = phi_1298_;
+                                    phi_1299_ = _e1117;
                                 }
-                                let _e1101 = phi_1280_;
-                                if _e1101 {
-                                    phi_1284_ = _e1094;
-                                    phi_1285_ = _e1090;
-                                    phi_1286_ = _e1066;
-                                    phi_1287_ = _e1062;
+                                let _e1119 = phi_1299_;
+                                if _e1119 {
+                                    phi_1303_ = _e1112;
+                                    phi_1304_ = _e1108;
+                                    phi_1305_ = _e1084;
+                                    phi_1306_ = _e1080;
                                 } else {
-                                    phi_1284_ = _e1066;
-                                    phi_1285_ = _e1062;
-                                    phi_1286_ = _e1094;
-                                    phi_1287_ = _e1090;
+                                    phi_1303_ = _e1084;
+                                    phi_1304_ = _e1080;
+                                    phi_1305_ = _e1112;
+                                    phi_1306_ = _e1108;
                                 }
-                                let _e1103 = phi_1284_;
-                                let _e1105 = phi_1285_;
-                                let _e1107 = phi_1286_;
-                                let _e1109 = phi_1287_;
-                                let _e1112 = ((_e1109 * _e1103) - (_e1107 * _e1105));
-                                if _e1101 {
-                                    phi_1295_ = -(_e1112);
+                                let _e1121 = phi_1303_;
+                                let _e1123 = phi_1304_;
+                                let _e1125 = phi_1305_;
+                                let _e1127 = phi_1306_;
+                                let _e1130 = ((_e1127 * _e1121) - (_e1125 * _e1123));
+                                if _e1119 {
+                                    phi_1314_ = -(_e1130);
                                 } else {
-                                    phi_1295_ = _e1112;
+                                    phi_1314_ = _e1130;
                                 }
-                                let _e1115 = phi_1295_;
-                                if (_e1090 < _e1034) {
-                                    phi_1306_ = true;
+                                let _e1133 = phi_1314_;
+                                if (_e1108 < _e1052) {
+                                    phi_1325_ = true;
                                 } else {
-                                    if (_e1090 == _e1034) {
-                                        phi_1305_ = (_e1094 < _e1038);
+                                    if (_e1108 == _e1052) {
+                                        phi_1324_ = (_e1112 < _e1056);
                                     } else {
-                                        phi_1305_ = false;
+                                        phi_1324_ = false;
                                     }
-                                    let _e1120 = phi_1305_;
-                                    phi_1306_ = _e1120;
+                                    let _e1138 = phi_1324_;
+                                    phi_1325_ = _e1138;
                                 }
-                                let _e1122 = phi_1306_;
-                                if _e1122 {
-                                    phi_1310_ = _e1038;
-                                    phi_1311_ = _e1034;
-                                    phi_1312_ = _e1094;
-                                    phi_1313_ = _e1090;
+                                let _e1140 = phi_1325_;
+                                if _e1140 {
+                                    phi_1329_ = _e1056;
+                                    phi_1330_ = _e1052;
+                                    phi_1331_ = _e1112;
+                                    phi_1332_ = _e1108;
                                 } else {
-                                    phi_1310_ = _e1094;
-                                    phi_1311_ = _e1090;
-                                    phi_1312_ = _e1038;
-                                    phi_1313_ = _e1034;
+                                    phi_1329_ = _e1112;
+                                    phi_1330_ = _e1108;
+                                    phi_1331_ = _e1056;
+                                    phi_1332_ = _e1052;
                                 }
-                                let _e1124 = phi_1310_;
-                                let _e1126 = phi_1311_;
-                                let _e1128 = phi_1312_;
-                                let _e1130 = phi_1313_;
-                                let _e1133 = ((_e1130 * _e1124) - (_e1128 * _e1126));
-                                if _e1122 {
-                                    phi_1321_ = -(_e1133);
+                                let _e1142 = phi_1329_;
+                                let _e1144 = phi_1330_;
+                                let _e1146 = phi_1331_;
+                                let _e1148 = phi_1332_;
+                                let _e1151 = ((_e1148 * _e1142) - (_e1146 * _e1144));
+                                if _e1140 {
+                                    phi_1340_ = -(_e1151);
                                 } else {
-                                    phi_1321_ = _e1133;
+                                    phi_1340_ = _e1151;
                                 }
-                                let _e1136 = phi_1321_;
-                                if (_e1034 < _e1062) {
-                                    phi_1332_ = true;
+                                let _e1154 = phi_1340_;
+                                if (_e1052 < _e1080) {
+                                    phi_1351_ = true;
                                 } else {
-                                    if (_e1034 == _e1062) {
-                                        phi_1331_ = (_e1038 < _e1066);
+                                    if (_e1052 == _e1080) {
+                                        phi_1350_ = (_e1056 < _e1084);
                                     } else {
-                                        phi_1331_ = false;
+                                        phi_1350_ = false;
                                     }
-                                    let _e1141 = phi_1331_;
-                                    phi_1332_ = _e1141;
+                                    let _e1159 = phi_1350_;
+                                    phi_1351_ = _e1159;
                                 }
-                                let _e1143 = phi_1332_;
-                                if _e1143 {
-                                    phi_1336_ = _e1066;
-                                    phi_1337_ = _e1062;
-                                    phi_1338_ = _e1038;
-                                    phi_1339_ = _e1034;
+                                let _e1161 = phi_1351_;
+                                if _e1161 {
+                                    phi_1355_ = _e1084;
+                                    phi_1356_ = _e1080;
+                                    phi_1357_ = _e1056;
+                                    phi_1358_ = _e1052;
                                 } else {
-                                    phi_1336_ = _e1038;
-                                    phi_1337_ = _e1034;
-                                    phi_1338_ = _e1066;
-                                    phi_1339_ = _e1062;
+                                    phi_1355_ = _e1056;
+                                    phi_1356_ = _e1052;
+                                    phi_1357_ = _e1084;
+                                    phi_1358_ = _e1080;
                                 }
-                                let _e1145 = phi_1336_;
-                                let _e1147 = phi_1337_;
-                                let _e1149 = phi_1338_;
-                                let _e1151 = phi_1339_;
-                                let _e1154 = ((_e1151 * _e1145) - (_e1149 * _e1147));
-                                if _e1143 {
-                                    phi_1347_ = -(_e1154);
+                                let _e1163 = phi_1355_;
+                                let _e1165 = phi_1356_;
+                                let _e1167 = phi_1357_;
+                                let _e1169 = phi_1358_;
+                                let _e1172 = ((_e1169 * _e1163) - (_e1167 * _e1165));
+                                if _e1161 {
+                                    phi_1366_ = -(_e1172);
                                 } else {
-                                    phi_1347_ = _e1154;
+                                    phi_1366_ = _e1172;
                                 }
-                                let _e1157 = phi_1347_;
-                                if (_e1115 >= 0f) {
-                                    if (_e1136 >= 0f) {
-                                        if (_e1157 >= 0f) {
-                                            phi_1362_ = ((_e1115 + _e1136) + _e1157);
-                                            phi_1363_ = false;
+                                let _e1175 = phi_1366_;
+                                if (_e1133 >= 0f) {
+                                    if (_e1154 >= 0f) {
+                                        if (_e1175 >= 0f) {
+                                            phi_1381_ = ((_e1133 + _e1154) + _e1175);
+                                            phi_1382_ = false;
                                         } else {
-                                            phi_1362_ = f32();
-                                            phi_1363_ = true;
+                                            phi_1381_ = f32();
+                                            phi_1382_ = true;
                                         }
-                                        let _e1164 = phi_1362_;
-                                        let _e1166 = phi_1363_;
-                                        phi_1364_ = _e1164;
-                                        phi_1365_ = _e1166;
+                                        let _e1182 = phi_1381_;
+                                        let _e1184 = phi_1382_;
+                                        phi_1383_ = _e1182;
+                                        phi_1384_ = _e1184;
                                     } else {
-                                        phi_1364_ = f32();
-                                        phi_1365_ = true;
+                                        phi_1383_ = f32();
+                                        phi_1384_ = true;
                                     }
-                                    let _e1168 = phi_1364_;
-                                    let _e1170 = phi_1365_;
-                                    phi_1366_ = _e1168;
-                                    phi_1367_ = _e1170;
+                                    let _e1186 = phi_1383_;
+                                    let _e1188 = phi_1384_;
+                                    phi_1385_ = _e1186;
+                                    phi_1386_ = _e1188;
                                 } else {
-                                    phi_1366_ = f32();
-                                    phi_1367_ = true;
+                                    phi_1385_ = f32();
+                                    phi_1386_ = true;
                                 }
-                                let _e1172 = phi_1366_;
-                                let _e1174 = phi_1367_;
-                                if _e1174 {
-                                    if (_e1115 <= 0f) {
-                                        if (_e1136 <= 0f) {
-                                            let _e1177 = (_e1157 <= 0f);
-                                            if _e1177 {
+                                let _e1190 = phi_1385_;
+                                let _e1192 = phi_1386_;
+                                if _e1192 {
+                                    if (_e1133 <= 0f) {
+                                        if (_e1154 <= 0f) {
+                                            let _e1195 = (_e1175 <= 0f);
+                                            if _e1195 {
                                             }
-                                            phi_1385_ = ((_e1115 + _e1136) + _e1157);
-                                            phi_1386_ = false;
-                                            phi_1387_ = _e1177;
+                                            phi_1404_ = ((_e1133 + _e1154) + _e1175);
+                                            phi_1405_ = false;
+                                            phi_1406_ = _e1195;
                                         } else {
-                                            phi_1385_ = f32();
-                                            phi_1386_ = true;
-                                            phi_1387_ = false;
+                                            phi_1404_ = f32();
+                                            phi_1405_ = true;
+                                            phi_1406_ = false;
                                         }
-                                        let _e1181 = phi_1385_;
-                                        let _e1183 = phi_1386_;
-                                        let _e1185 = phi_1387_;
-                                        phi_1388_ = _e1181;
-                                        phi_1389_ = _e1183;
-                                        phi_1390_ = _e1185;
+                                        let _e1199 = phi_1404_;
+                                        let _e1201 = phi_1405_;
+                                        let _e1203 = phi_1406_;
+                                        phi_1407_ = _e1199;
+                                        phi_1408_ = _e1201;
+                                        phi_1409_ = _e1203;
                                     } else {
-                                        phi_1388_ = f32();
-                                        phi_1389_ = true;
-                                        phi_1390_ = false;
+                                        phi_1407_ = f32();
+                                        phi_1408_ = true;
+                                        phi_1409_ = false;
                                     }
-                                    let _e1187 = phi_1388_;
-                                    let _e1189 = phi_1389_;
-                                    let _e1191 = phi_1390_;
-                                    if _e1189 {
-                                        phi_1394_ = false;
+                                    let _e1205 = phi_1407_;
+                                    let _e1207 = phi_1408_;
+                                    let _e1209 = phi_1409_;
+                                    if _e1207 {
+                                        phi_1413_ = false;
                                     } else {
-                                        phi_1394_ = _e1191;
+                                        phi_1413_ = _e1209;
                                     }
-                                    let _e1193 = phi_1394_;
-                                    phi_1395_ = _e1187;
-                                    phi_1396_ = _e1193;
+                                    let _e1211 = phi_1413_;
+                                    phi_1414_ = _e1205;
+                                    phi_1415_ = _e1211;
                                 } else {
-                                    phi_1395_ = _e1172;
-                                    phi_1396_ = true;
+                                    phi_1414_ = _e1190;
+                                    phi_1415_ = true;
                                 }
-                                let _e1195 = phi_1395_;
-                                let _e1197 = phi_1396_;
-                                if _e1197 {
-                                    let _e1198 = (_e1195 == 0f);
-                                    if _e1198 {
-                                        phi_1722_ = lt_bvh_triangle_Intersection();
-                                        phi_1723_ = false;
+                                let _e1213 = phi_1414_;
+                                let _e1215 = phi_1415_;
+                                if _e1215 {
+                                    let _e1216 = (_e1213 == 0f);
+                                    if _e1216 {
+                                        phi_1741_ = lt_bvh_triangle_Intersection();
+                                        phi_1742_ = false;
                                     } else {
-                                        let _e1200 = triangles.member[(0u + _e1005)].v0_;
-                                        let _e1203 = (_e1200.x - _e146.origin.x);
-                                        let _e1206 = (_e1200.y - _e146.origin.y);
-                                        let _e1209 = (_e1200.z - _e146.origin.z);
-                                        if (_e380 == 0u) {
-                                            phi_1427_ = vec3<f32>(_e1206, _e1209, _e1203);
+                                        let _e1218 = triangles.member[(0u + _e1023)].v0_;
+                                        let _e1221 = (_e1218.x - _e164.origin.x);
+                                        let _e1224 = (_e1218.y - _e164.origin.y);
+                                        let _e1227 = (_e1218.z - _e164.origin.z);
+                                        if (_e398 == 0u) {
+                                            phi_1446_ = vec3<f32>(_e1224, _e1227, _e1221);
                                         } else {
-                                            if (_e380 == 1u) {
-                                                phi_1426_ = vec3<f32>(_e1209, _e1203, _e1206);
+                                            if (_e398 == 1u) {
+                                                phi_1445_ = vec3<f32>(_e1227, _e1221, _e1224);
                                             } else {
-                                                phi_1426_ = (_e1200 - _e146.origin);
+                                                phi_1445_ = (_e1218 - _e164.origin);
                                             }
-                                            let _e1216 = phi_1426_;
-                                            phi_1427_ = _e1216;
+                                            let _e1234 = phi_1445_;
+                                            phi_1446_ = _e1234;
                                         }
-                                        let _e1218 = phi_1427_;
-                                        let _e1220 = triangles.member[(0u + _e1005)].v1_;
-                                        let _e1222 = triangles.member[(0u + _e1005)].v0_;
-                                        let _e1225 = (_e1220.x - _e1222.x);
-                                        let _e1228 = (_e1220.y - _e1222.y);
-                                        let _e1231 = (_e1220.z - _e1222.z);
-                                        if (_e380 == 0u) {
-                                            phi_1453_ = vec3<f32>(_e1228, _e1231, _e1225);
+                                        let _e1236 = phi_1446_;
+                                        let _e1238 = triangles.member[(0u + _e1023)].v1_;
+                                        let _e1240 = triangles.member[(0u + _e1023)].v0_;
+                                        let _e1243 = (_e1238.x - _e1240.x);
+                                        let _e1246 = (_e1238.y - _e1240.y);
+                                        let _e1249 = (_e1238.z - _e1240.z);
+                                        if (_e398 == 0u) {
+                                            phi_1472_ = vec3<f32>(_e1246, _e1249, _e1243);
                                         } else {
-                                            if (_e380 == 1u) {
-                                                phi_1452_ = vec3<f32>(_e1231, _e1225, _e1228);
+                                            if (_e398 == 1u) {
+                                                phi_1471_ = vec3<f32>(_e1249, _e1243, _e1246);
                                             } else {
-                                                phi_1452_ = (_e1220 - _e1222);
+                                                phi_1471_ = (_e1238 - _e1240);
                                             }
-                                            let _e1238 = phi_1452_;
-                                            phi_1453_ = _e1238;
+                                            let _e1256 = phi_1471_;
+                                            phi_1472_ = _e1256;
                                         }
-                                        let _e1240 = phi_1453_;
-                                        let _e1242 = triangles.member[(0u + _e1005)].v2_;
-                                        let _e1244 = triangles.member[(0u + _e1005)].v0_;
-                                        let _e1247 = (_e1242.x - _e1244.x);
-                                        let _e1250 = (_e1242.y - _e1244.y);
-                                        let _e1253 = (_e1242.z - _e1244.z);
-                                        if (_e380 == 0u) {
-                                            phi_1479_ = vec3<f32>(_e1250, _e1253, _e1247);
+                                        let _e1258 = phi_1472_;
+                                        let _e1260 = triangles.member[(0u + _e1023)].v2_;
+                                        let _e1262 = triangles.member[(0u + _e1023)].v0_;
+                                        let _e1265 = (_e1260.x - _e1262.x);
+                                        let _e1268 = (_e1260.y - _e1262.y);
+                                        let _e1271 = (_e1260.z - _e1262.z);
+                                        if (_e398 == 0u) {
+                                            phi_1498_ = vec3<f32>(_e1268, _e1271, _e1265);
                                         } else {
-                                            if (_e380 == 1u) {
-                                                phi_1478_ = vec3<f32>(_e1253, _e1247, _e1250);
+                                            if (_e398 == 1u) {
+                                                phi_1497_ = vec3<f32>(_e1271, _e1265, _e1268);
                                             } else {
-                                                phi_1478_ = (_e1242 - _e1244);
+                                                phi_1497_ = (_e1260 - _e1262);
                                             }
-                                            let _e1260 = phi_1478_;
-                                            phi_1479_ = _e1260;
+                                            let _e1278 = phi_1497_;
+                                            phi_1498_ = _e1278;
                                         }
-                                        let _e1262 = phi_1479_;
-                                        let _e1269 = ((_e1240.y * _e1262.z) - (_e1240.z * _e1262.y));
-                                        let _e1276 = ((_e1240.z * _e1262.x) - (_e1240.x * _e1262.z));
-                                        let _e1283 = ((_e1240.x * _e1262.y) - (_e1240.y * _e1262.x));
-                                        let _e1297 = (((1f / _e394.z) * (((_e1269 * _e1218.x) + (_e1276 * _e1218.y)) + (_e1283 * _e1218.z))) / (((_e1269 * _e397) + (_e1276 * _e400)) + _e1283));
-                                        if (_e1297 > _e146.tmin) {
-                                            if (_e1297 < _e146.tmax) {
-                                                let _e1303 = triangles.member[(0u + _e1005)].v0_;
-                                                let _e1305 = triangles.member[(0u + _e1005)].v1_;
-                                                if (_e1303.x < _e1305.x) {
-                                                    phi_1537_ = _e1303.x;
+                                        let _e1280 = phi_1498_;
+                                        let _e1287 = ((_e1258.y * _e1280.z) - (_e1258.z * _e1280.y));
+                                        let _e1294 = ((_e1258.z * _e1280.x) - (_e1258.x * _e1280.z));
+                                        let _e1301 = ((_e1258.x * _e1280.y) - (_e1258.y * _e1280.x));
+                                        let _e1315 = (((1f / _e412.z) * (((_e1287 * _e1236.x) + (_e1294 * _e1236.y)) + (_e1301 * _e1236.z))) / (((_e1287 * _e415) + (_e1294 * _e418)) + _e1301));
+                                        if (_e1315 > _e164.tmin) {
+                                            if (_e1315 < _e164.tmax) {
+                                                let _e1321 = triangles.member[(0u + _e1023)].v0_;
+                                                let _e1323 = triangles.member[(0u + _e1023)].v1_;
+                                                if (_e1321.x < _e1323.x) {
+                                                    phi_1556_ = _e1321.x;
                                                 } else {
-                                                    phi_1537_ = _e1305.x;
+                                                    phi_1556_ = _e1323.x;
                                                 }
-                                                let _e1312 = phi_1537_;
-                                                if (_e1303.y < _e1305.y) {
-                                                    phi_1546_ = _e1303.y;
+                                                let _e1330 = phi_1556_;
+                                                if (_e1321.y < _e1323.y) {
+                                                    phi_1565_ = _e1321.y;
                                                 } else {
-                                                    phi_1546_ = _e1305.y;
+                                                    phi_1565_ = _e1323.y;
                                                 }
-                                                let _e1319 = phi_1546_;
-                                                if (_e1303.z < _e1305.z) {
-                                                    phi_1555_ = _e1303.z;
+                                                let _e1337 = phi_1565_;
+                                                if (_e1321.z < _e1323.z) {
+                                                    phi_1574_ = _e1321.z;
                                                 } else {
-                                                    phi_1555_ = _e1305.z;
+                                                    phi_1574_ = _e1323.z;
                                                 }
-                                                let _e1326 = phi_1555_;
-                                                let _e1328 = triangles.member[(0u + _e1005)].v2_;
-                                                if (_e1312 < _e1328.x) {
-                                                    phi_1564_ = _e1312;
+                                                let _e1344 = phi_1574_;
+                                                let _e1346 = triangles.member[(0u + _e1023)].v2_;
+                                                if (_e1330 < _e1346.x) {
+                                                    phi_1583_ = _e1330;
                                                 } else {
-                                                    phi_1564_ = _e1328.x;
+                                                    phi_1583_ = _e1346.x;
                                                 }
-                                                let _e1333 = phi_1564_;
-                                                if (_e1319 < _e1328.y) {
-                                                    phi_1571_ = _e1319;
+                                                let _e1351 = phi_1583_;
+                                                if (_e1337 < _e1346.y) {
+                                                    phi_1590_ = _e1337;
                                                 } else {
-                                                    phi_1571_ = _e1328.y;
+                                                    phi_1590_ = _e1346.y;
                                                 }
-                                                let _e1338 = phi_1571_;
-                                                if (_e1326 < _e1328.z) {
-                                                    phi_1578_ = _e1326;
+                                                let _e1356 = phi_1590_;
+                                                if (_e1344 < _e1346.z) {
+                                                    phi_1597_ = _e1344;
                                                 } else {
-                                                    phi_1578_ = _e1328.z;
+                                                    phi_1597_ = _e1346.z;
                                                 }
-                                                let _e1343 = phi_1578_;
-                                                let _e1345 = triangles.member[(0u + _e1005)].v0_;
-                                                let _e1347 = triangles.member[(0u + _e1005)].v1_;
-                                                if (_e1345.x > _e1347.x) {
-                                                    phi_1591_ = _e1345.x;
+                                                let _e1361 = phi_1597_;
+                                                let _e1363 = triangles.member[(0u + _e1023)].v0_;
+                                                let _e1365 = triangles.member[(0u + _e1023)].v1_;
+                                                if (_e1363.x > _e1365.x) {
+                                                    phi_1610_ = _e1363.x;
                                                 } else {
-                                                    phi_1591_ = _e1347.x;
+                                                    phi_1610_ = _e1365.x;
                                                 }
-                                                let _e1354 = phi_1591_;
-                                                if (_e1345.y > _e1347.y) {
-                                                    phi_1600_ = _e1345.y;
+                                                let _e1372 = phi_1610_;
+                                                if (_e1363.y > _e1365.y) {
+                                                    phi_1619_ = _e1363.y;
                                                 } else {
-                                                    phi_1600_ = _e1347.y;
+                                                    phi_1619_ = _e1365.y;
                                                 }
-                                                let _e1361 = phi_1600_;
-                                                if (_e1345.z > _e1347.z) {
-                                                    phi_1609_ = _e1345.z;
+                                                let _e1379 = phi_1619_;
+                                                if (_e1363.z > _e1365.z) {
+                                                    phi_1628_ = _e1363.z;
                                                 } else {
-                                                    phi_1609_ = _e1347.z;
+                                                    phi_1628_ = _e1365.z;
                                                 }
-                                                let _e1368 = phi_1609_;
-                                                let _e1370 = triangles.member[(0u + _e1005)].v2_;
-                                                if (_e1354 > _e1370.x) {
-                                                    phi_1618_ = _e1354;
+                                                let _e1386 = phi_1628_;
+                                                let _e1388 = triangles.member[(0u + _e1023)].v2_;
+                                                if (_e1372 > _e1388.x) {
+                                                    phi_1637_ = _e1372;
                                                 } else {
-                                                    phi_1618_ = _e1370.x;
+                                                    phi_1637_ = _e1388.x;
                                                 }
-                                                let _e1375 = phi_1618_;
-                                                if (_e1361 > _e1370.y) {
-                                                    phi_1625_ = _e1361;
+                                                let _e1393 = phi_1637_;
+                                                if (_e1379 > _e1388.y) {
+                                                    phi_1644_ = _e1379;
                                                 } else {
-                                                    phi_1625_ = _e1370.y;
+                                                    phi_1644_ = _e1388.y;
                                                 }
-                                                let _e1380 = phi_1625_;
-                                                if (_e1368 > _e1370.z) {
-                                                    phi_1632_ = _e1368;
+                                                let _e1398 = phi_1644_;
+                                                if (_e1386 > _e1388.z) {
+                                                    phi_1651_ = _e1386;
                                                 } else {
-                                                    phi_1632_ = _e1370.z;
+                                                    phi_1651_ = _e1388.z;
                                                 }
-                                                let _e1385 = phi_1632_;
-                                                let _e1392 = ((_e1333 - _e146.origin.x) * _e292);
-                                                let _e1393 = ((_e1338 - _e146.origin.y) * _e303);
-                                                let _e1394 = ((_e1343 - _e146.origin.z) * _e314);
-                                                let _e1401 = ((_e1375 - _e146.origin.x) * _e292);
-                                                let _e1402 = ((_e1380 - _e146.origin.y) * _e303);
-                                                let _e1403 = ((_e1385 - _e146.origin.z) * _e314);
-                                                if (_e1392 < _e1401) {
-                                                    phi_1655_ = _e1392;
+                                                let _e1403 = phi_1651_;
+                                                let _e1410 = ((_e1351 - _e164.origin.x) * _e310);
+                                                let _e1411 = ((_e1356 - _e164.origin.y) * _e321);
+                                                let _e1412 = ((_e1361 - _e164.origin.z) * _e332);
+                                                let _e1419 = ((_e1393 - _e164.origin.x) * _e310);
+                                                let _e1420 = ((_e1398 - _e164.origin.y) * _e321);
+                                                let _e1421 = ((_e1403 - _e164.origin.z) * _e332);
+                                                if (_e1410 < _e1419) {
+                                                    phi_1674_ = _e1410;
                                                 } else {
-                                                    phi_1655_ = _e1401;
+                                                    phi_1674_ = _e1419;
                                                 }
-                                                let _e1406 = phi_1655_;
-                                                if (_e1393 < _e1402) {
-                                                    phi_1660_ = _e1393;
+                                                let _e1424 = phi_1674_;
+                                                if (_e1411 < _e1420) {
+                                                    phi_1679_ = _e1411;
                                                 } else {
-                                                    phi_1660_ = _e1402;
+                                                    phi_1679_ = _e1420;
                                                 }
-                                                let _e1409 = phi_1660_;
-                                                if (_e1394 < _e1403) {
-                                                    phi_1665_ = _e1394;
+                                                let _e1427 = phi_1679_;
+                                                if (_e1412 < _e1421) {
+                                                    phi_1684_ = _e1412;
                                                 } else {
-                                                    phi_1665_ = _e1403;
+                                                    phi_1684_ = _e1421;
                                                 }
-                                                let _e1412 = phi_1665_;
-                                                if (_e1392 > _e1401) {
-                                                    phi_1673_ = _e1392;
+                                                let _e1430 = phi_1684_;
+                                                if (_e1410 > _e1419) {
+                                                    phi_1692_ = _e1410;
                                                 } else {
-                                                    phi_1673_ = _e1401;
+                                                    phi_1692_ = _e1419;
                                                 }
-                                                let _e1418 = phi_1673_;
-                                                if (_e1393 > _e1402) {
-                                                    phi_1678_ = _e1393;
+                                                let _e1436 = phi_1692_;
+                                                if (_e1411 > _e1420) {
+                                                    phi_1697_ = _e1411;
                                                 } else {
-                                                    phi_1678_ = _e1402;
+                                                    phi_1697_ = _e1420;
                                                 }
-                                                let _e1421 = phi_1678_;
-                                                if (_e1394 > _e1403) {
-                                                    phi_1683_ = _e1394;
+                                                let _e1439 = phi_1697_;
+                                                if (_e1412 > _e1421) {
+                                                    phi_1702_ = _e1412;
                                                 } else {
-                                                    phi_1683_ = _e1403;
+                                                    phi_1702_ = _e1421;
                                                 }
-                                                let _e1424 = phi_1683_;
-                                                let _e1428 = core_intrinsics_maximum_number_nsz_f32_((_e1406 - _e359), (_e1409 - _e360));
-                                                let _e1429 = core_intrinsics_maximum_number_nsz_f32_(_e1428, (_e1412 - _e361));
-                                                let _e1430 = core_intrinsics_minimum_number_nsz_f32_((_e1418 + _e359), (_e1421 + _e360));
-                                                let _e1431 = core_intrinsics_minimum_number_nsz_f32_(_e1430, (_e1424 + _e361));
-                                                if (_e1429 > -300000000000000000000000000000000000000f) {
-                                                    phi_1695_ = _e1429;
+                                                let _e1442 = phi_1702_;
+                                                let _e1446 = core_intrinsics_maximum_number_nsz_f32_((_e1424 - _e377), (_e1427 - _e378));
+                                                let _e1447 = core_intrinsics_maximum_number_nsz_f32_(_e1446, (_e1430 - _e379));
+                                                let _e1448 = core_intrinsics_minimum_number_nsz_f32_((_e1436 + _e377), (_e1439 + _e378));
+                                                let _e1449 = core_intrinsics_minimum_number_nsz_f32_(_e1448, (_e1442 + _e379));
+                                                if (_e1447 > -300000000000000000000000000000000000000f) {
+                                                    phi_1714_ = _e1447;
                                                 } else {
-                                                    phi_1695_ = -300000000000000000000000000000000000000f;
+                                                    phi_1714_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1434 = phi_1695_;
-                                                if (_e1431 < 300000000000000000000000000000000000000f) {
-                                                    phi_1700_ = _e1431;
+                                                let _e1452 = phi_1714_;
+                                                if (_e1449 < 300000000000000000000000000000000000000f) {
+                                                    phi_1719_ = _e1449;
                                                 } else {
-                                                    phi_1700_ = 300000000000000000000000000000000000000f;
+                                                    phi_1719_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1437 = phi_1700_;
-                                                if (_e1297 < _e1434) {
-                                                    phi_1705_ = _e1434;
+                                                let _e1455 = phi_1719_;
+                                                if (_e1315 < _e1452) {
+                                                    phi_1724_ = _e1452;
                                                 } else {
-                                                    phi_1705_ = _e1297;
+                                                    phi_1724_ = _e1315;
                                                 }
-                                                let _e1440 = phi_1705_;
-                                                if (_e1440 > _e1437) {
-                                                    phi_1710_ = _e1437;
+                                                let _e1458 = phi_1724_;
+                                                if (_e1458 > _e1455) {
+                                                    phi_1729_ = _e1455;
                                                 } else {
-                                                    phi_1710_ = _e1440;
+                                                    phi_1729_ = _e1458;
                                                 }
-                                                let _e1443 = phi_1710_;
-                                                phi_1715_ = lt_bvh_triangle_Intersection(_e1443, (_e1136 / _e1195), (_e1157 / _e1195), (_e1434 <= _e1437));
-                                                phi_1716_ = false;
+                                                let _e1461 = phi_1729_;
+                                                phi_1734_ = lt_bvh_triangle_Intersection(_e1461, (_e1154 / _e1213), (_e1175 / _e1213), (_e1452 <= _e1455));
+                                                phi_1735_ = false;
                                             } else {
-                                                phi_1715_ = lt_bvh_triangle_Intersection();
-                                                phi_1716_ = true;
+                                                phi_1734_ = lt_bvh_triangle_Intersection();
+                                                phi_1735_ = true;
                                             }
-                                            let _e1449 = phi_1715_;
-                                            let _e1451 = phi_1716_;
-                                            phi_1717_ = _e1449;
-                                            phi_1718_ = _e1451;
+                                            let _e1467 = phi_1734_;
+                                            let _e1469 = phi_1735_;
+                                            phi_1736_ = _e1467;
+                                            phi_1737_ = _e1469;
                                         } else {
-                                            phi_1717_ = lt_bvh_triangle_Intersection();
-                                            phi_1718_ = true;
+                                            phi_1736_ = lt_bvh_triangle_Intersection();
+                                            phi_1737_ = true;
                                         }
-                                        let _e1453 = phi_1717_;
-                                        let _e1455 = phi_1718_;
-                                        if _e1455 {
+                                        let _e1471 = phi_1736_;
+                                        let _e1473 = phi_1737_;
+                                        if _e1473 {
                                         }
-                                        phi_1722_ = _e1453;
-                                        phi_1723_ = _e1455;
+                                        phi_1741_ = _e1471;
+                                        phi_1742_ = _e1473;
                                     }
-                                    let _e1457 = phi_1722_;
-                                    let _e1459 = phi_1723_;
-                                    phi_1724_ = _e1457;
-                                    phi_1725_ = _e1198;
-                                    phi_1726_ = _e1459;
+                                    let _e1475 = phi_1741_;
+                                    let _e1477 = phi_1742_;
+                                    phi_1743_ = _e1475;
+                                    phi_1744_ = _e1216;
+                                    phi_1745_ = _e1477;
                                 } else {
-                                    phi_1724_ = lt_bvh_triangle_Intersection();
-                                    phi_1725_ = true;
-                                    phi_1726_ = false;
+                                    phi_1743_ = lt_bvh_triangle_Intersection();
+                                    phi_1744_ = true;
+                                    phi_1745_ = false;
                                 }
-                                let _e1461 = phi_1724_;
-                                let _e1463 = phi_1725_;
-                                let _e1465 = phi_1726_;
-                                if _e1463 {
-                                    phi_1730_ = true;
+                                let _e1479 = phi_1743_;
+                                let _e1481 = phi_1744_;
+                                let _e1483 = phi_1745_;
+                                if _e1481 {
+                                    phi_1749_ = true;
                                 } else {
-                                    phi_1730_ = _e1465;
+                                    phi_1749_ = _e1483;
                                 }
-                                let _e1467 = phi_1730_;
-                                if _e1467 {
-                                    phi_1734_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1485 = phi_1749_;
+                                if _e1485 {
+                                    phi_1753_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1734_ = _e1461;
+                                    phi_1753_ = _e1479;
                                 }
-                                let _e1469 = phi_1734_;
-                                if _e1469.is_hit {
-                                    if (_e1469.t > _e146.tmin) {
-                                        if (_e1469.t < _e994.t) {
-                                            phi_1783_ = true;
+                                let _e1487 = phi_1753_;
+                                if _e1487.is_hit {
+                                    if (_e1487.t > _e164.tmin) {
+                                        if (_e1487.t < _e1012.t) {
+                                            phi_1802_ = true;
                                         } else {
-                                            if (_e1469.t == _e994.t) {
-                                                if (_e994.triangle != 4294967295u) {
-                                                    if (_e1005 < _e994.triangle) {
-                                                        phi_1774_ = true;
+                                            if (_e1487.t == _e1012.t) {
+                                                if (_e1012.triangle != 4294967295u) {
+                                                    if (_e1023 < _e1012.triangle) {
+                                                        phi_1793_ = true;
                                                     } else {
-                                                        if (_e1005 == _e994.triangle) {
-                                                            phi_1773_ = (4294967295u < _e994.instance);
+                                                        if (_e1023 == _e1012.triangle) {
+                                                            phi_1792_ = (4294967295u < _e1012.instance);
                                                         } else {
-                                                            phi_1773_ = false;
+                                                            phi_1792_ = false;
                                                         }
-                                                        let _e1488 = phi_1773_;
-                                                        phi_1774_ = _e1488;
+                                                        let _e1506 = phi_1792_;
+                                                        phi_1793_ = _e1506;
                                                     }
-                                                    let _e1490 = phi_1774_;
-                                                    phi_1775_ = _e1490;
-                                                    phi_1776_ = false;
+                                                    let _e1508 = phi_1793_;
+                                                    phi_1794_ = _e1508;
+                                                    phi_1795_ = false;
                                                 } else {
-                                                    phi_1775_ = bool();
-                                                    phi_1776_ = true;
+                                                    phi_1794_ = bool();
+                                                    phi_1795_ = true;
                                                 }
-                                                let _e1492 = phi_1775_;
-                                                let _e1494 = phi_1776_;
-                                                phi_1777_ = _e1492;
-                                                phi_1778_ = _e1494;
+                                                let _e1510 = phi_1794_;
+                                                let _e1512 = phi_1795_;
+                                                phi_1796_ = _e1510;
+                                                phi_1797_ = _e1512;
                                             } else {
-                                                phi_1777_ = bool();
-                                                phi_1778_ = true;
-                                            }
-                                            let _e1496 = phi_1777_;
-                                            let _e1498 = phi_1778_;
-                                            if _e1498 {
-                                                phi_1782_ = false;
-                                            } else {
-                                                phi_1782_ = _e1496;
-                                            }
-                                            let _e1500 = phi_1782_;
-                                            phi_1783_ = _e1500;
-                                        }
-                                        let _e1502 = phi_1783_;
-                                        if _e1502 {
-                                            let _e1504 = triangles.member[(0u + _e1005)].i0_;
-                                            if ((_e1504 & 2147483648u) == 0u) {
+                                                phi_1796_ = bool();
                                                 phi_1797_ = true;
+                                            }
+                                            let _e1514 = phi_1796_;
+                                            let _e1516 = phi_1797_;
+                                            if _e1516 {
+                                                phi_1801_ = false;
+                                            } else {
+                                                phi_1801_ = _e1514;
+                                            }
+                                            let _e1518 = phi_1801_;
+                                            phi_1802_ = _e1518;
+                                        }
+                                        let _e1520 = phi_1802_;
+                                        if _e1520 {
+                                            let _e1522 = triangles.member[(0u + _e1023)].i0_;
+                                            if ((_e1522 & 2147483648u) == 0u) {
+                                                phi_1816_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_1797_ = true;
+                                                phi_1816_ = true;
                                             }
-                                            let _e1508 = phi_1797_;
-                                            if _e1508 {
-                                                phi_1805_ = lt_bvh_Hit(_e1469.t, _e1469.u, _e1469.v, _e1005, 4294967295u);
+                                            let _e1526 = phi_1816_;
+                                            if _e1526 {
+                                                phi_1824_ = lt_bvh_Hit(_e1487.t, _e1487.u, _e1487.v, _e1023, 4294967295u);
                                             } else {
-                                                phi_1805_ = _e994;
+                                                phi_1824_ = _e1012;
                                             }
-                                            let _e1514 = phi_1805_;
-                                            phi_1806_ = _e1514;
+                                            let _e1532 = phi_1824_;
+                                            phi_1825_ = _e1532;
                                         } else {
-                                            phi_1806_ = _e994;
+                                            phi_1825_ = _e1012;
                                         }
-                                        let _e1516 = phi_1806_;
-                                        phi_1807_ = _e1516;
+                                        let _e1534 = phi_1825_;
+                                        phi_1826_ = _e1534;
                                     } else {
-                                        phi_1807_ = _e994;
+                                        phi_1826_ = _e1012;
                                     }
-                                    let _e1518 = phi_1807_;
-                                    phi_1808_ = _e1518;
+                                    let _e1536 = phi_1826_;
+                                    phi_1827_ = _e1536;
                                 } else {
-                                    phi_1808_ = _e994;
+                                    phi_1827_ = _e1012;
                                 }
-                                let _e1520 = phi_1808_;
-                                phi_1148_ = _e1520;
-                                phi_1151_ = (_e996 & (_e996 - 1u));
-                                phi_1809_ = true;
+                                let _e1538 = phi_1827_;
+                                phi_1167_ = _e1538;
+                                phi_1170_ = (_e1014 & (_e1014 - 1u));
+                                phi_1828_ = true;
                             }
-                            let _e1522 = phi_1148_;
-                            let _e1524 = phi_1151_;
-                            let _e1526 = phi_1809_;
+                            let _e1540 = phi_1167_;
+                            let _e1542 = phi_1170_;
+                            let _e1544 = phi_1828_;
                             continue;
                             continuing {
-                                phi_1147_ = _e1522;
-                                phi_1150_ = _e1524;
-                                break if !(_e1526);
+                                phi_1166_ = _e1540;
+                                phi_1169_ = _e1542;
+                                break if !(_e1544);
                             }
                         }
-                        let _e1529 = local.group_mask;
-                        if ((_e1529 & 4278190080u) == 0u) {
-                            let _e1533 = local.len;
-                            if (_e1533 == 0u) {
-                                phi_1848_ = false;
+                        let _e1547 = local.group_mask;
+                        if ((_e1547 & 4278190080u) == 0u) {
+                            let _e1551 = local.len;
+                            if (_e1551 == 0u) {
+                                phi_1867_ = false;
                             } else {
-                                let _e1537 = local.len;
-                                local.len = (_e1537 - 1u);
-                                let _e1540 = local.len;
-                                if (_e1540 < 32u) {
+                                let _e1555 = local.len;
+                                local.len = (_e1555 - 1u);
+                                let _e1558 = local.len;
+                                if (_e1558 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1545 = local.first[(0u + _e1540)];
-                                local.group = _e1545;
-                                let _e1548 = local.len;
-                                if (_e1548 < 32u) {
+                                let _e1563 = local.first[(0u + _e1558)];
+                                local.group = _e1563;
+                                let _e1566 = local.len;
+                                if (_e1566 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1553 = local.mask[(0u + _e1548)];
-                                local.group_mask = _e1553;
-                                phi_1848_ = true;
+                                let _e1571 = local.mask[(0u + _e1566)];
+                                local.group_mask = _e1571;
+                                phi_1867_ = true;
                             }
-                            let _e1556 = phi_1848_;
-                            phi_1849_ = _e1556;
+                            let _e1574 = phi_1867_;
+                            phi_1868_ = _e1574;
                         } else {
-                            phi_1849_ = true;
+                            phi_1868_ = true;
                         }
-                        let _e1558 = phi_1849_;
-                        if _e1558 {
-                            let _e1560 = local.group_mask;
-                            let _e1566 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1560)), 32u, (_e1560 == 0u)));
-                            let _e1570 = local.group_mask;
-                            let _e1584 = local.group_mask;
-                            local.group_mask = (_e1584 & ~((1u << bitcast<u32>((_e1566 & 31u)))));
-                            let _e1587 = local.group;
-                            phi_1880_ = (_e1587 + countOneBits(((_e1570 & ~((4294967295u << bitcast<u32>((((_e1566 - 24u) ^ _e413) & 31u))))) & 255u)));
+                        let _e1576 = phi_1868_;
+                        if _e1576 {
+                            let _e1578 = local.group_mask;
+                            let _e1584 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1578)), 32u, (_e1578 == 0u)));
+                            let _e1588 = local.group_mask;
+                            let _e1602 = local.group_mask;
+                            local.group_mask = (_e1602 & ~((1u << bitcast<u32>((_e1584 & 31u)))));
+                            let _e1605 = local.group;
+                            phi_1899_ = (_e1605 + countOneBits(((_e1588 & ~((4294967295u << bitcast<u32>((((_e1584 - 24u) ^ _e431) & 31u))))) & 255u)));
                         } else {
-                            phi_1880_ = 4294967295u;
+                            phi_1899_ = 4294967295u;
                         }
-                        let _e1590 = phi_1880_;
-                        let _e2364 = local_4;
-                        phi_811_ = _e2364;
-                        phi_814_ = _e1590;
+                        let _e1608 = phi_1899_;
+                        let _e2382 = local_4;
+                        phi_830_ = _e2382;
+                        phi_833_ = _e1608;
                     } else {
-                        phi_811_ = lt_bvh_Hit();
-                        phi_814_ = u32();
+                        phi_830_ = lt_bvh_Hit();
+                        phi_833_ = u32();
                     }
-                    let _e1592 = phi_811_;
-                    let _e1594 = phi_814_;
+                    let _e1610 = phi_830_;
+                    let _e1612 = phi_833_;
                     continue;
                     continuing {
-                        phi_810_ = _e1592;
-                        phi_813_ = _e1594;
-                        break if !(_e554);
+                        phi_829_ = _e1610;
+                        phi_832_ = _e1612;
+                        break if !(_e572);
                     }
                 }
-                let _e2368 = local_5;
-                phi_1881_ = _e2368;
+                let _e2386 = local_5;
+                phi_1900_ = _e2386;
             }
-            let _e1597 = phi_1881_;
-            phi_1882_ = _e1597;
-            phi_1883_ = _e210;
+            let _e1615 = phi_1900_;
+            phi_1901_ = _e1615;
+            phi_1902_ = _e228;
         } else {
-            phi_1882_ = lt_bvh_Hit();
-            phi_1883_ = true;
+            phi_1901_ = lt_bvh_Hit();
+            phi_1902_ = true;
         }
-        let _e1599 = phi_1882_;
-        let _e1601 = phi_1883_;
-        if _e1601 {
-            phi_1887_ = _e148;
+        let _e1617 = phi_1901_;
+        let _e1619 = phi_1902_;
+        if _e1619 {
+            phi_1906_ = _e166;
         } else {
-            phi_1887_ = _e1599;
+            phi_1906_ = _e1617;
         }
-        let _e1603 = phi_1887_;
-        if (_e1603.triangle != 4294967295u) {
-            let _e1609 = ((1f - _e1603.u) - _e1603.v);
-            if (_e1603.triangle < _e70) {
+        let _e1621 = phi_1906_;
+        if (_e1621.triangle != 4294967295u) {
+            let _e1627 = ((1f - _e1621.u) - _e1621.v);
+            if (_e1621.triangle < _e71) {
             } else {
                 return;
             }
-            let _e1615 = triangles.member[(0u + _e1603.triangle)];
-            let _e1640 = (((_e1615.v0_.x * _e1609) + (_e1615.v1_.x * _e1603.u)) + (_e1615.v2_.x * _e1603.v));
-            let _e1641 = (((_e1615.v0_.y * _e1609) + (_e1615.v1_.y * _e1603.u)) + (_e1615.v2_.y * _e1603.v));
-            let _e1642 = (((_e1615.v0_.z * _e1609) + (_e1615.v1_.z * _e1603.u)) + (_e1615.v2_.z * _e1603.v));
-            let _e1645 = abs(_e1615.v0_.x);
-            let _e1647 = abs(_e1615.v0_.y);
-            let _e1649 = abs(_e1615.v0_.z);
-            let _e1651 = abs(_e1615.v1_.x);
-            let _e1653 = abs(_e1615.v1_.y);
-            let _e1655 = abs(_e1615.v1_.z);
-            if (_e1645 > _e1651) {
-                phi_1952_ = _e1645;
+            let _e1633 = triangles.member[(0u + _e1621.triangle)];
+            let _e1658 = (((_e1633.v0_.x * _e1627) + (_e1633.v1_.x * _e1621.u)) + (_e1633.v2_.x * _e1621.v));
+            let _e1659 = (((_e1633.v0_.y * _e1627) + (_e1633.v1_.y * _e1621.u)) + (_e1633.v2_.y * _e1621.v));
+            let _e1660 = (((_e1633.v0_.z * _e1627) + (_e1633.v1_.z * _e1621.u)) + (_e1633.v2_.z * _e1621.v));
+            let _e1663 = abs(_e1633.v0_.x);
+            let _e1665 = abs(_e1633.v0_.y);
+            let _e1667 = abs(_e1633.v0_.z);
+            let _e1669 = abs(_e1633.v1_.x);
+            let _e1671 = abs(_e1633.v1_.y);
+            let _e1673 = abs(_e1633.v1_.z);
+            if (_e1663 > _e1669) {
+                phi_1971_ = _e1663;
             } else {
-                phi_1952_ = _e1651;
+                phi_1971_ = _e1669;
             }
-            let _e1658 = phi_1952_;
-            if (_e1647 > _e1653) {
-                phi_1957_ = _e1647;
+            let _e1676 = phi_1971_;
+            if (_e1665 > _e1671) {
+                phi_1976_ = _e1665;
             } else {
-                phi_1957_ = _e1653;
+                phi_1976_ = _e1671;
             }
-            let _e1661 = phi_1957_;
-            if (_e1649 > _e1655) {
-                phi_1962_ = _e1649;
+            let _e1679 = phi_1976_;
+            if (_e1667 > _e1673) {
+                phi_1981_ = _e1667;
             } else {
-                phi_1962_ = _e1655;
+                phi_1981_ = _e1673;
             }
-            let _e1664 = phi_1962_;
-            let _e1666 = abs(_e1615.v2_.x);
-            let _e1668 = abs(_e1615.v2_.y);
-            let _e1670 = abs(_e1615.v2_.z);
-            if (_e1658 > _e1666) {
-                phi_1973_ = _e1658;
+            let _e1682 = phi_1981_;
+            let _e1684 = abs(_e1633.v2_.x);
+            let _e1686 = abs(_e1633.v2_.y);
+            let _e1688 = abs(_e1633.v2_.z);
+            if (_e1676 > _e1684) {
+                phi_1992_ = _e1676;
             } else {
-                phi_1973_ = _e1666;
+                phi_1992_ = _e1684;
             }
-            let _e1673 = phi_1973_;
-            if (_e1661 > _e1668) {
-                phi_1978_ = _e1661;
+            let _e1691 = phi_1992_;
+            if (_e1679 > _e1686) {
+                phi_1997_ = _e1679;
             } else {
-                phi_1978_ = _e1668;
+                phi_1997_ = _e1686;
             }
-            let _e1676 = phi_1978_;
-            if (_e1664 > _e1670) {
-                phi_1983_ = _e1664;
+            let _e1694 = phi_1997_;
+            if (_e1682 > _e1688) {
+                phi_2002_ = _e1682;
             } else {
-                phi_1983_ = _e1670;
+                phi_2002_ = _e1688;
             }
-            let _e1679 = phi_1983_;
-            let _e1682 = (_e1615.v1_.x - _e1615.v0_.x);
-            let _e1685 = (_e1615.v1_.y - _e1615.v0_.y);
-            let _e1688 = (_e1615.v1_.z - _e1615.v0_.z);
-            let _e1691 = (_e1615.v2_.x - _e1615.v0_.x);
-            let _e1694 = (_e1615.v2_.y - _e1615.v0_.y);
-            let _e1697 = (_e1615.v2_.z - _e1615.v0_.z);
-            let _e1701 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1685), abs(_e1688));
-            let _e1702 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1682), _e1701);
-            let _e1703 = (_e1682 / _e1702);
-            let _e1704 = (_e1685 / _e1702);
-            let _e1705 = (_e1688 / _e1702);
-            let _e1709 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1694), abs(_e1697));
-            let _e1710 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1691), _e1709);
-            let _e1711 = (_e1691 / _e1710);
-            let _e1712 = (_e1694 / _e1710);
-            let _e1713 = (_e1697 / _e1710);
-            let _e1716 = ((_e1704 * _e1713) - (_e1712 * _e1705));
-            let _e1719 = ((_e1705 * _e1711) - (_e1713 * _e1703));
-            let _e1722 = ((_e1703 * _e1712) - (_e1711 * _e1704));
-            let _e1724 = p.member.eye;
-            let _e1737 = (1f / sqrt((((_e1716 * _e1716) + (_e1719 * _e1719)) + (_e1722 * _e1722))));
-            let _e1738 = (_e1716 * _e1737);
-            let _e1739 = (_e1719 * _e1737);
-            let _e1740 = (_e1722 * _e1737);
-            if ((((_e1738 * (_e1724.x - _e1640)) + (_e1739 * (_e1724.y - _e1641))) + (_e1740 * (_e1724.z - _e1642))) < 0f) {
-                phi_2059_ = vec3<f32>(-(_e1738), -(_e1739), -(_e1740));
+            let _e1697 = phi_2002_;
+            let _e1700 = (_e1633.v1_.x - _e1633.v0_.x);
+            let _e1703 = (_e1633.v1_.y - _e1633.v0_.y);
+            let _e1706 = (_e1633.v1_.z - _e1633.v0_.z);
+            let _e1709 = (_e1633.v2_.x - _e1633.v0_.x);
+            let _e1712 = (_e1633.v2_.y - _e1633.v0_.y);
+            let _e1715 = (_e1633.v2_.z - _e1633.v0_.z);
+            let _e1719 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1703), abs(_e1706));
+            let _e1720 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1700), _e1719);
+            let _e1721 = (_e1700 / _e1720);
+            let _e1722 = (_e1703 / _e1720);
+            let _e1723 = (_e1706 / _e1720);
+            let _e1727 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1712), abs(_e1715));
+            let _e1728 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1709), _e1727);
+            let _e1729 = (_e1709 / _e1728);
+            let _e1730 = (_e1712 / _e1728);
+            let _e1731 = (_e1715 / _e1728);
+            let _e1734 = ((_e1722 * _e1731) - (_e1730 * _e1723));
+            let _e1737 = ((_e1723 * _e1729) - (_e1731 * _e1721));
+            let _e1740 = ((_e1721 * _e1730) - (_e1729 * _e1722));
+            let _e1742 = p.member.eye;
+            let _e1755 = (1f / sqrt((((_e1734 * _e1734) + (_e1737 * _e1737)) + (_e1740 * _e1740))));
+            let _e1756 = (_e1734 * _e1755);
+            let _e1757 = (_e1737 * _e1755);
+            let _e1758 = (_e1740 * _e1755);
+            if ((((_e1756 * (_e1742.x - _e1658)) + (_e1757 * (_e1742.y - _e1659))) + (_e1758 * (_e1742.z - _e1660))) < 0f) {
+                phi_2078_ = vec3<f32>(-(_e1756), -(_e1757), -(_e1758));
             } else {
-                phi_2059_ = vec3<f32>(_e1738, _e1739, _e1740);
+                phi_2078_ = vec3<f32>(_e1756, _e1757, _e1758);
             }
-            let _e1753 = phi_2059_;
-            if (_e1603.triangle < _e70) {
+            let _e1771 = phi_2078_;
+            if (_e1621.triangle < _e71) {
             } else {
                 return;
             }
-            let _e1758 = triangles.member[(0u + _e1603.triangle)];
-            let _e1760 = (_e1758.i0_ & 2147483647u);
-            if (_e1760 < _e73) {
+            let _e1776 = triangles.member[(0u + _e1621.triangle)];
+            let _e1778 = (_e1776.i0_ & 2147483647u);
+            if (_e1778 < _e74) {
             } else {
                 return;
             }
-            let _e1766 = vertices.member[(0u + _e1760)];
-            if (_e1758.i1_ < _e73) {
+            let _e1784 = vertices.member[(0u + _e1778)];
+            if (_e1776.i1_ < _e74) {
             } else {
                 return;
             }
-            let _e1770 = vertices.member[(0u + _e1758.i1_)];
-            if (_e1758.i2_ < _e73) {
+            let _e1788 = vertices.member[(0u + _e1776.i1_)];
+            if (_e1776.i2_ < _e74) {
             } else {
                 return;
             }
-            let _e1774 = vertices.member[(0u + _e1758.i2_)];
-            let _e1775 = array<abi_Vertex, 3>(_e1766, _e1770, _e1774);
-            if (_e1775[0].material < arrayLength((&materials.member))) {
+            let _e1792 = vertices.member[(0u + _e1776.i2_)];
+            let _e1793 = array<abi_Vertex, 3>(_e1784, _e1788, _e1792);
+            if (_e1793[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1781 = materials.member[(0u + _e1775[0].material)];
-            let _e1798 = (1f / 255f);
-            let _e1817 = (1f / 255f);
-            let _e1839 = (1f / 255f);
-            let _e1852 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1609, _e1603.u, _e1603.v));
-            let _e1854 = ((_e1781.base_color.x * ((((f32((_e1775[0].color & 255u)) * _e1798) * _e1609) + ((f32((_e1775[1].color & 255u)) * _e1817) * _e1603.u)) + ((f32((_e1775[2].color & 255u)) * _e1839) * _e1603.v))) * _e1852.x);
-            let _e1856 = ((_e1781.base_color.y * ((((f32(((_e1775[0].color >> bitcast<u32>(8i)) & 255u)) * _e1798) * _e1609) + ((f32(((_e1775[1].color >> bitcast<u32>(8i)) & 255u)) * _e1817) * _e1603.u)) + ((f32(((_e1775[2].color >> bitcast<u32>(8i)) & 255u)) * _e1839) * _e1603.v))) * _e1852.y);
-            let _e1858 = ((_e1781.base_color.z * ((((f32(((_e1775[0].color >> bitcast<u32>(16i)) & 255u)) * _e1798) * _e1609) + ((f32(((_e1775[1].color >> bitcast<u32>(16i)) & 255u)) * _e1817) * _e1603.u)) + ((f32(((_e1775[2].color >> bitcast<u32>(16i)) & 255u)) * _e1839) * _e1603.v))) * _e1852.z);
-            let _e1859 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1676, _e1679);
-            let _e1860 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1673, _e1859);
-            if ((_e1781.flags & 2u) == 0u) {
-                phi_2180_ = 0u;
+            let _e1799 = materials.member[(0u + _e1793[0].material)];
+            let _e1816 = (1f / 255f);
+            let _e1835 = (1f / 255f);
+            let _e1857 = (1f / 255f);
+            let _e1870 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1627, _e1621.u, _e1621.v));
+            let _e1872 = ((_e1799.base_color.x * ((((f32((_e1793[0].color & 255u)) * _e1816) * _e1627) + ((f32((_e1793[1].color & 255u)) * _e1835) * _e1621.u)) + ((f32((_e1793[2].color & 255u)) * _e1857) * _e1621.v))) * _e1870.x);
+            let _e1874 = ((_e1799.base_color.y * ((((f32(((_e1793[0].color >> bitcast<u32>(8i)) & 255u)) * _e1816) * _e1627) + ((f32(((_e1793[1].color >> bitcast<u32>(8i)) & 255u)) * _e1835) * _e1621.u)) + ((f32(((_e1793[2].color >> bitcast<u32>(8i)) & 255u)) * _e1857) * _e1621.v))) * _e1870.y);
+            let _e1876 = ((_e1799.base_color.z * ((((f32(((_e1793[0].color >> bitcast<u32>(16i)) & 255u)) * _e1816) * _e1627) + ((f32(((_e1793[1].color >> bitcast<u32>(16i)) & 255u)) * _e1835) * _e1621.u)) + ((f32(((_e1793[2].color >> bitcast<u32>(16i)) & 255u)) * _e1857) * _e1621.v))) * _e1870.z);
+            let _e1877 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1694, _e1697);
+            let _e1878 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1691, _e1877);
+            if ((_e1799.flags & 2u) == 0u) {
+                phi_2199_ = 0u;
             } else {
-                phi_2180_ = 1u;
+                phi_2199_ = 1u;
             }
-            let _e1865 = phi_2180_;
-            if (_e1775[0].normal == 2147516416u) {
-                phi_2383_ = _e1753;
+            let _e1883 = phi_2199_;
+            if (_e1793[0].normal == 2147516416u) {
+                phi_2402_ = _e1771;
             } else {
-                let _e1878 = (f32((bitcast<i32>((_e1775[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1884 = (f32((bitcast<i32>(_e1775[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1888 = ((1f - abs(_e1878)) - abs(_e1884));
-                if (_e1888 < 0f) {
-                    phi_2207_ = -(_e1888);
+                let _e1896 = (f32((bitcast<i32>((_e1793[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1902 = (f32((bitcast<i32>(_e1793[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1906 = ((1f - abs(_e1896)) - abs(_e1902));
+                if (_e1906 < 0f) {
+                    phi_2226_ = -(_e1906);
                 } else {
-                    phi_2207_ = 0f;
+                    phi_2226_ = 0f;
                 }
-                let _e1892 = phi_2207_;
-                if (_e1878 < 0f) {
-                    phi_2214_ = (_e1878 + _e1892);
+                let _e1910 = phi_2226_;
+                if (_e1896 < 0f) {
+                    phi_2233_ = (_e1896 + _e1910);
                 } else {
-                    phi_2214_ = (_e1878 - _e1892);
+                    phi_2233_ = (_e1896 - _e1910);
                 }
-                let _e1897 = phi_2214_;
-                if (_e1884 < 0f) {
-                    phi_2221_ = (_e1884 + _e1892);
+                let _e1915 = phi_2233_;
+                if (_e1902 < 0f) {
+                    phi_2240_ = (_e1902 + _e1910);
                 } else {
-                    phi_2221_ = (_e1884 - _e1892);
+                    phi_2240_ = (_e1902 - _e1910);
                 }
-                let _e1902 = phi_2221_;
-                let _e1909 = (1f / sqrt((((_e1897 * _e1897) + (_e1902 * _e1902)) + (_e1888 * _e1888))));
-                let _e1925 = (f32((bitcast<i32>((_e1775[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1931 = (f32((bitcast<i32>(_e1775[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1935 = ((1f - abs(_e1925)) - abs(_e1931));
-                if (_e1935 < 0f) {
-                    phi_2256_ = -(_e1935);
+                let _e1920 = phi_2240_;
+                let _e1927 = (1f / sqrt((((_e1915 * _e1915) + (_e1920 * _e1920)) + (_e1906 * _e1906))));
+                let _e1943 = (f32((bitcast<i32>((_e1793[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1949 = (f32((bitcast<i32>(_e1793[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1953 = ((1f - abs(_e1943)) - abs(_e1949));
+                if (_e1953 < 0f) {
+                    phi_2275_ = -(_e1953);
                 } else {
-                    phi_2256_ = 0f;
+                    phi_2275_ = 0f;
                 }
-                let _e1939 = phi_2256_;
-                if (_e1925 < 0f) {
-                    phi_2263_ = (_e1925 + _e1939);
+                let _e1957 = phi_2275_;
+                if (_e1943 < 0f) {
+                    phi_2282_ = (_e1943 + _e1957);
                 } else {
-                    phi_2263_ = (_e1925 - _e1939);
+                    phi_2282_ = (_e1943 - _e1957);
                 }
-                let _e1944 = phi_2263_;
-                if (_e1931 < 0f) {
-                    phi_2270_ = (_e1931 + _e1939);
+                let _e1962 = phi_2282_;
+                if (_e1949 < 0f) {
+                    phi_2289_ = (_e1949 + _e1957);
                 } else {
-                    phi_2270_ = (_e1931 - _e1939);
+                    phi_2289_ = (_e1949 - _e1957);
                 }
-                let _e1949 = phi_2270_;
-                let _e1956 = (1f / sqrt((((_e1944 * _e1944) + (_e1949 * _e1949)) + (_e1935 * _e1935))));
-                let _e1975 = (f32((bitcast<i32>((_e1775[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1981 = (f32((bitcast<i32>(_e1775[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1985 = ((1f - abs(_e1975)) - abs(_e1981));
-                if (_e1985 < 0f) {
-                    phi_2308_ = -(_e1985);
+                let _e1967 = phi_2289_;
+                let _e1974 = (1f / sqrt((((_e1962 * _e1962) + (_e1967 * _e1967)) + (_e1953 * _e1953))));
+                let _e1993 = (f32((bitcast<i32>((_e1793[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1999 = (f32((bitcast<i32>(_e1793[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2003 = ((1f - abs(_e1993)) - abs(_e1999));
+                if (_e2003 < 0f) {
+                    phi_2327_ = -(_e2003);
                 } else {
-                    phi_2308_ = 0f;
+                    phi_2327_ = 0f;
                 }
-                let _e1989 = phi_2308_;
-                if (_e1975 < 0f) {
-                    phi_2315_ = (_e1975 + _e1989);
+                let _e2007 = phi_2327_;
+                if (_e1993 < 0f) {
+                    phi_2334_ = (_e1993 + _e2007);
                 } else {
-                    phi_2315_ = (_e1975 - _e1989);
+                    phi_2334_ = (_e1993 - _e2007);
                 }
-                let _e1994 = phi_2315_;
-                if (_e1981 < 0f) {
-                    phi_2322_ = (_e1981 + _e1989);
+                let _e2012 = phi_2334_;
+                if (_e1999 < 0f) {
+                    phi_2341_ = (_e1999 + _e2007);
                 } else {
-                    phi_2322_ = (_e1981 - _e1989);
+                    phi_2341_ = (_e1999 - _e2007);
                 }
-                let _e1999 = phi_2322_;
-                let _e2006 = (1f / sqrt((((_e1994 * _e1994) + (_e1999 * _e1999)) + (_e1985 * _e1985))));
-                let _e2017 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1897 * _e1909) * _e1609) + ((_e1944 * _e1956) * _e1603.u)) + ((_e1994 * _e2006) * _e1603.v)), ((((_e1902 * _e1909) * _e1609) + ((_e1949 * _e1956) * _e1603.u)) + ((_e1999 * _e2006) * _e1603.v)), ((((_e1888 * _e1909) * _e1609) + ((_e1935 * _e1956) * _e1603.u)) + ((_e1985 * _e2006) * _e1603.v))));
-                let _e2029 = sqrt((((_e2017.x * _e2017.x) + (_e2017.y * _e2017.y)) + (_e2017.z * _e2017.z)));
-                if (_e2029 > 0f) {
-                    let _e2032 = (_e2017.x / _e2029);
-                    let _e2034 = (_e2017.y / _e2029);
-                    let _e2036 = (_e2017.z / _e2029);
-                    if ((((_e2032 * _e1753.x) + (_e2034 * _e1753.y)) + (_e2036 * _e1753.z)) < 0f) {
-                        phi_2381_ = vec3<f32>(-(_e2032), -(_e2034), -(_e2036));
+                let _e2017 = phi_2341_;
+                let _e2024 = (1f / sqrt((((_e2012 * _e2012) + (_e2017 * _e2017)) + (_e2003 * _e2003))));
+                let _e2035 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1915 * _e1927) * _e1627) + ((_e1962 * _e1974) * _e1621.u)) + ((_e2012 * _e2024) * _e1621.v)), ((((_e1920 * _e1927) * _e1627) + ((_e1967 * _e1974) * _e1621.u)) + ((_e2017 * _e2024) * _e1621.v)), ((((_e1906 * _e1927) * _e1627) + ((_e1953 * _e1974) * _e1621.u)) + ((_e2003 * _e2024) * _e1621.v))));
+                let _e2047 = sqrt((((_e2035.x * _e2035.x) + (_e2035.y * _e2035.y)) + (_e2035.z * _e2035.z)));
+                if (_e2047 > 0f) {
+                    let _e2050 = (_e2035.x / _e2047);
+                    let _e2052 = (_e2035.y / _e2047);
+                    let _e2054 = (_e2035.z / _e2047);
+                    if ((((_e2050 * _e1771.x) + (_e2052 * _e1771.y)) + (_e2054 * _e1771.z)) < 0f) {
+                        phi_2400_ = vec3<f32>(-(_e2050), -(_e2052), -(_e2054));
                     } else {
-                        phi_2381_ = (_e2017 / vec3(_e2029));
+                        phi_2400_ = (_e2035 / vec3(_e2047));
                     }
-                    let _e2053 = phi_2381_;
-                    phi_2382_ = _e2053;
+                    let _e2071 = phi_2400_;
+                    phi_2401_ = _e2071;
                 } else {
-                    phi_2382_ = _e1753;
+                    phi_2401_ = _e1771;
                 }
-                let _e2055 = phi_2382_;
-                phi_2383_ = _e2055;
+                let _e2073 = phi_2401_;
+                phi_2402_ = _e2073;
             }
-            let _e2057 = phi_2383_;
-            if (_e1854 > 0f) {
-                if (_e1854 < 1f) {
-                    phi_2392_ = _e1854;
+            let _e2075 = phi_2402_;
+            if (_e1872 > 0f) {
+                if (_e1872 < 1f) {
+                    phi_2411_ = _e1872;
                 } else {
-                    phi_2392_ = 1f;
+                    phi_2411_ = 1f;
                 }
-                let _e2061 = phi_2392_;
-                phi_2393_ = _e2061;
+                let _e2079 = phi_2411_;
+                phi_2412_ = _e2079;
             } else {
-                phi_2393_ = 0f;
+                phi_2412_ = 0f;
             }
-            let _e2063 = phi_2393_;
-            if (_e1856 > 0f) {
-                if (_e1856 < 1f) {
-                    phi_2403_ = _e1856;
+            let _e2081 = phi_2412_;
+            if (_e1874 > 0f) {
+                if (_e1874 < 1f) {
+                    phi_2422_ = _e1874;
                 } else {
-                    phi_2403_ = 1f;
+                    phi_2422_ = 1f;
                 }
-                let _e2068 = phi_2403_;
-                phi_2404_ = _e2068;
+                let _e2086 = phi_2422_;
+                phi_2423_ = _e2086;
             } else {
-                phi_2404_ = 0f;
+                phi_2423_ = 0f;
             }
-            let _e2070 = phi_2404_;
-            if (_e1858 > 0f) {
-                if (_e1858 < 1f) {
-                    phi_2414_ = _e1858;
+            let _e2088 = phi_2423_;
+            if (_e1876 > 0f) {
+                if (_e1876 < 1f) {
+                    phi_2433_ = _e1876;
                 } else {
-                    phi_2414_ = 1f;
+                    phi_2433_ = 1f;
                 }
-                let _e2075 = phi_2414_;
-                phi_2415_ = _e2075;
+                let _e2093 = phi_2433_;
+                phi_2434_ = _e2093;
             } else {
-                phi_2415_ = 0f;
+                phi_2434_ = 0f;
             }
-            let _e2077 = phi_2415_;
-            let _e2080 = ((sqrt(_e2063) * 255f) + 0.5f);
-            let _e2089 = ((sqrt(_e2070) * 255f) + 0.5f);
-            let _e2101 = ((sqrt(_e2077) * 255f) + 0.5f);
-            phi_2450_ = abi_Sample(vec3<f32>(_e1640, _e1641, _e1642), _e1860, _e1753, _e1865, _e2057, ((select(select(u32(_e2080), 0u, (_e2080 < bitcast<f32>(0u))), 4294967295u, (_e2080 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2089), 0u, (_e2089 < bitcast<f32>(0u))), 4294967295u, (_e2089 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2101), 0u, (_e2101 < bitcast<f32>(0u))), 4294967295u, (_e2101 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2095 = phi_2434_;
+            let _e2098 = ((sqrt(_e2081) * 255f) + 0.5f);
+            let _e2107 = ((sqrt(_e2088) * 255f) + 0.5f);
+            let _e2119 = ((sqrt(_e2095) * 255f) + 0.5f);
+            phi_2469_ = abi_Sample(vec3<f32>(_e1658, _e1659, _e1660), _e1878, _e1771, _e1883, _e2075, ((select(select(u32(_e2098), 0u, (_e2098 < bitcast<f32>(0u))), 4294967295u, (_e2098 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2107), 0u, (_e2107 < bitcast<f32>(0u))), 4294967295u, (_e2107 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2119), 0u, (_e2119 < bitcast<f32>(0u))), 4294967295u, (_e2119 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2450_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2469_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2115 = phi_2450_;
-        if (_e91.shift < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e91.shift)] = _e2115;
-        if (_e1603.triangle != 4294967295u) {
-            let _e2124 = ((1f - _e1603.u) - _e1603.v);
-            if (_e1603.triangle < _e70) {
-            } else {
-                return;
-            }
-            let _e2129 = triangles.member[(0u + _e1603.triangle)];
-            let _e2131 = (_e2129.i0_ & 2147483647u);
-            if (_e2131 < _e82) {
-            } else {
-                return;
-            }
-            let _e2137 = before.member[(0u + _e2131)];
-            if (_e2129.i1_ < _e82) {
-            } else {
-                return;
-            }
-            let _e2141 = before.member[(0u + _e2129.i1_)];
-            if (_e2129.i2_ < _e82) {
-            } else {
-                return;
-            }
-            let _e2145 = before.member[(0u + _e2129.i2_)];
-            let _e2150 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2137.x, _e2137.y, _e2137.z));
-            let _e2161 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2141.x, _e2141.y, _e2141.z));
-            let _e2175 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2145.x, _e2145.y, _e2145.z));
-            phi_2541_ = vec3<f32>((((_e2150.x * _e2124) + (_e2161.x * _e1603.u)) + (_e2175.x * _e1603.v)), (((_e2150.y * _e2124) + (_e2161.y * _e1603.u)) + (_e2175.y * _e1603.v)), (((_e2150.z * _e2124) + (_e2161.z * _e1603.u)) + (_e2175.z * _e1603.v)));
-        } else {
-            phi_2541_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e2187 = phi_2541_;
-        if (_e91.shift < arrayLength((&past.member))) {
+        let _e2133 = phi_2469_;
+        if (_e92.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e91.shift)] = vec4<f32>(_e2187.x, _e2187.y, _e2187.z, 1f);
+        samples.member[(0u + _e92.shift)] = _e2133;
+        if (_e1621.triangle != 4294967295u) {
+            let _e2142 = ((1f - _e1621.u) - _e1621.v);
+            if (_e1621.triangle < _e71) {
+            } else {
+                return;
+            }
+            let _e2147 = triangles.member[(0u + _e1621.triangle)];
+            let _e2149 = (_e2147.i0_ & 2147483647u);
+            if (_e2149 < _e83) {
+            } else {
+                return;
+            }
+            let _e2155 = before.member[(0u + _e2149)];
+            if (_e2147.i1_ < _e83) {
+            } else {
+                return;
+            }
+            let _e2159 = before.member[(0u + _e2147.i1_)];
+            if (_e2147.i2_ < _e83) {
+            } else {
+                return;
+            }
+            let _e2163 = before.member[(0u + _e2147.i2_)];
+            let _e2168 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2155.x, _e2155.y, _e2155.z));
+            let _e2179 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2159.x, _e2159.y, _e2159.z));
+            let _e2193 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2163.x, _e2163.y, _e2163.z));
+            phi_2560_ = vec3<f32>((((_e2168.x * _e2142) + (_e2179.x * _e1621.u)) + (_e2193.x * _e1621.v)), (((_e2168.y * _e2142) + (_e2179.y * _e1621.u)) + (_e2193.y * _e1621.v)), (((_e2168.z * _e2142) + (_e2179.z * _e1621.u)) + (_e2193.z * _e1621.v)));
+        } else {
+            phi_2560_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e2205 = phi_2560_;
+        if (_e92.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e92.shift)] = vec4<f32>(_e2205.x, _e2205.y, _e2205.z, 1f);
     }
     return;
 }

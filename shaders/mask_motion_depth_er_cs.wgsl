@@ -2,13 +2,13 @@ struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
     right: vec3<f32>,
-    pad0_: u32,
+    layers_behind: u32,
     up: vec3<f32>,
     pad1_: u32,
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_LightParams {
@@ -123,323 +123,323 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_176_: lt_mask_LightPlace;
-    var phi_177_: bool;
-    var phi_178_: lt_mask_LightPlace;
-    var phi_179_: bool;
-    var phi_184_: lt_mask_LightPlace;
+    var phi_177_: lt_mask_LightPlace;
+    var phi_178_: bool;
+    var phi_179_: lt_mask_LightPlace;
+    var phi_180_: bool;
+    var phi_185_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_176_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_177_ = false;
+            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_178_ = false;
         } else {
-            phi_176_ = lt_mask_LightPlace();
-            phi_177_ = true;
+            phi_177_ = lt_mask_LightPlace();
+            phi_178_ = true;
         }
-        let _e72 = phi_176_;
-        let _e74 = phi_177_;
-        phi_178_ = _e72;
-        phi_179_ = _e74;
+        let _e72 = phi_177_;
+        let _e74 = phi_178_;
+        phi_179_ = _e72;
+        phi_180_ = _e74;
     } else {
-        phi_178_ = lt_mask_LightPlace();
-        phi_179_ = true;
+        phi_179_ = lt_mask_LightPlace();
+        phi_180_ = true;
     }
-    let _e76 = phi_178_;
-    let _e78 = phi_179_;
+    let _e76 = phi_179_;
+    let _e78 = phi_180_;
     if _e78 {
-        phi_184_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_184_ = _e76;
+        phi_185_ = _e76;
     }
-    let _e83 = phi_184_;
+    let _e83 = phi_185_;
     return lt_mask_LightPlace(_e83.word, _e83.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_202_: vec2<i32>;
+    var phi_203_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_202_ = vec2(0i);
+            phi_203_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_202_ = vec2<i32>(0i, -1i);
+            phi_203_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_202_ = vec2<i32>(-1i, 0i);
+            phi_203_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_202_ = vec2<i32>(1i, 0i);
+            phi_203_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_202_ = vec2<i32>(0i, 1i);
+            phi_203_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e68 = phi_202_;
+    let _e68 = phi_203_;
     return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_220_: vec2<i32>;
+    var phi_221_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_220_ = vec2(0i);
+            phi_221_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_220_ = vec2(-1i);
+            phi_221_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_220_ = vec2<i32>(1i, -1i);
+            phi_221_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_220_ = vec2<i32>(-1i, 1i);
+            phi_221_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_220_ = vec2(1i);
+            phi_221_ = vec2(1i);
             break;
         }
     }
-    let _e68 = phi_220_;
+    let _e68 = phi_221_;
     return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_239_: vec2<i32>;
+    var phi_240_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e62 = lt_mask_pattern_plus(param_5);
-        phi_239_ = vec2<i32>(_e62.x, _e62.y);
+        phi_240_ = vec2<i32>(_e62.x, _e62.y);
     } else {
         let _e66 = lt_mask_pattern_cross(param_5);
-        phi_239_ = vec2<i32>(_e66.x, _e66.y);
+        phi_240_ = vec2<i32>(_e66.x, _e66.y);
     }
-    let _e71 = phi_239_;
+    let _e71 = phi_240_;
     return vec2<i32>(_e71.x, _e71.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_264_: vec2<i32>;
+    var phi_265_: vec2<i32>;
 
     let _e60 = (param_7 % 13u);
     switch bitcast<i32>(_e60) {
         case 9: {
-            phi_264_ = vec2<i32>(0i, -2i);
+            phi_265_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_264_ = vec2<i32>(-2i, 0i);
+            phi_265_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_264_ = vec2<i32>(2i, 0i);
+            phi_265_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_264_ = vec2<i32>(0i, 2i);
+            phi_265_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_264_ = vec2<i32>((bitcast<i32>((_e60 % 3u)) - 1i), (bitcast<i32>(((_e60 / 3u) % 3u)) - 1i));
+            phi_265_ = vec2<i32>((bitcast<i32>((_e60 % 3u)) - 1i), (bitcast<i32>(((_e60 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e75 = phi_264_;
+    let _e75 = phi_265_;
     return vec2<i32>(_e75.x, _e75.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_285_: u32;
     var phi_286_: u32;
+    var phi_287_: u32;
 
     let _e63 = (bitcast<i32>(param_8) + param_9);
     if (_e63 < 0i) {
-        phi_286_ = 0u;
+        phi_287_ = 0u;
     } else {
         if (_e63 >= bitcast<i32>(param_10)) {
-            phi_285_ = (param_10 - 1u);
+            phi_286_ = (param_10 - 1u);
         } else {
-            phi_285_ = bitcast<u32>(_e63);
+            phi_286_ = bitcast<u32>(_e63);
         }
-        let _e70 = phi_285_;
-        phi_286_ = _e70;
+        let _e70 = phi_286_;
+        phi_287_ = _e70;
     }
-    let _e72 = phi_286_;
+    let _e72 = phi_287_;
     return _e72;
 }
 
 fn function_() {
-    var phi_363_: bool;
     var phi_364_: bool;
     var phi_365_: bool;
     var phi_366_: bool;
-    var phi_370_: bool;
-    var phi_440_: bool;
+    var phi_367_: bool;
+    var phi_371_: bool;
     var phi_441_: bool;
-    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_453_: bool;
-    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: bool;
-    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_479_: bool;
-    var phi_668_: f32;
-    var phi_673_: f32;
-    var phi_674_: bool;
-    var phi_675_: f32;
-    var phi_676_: bool;
-    var phi_680_: f32;
-    var phi_703_: f32;
-    var phi_708_: f32;
-    var phi_709_: bool;
-    var phi_710_: f32;
-    var phi_711_: bool;
-    var phi_715_: f32;
-    var phi_736_: bool;
-    var phi_755_: vec2<u32>;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: vec2<u32>;
-    var phi_760_: bool;
-    var phi_761_: bool;
-    var phi_762_: bool;
-    var phi_763_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: vec2<u32>;
-    var phi_767_: bool;
-    var phi_768_: bool;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
+    var phi_442_: bool;
+    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: bool;
+    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_456_: bool;
+    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_480_: bool;
+    var phi_688_: f32;
+    var phi_693_: f32;
+    var phi_694_: bool;
+    var phi_695_: f32;
+    var phi_696_: bool;
+    var phi_700_: f32;
+    var phi_721_: f32;
+    var phi_726_: f32;
+    var phi_727_: bool;
+    var phi_728_: f32;
+    var phi_729_: bool;
+    var phi_733_: f32;
+    var phi_754_: bool;
     var phi_773_: vec2<u32>;
     var phi_774_: bool;
     var phi_775_: bool;
     var phi_776_: bool;
-    var phi_777_: bool;
+    var phi_777_: vec2<u32>;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: bool;
+    var phi_781_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: vec2<u32>;
+    var phi_785_: bool;
     var phi_786_: bool;
     var phi_787_: bool;
     var phi_788_: bool;
     var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_791_: vec2<u32>;
+    var phi_792_: bool;
     var phi_793_: bool;
     var phi_794_: bool;
-    var phi_795_: vec2<u32>;
-    var phi_884_: bool;
-    var phi_888_: f32;
-    var phi_892_: lt_mask_Reprojection;
-    var phi_901_: bool;
+    var phi_795_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: vec2<u32>;
     var phi_902_: bool;
-    var phi_904_: bool;
-    var phi_905_: lt_mask_Reprojection;
-    var phi_906_: lt_mask_Reprojection;
-    var phi_907_: bool;
-    var phi_911_: bool;
-    var phi_912_: lt_mask_Reprojection;
-    var phi_918_: bool;
-    var phi_940_: u32;
-    var phi_942_: u32;
-    var phi_945_: lt_mask_Neighbourhood;
-    var phi_957_: bool;
-    var phi_958_: bool;
-    var phi_967_: u32;
-    var phi_968_: u32;
-    var phi_1028_: vec2<i32>;
-    var phi_1048_: vec2<i32>;
-    var phi_1075_: u32;
-    var phi_1094_: u32;
-    var phi_1102_: u32;
-    var phi_1128_: bool;
-    var phi_1129_: bool;
-    var phi_1130_: bool;
-    var phi_1131_: bool;
-    var phi_1132_: bool;
-    var phi_1133_: bool;
-    var phi_1134_: bool;
-    var phi_1139_: bool;
-    var phi_1140_: bool;
-    var phi_1141_: bool;
-    var phi_1142_: bool;
-    var phi_1143_: bool;
-    var phi_1144_: bool;
-    var phi_1145_: bool;
+    var phi_906_: f32;
+    var phi_910_: lt_mask_Reprojection;
+    var phi_919_: bool;
+    var phi_920_: bool;
+    var phi_922_: bool;
+    var phi_923_: lt_mask_Reprojection;
+    var phi_924_: lt_mask_Reprojection;
+    var phi_925_: bool;
+    var phi_929_: bool;
+    var phi_930_: lt_mask_Reprojection;
+    var phi_936_: bool;
+    var phi_958_: u32;
+    var phi_960_: u32;
+    var phi_963_: lt_mask_Neighbourhood;
+    var phi_975_: bool;
+    var phi_976_: bool;
+    var phi_985_: u32;
+    var phi_986_: u32;
+    var phi_1046_: vec2<i32>;
+    var phi_1066_: vec2<i32>;
+    var phi_1093_: u32;
+    var phi_1112_: u32;
+    var phi_1120_: u32;
     var phi_1146_: bool;
     var phi_1147_: bool;
+    var phi_1148_: bool;
+    var phi_1149_: bool;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: bool;
+    var phi_1157_: bool;
+    var phi_1158_: bool;
+    var phi_1159_: bool;
+    var phi_1160_: bool;
+    var phi_1161_: bool;
     var phi_1162_: bool;
     var phi_1163_: bool;
-    var phi_1170_: bool;
-    var phi_1171_: bool;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
-    var phi_1174_: bool;
-    var phi_1178_: bool;
-    var phi_1179_: bool;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
     var phi_1180_: bool;
-    var phi_1184_: bool;
-    var phi_1185_: bool;
+    var phi_1181_: bool;
+    var phi_1188_: bool;
     var phi_1189_: bool;
     var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1192_: bool;
+    var phi_1196_: bool;
+    var phi_1197_: bool;
+    var phi_1198_: bool;
+    var phi_1202_: bool;
+    var phi_1203_: bool;
+    var phi_1207_: bool;
     var phi_1208_: bool;
-    var phi_1209_: bool;
-    var phi_1210_: bool;
-    var phi_943_: u32;
-    var phi_946_: lt_mask_Neighbourhood;
-    var phi_1213_: lt_mask_Neighbourhood;
-    var phi_1214_: lt_mask_Neighbourhood;
-    var phi_1215_: lt_mask_Neighbourhood;
-    var phi_1247_: bool;
-    var phi_1248_: bool;
-    var phi_1270_: bool;
-    var phi_1271_: bool;
-    var phi_1272_: bool;
-    var phi_1276_: bool;
-    var phi_1298_: bool;
-    var phi_1299_: bool;
-    var phi_1312_: bool;
-    var phi_1313_: bool;
-    var phi_1314_: bool;
-    var phi_1321_: u32;
-    var phi_1322_: u32;
-    var phi_1323_: u32;
-    var phi_1324_: u32;
-    var phi_1325_: u32;
-    var phi_1326_: u32;
-    var phi_1327_: u32;
-    var phi_1339_: bool;
-    var phi_1340_: bool;
-    var phi_1341_: bool;
-    var phi_1342_: bool;
-    var phi_1346_: bool;
-    var phi_1352_: bool;
-    var phi_1360_: u32;
-    var phi_1365_: u32;
-    var phi_1374_: u32;
-    var phi_1379_: u32;
+    var phi_1226_: bool;
+    var phi_1227_: bool;
+    var phi_1228_: bool;
+    var phi_961_: u32;
+    var phi_964_: lt_mask_Neighbourhood;
+    var phi_1231_: lt_mask_Neighbourhood;
+    var phi_1232_: lt_mask_Neighbourhood;
+    var phi_1233_: lt_mask_Neighbourhood;
+    var phi_1265_: bool;
+    var phi_1266_: bool;
+    var phi_1288_: bool;
+    var phi_1289_: bool;
+    var phi_1290_: bool;
+    var phi_1294_: bool;
+    var phi_1316_: bool;
+    var phi_1317_: bool;
+    var phi_1330_: bool;
+    var phi_1331_: bool;
+    var phi_1332_: bool;
+    var phi_1339_: u32;
+    var phi_1340_: u32;
+    var phi_1341_: u32;
+    var phi_1342_: u32;
+    var phi_1343_: u32;
+    var phi_1344_: u32;
+    var phi_1345_: u32;
+    var phi_1357_: bool;
+    var phi_1358_: bool;
+    var phi_1359_: bool;
+    var phi_1360_: bool;
+    var phi_1364_: bool;
+    var phi_1370_: bool;
+    var phi_1378_: u32;
     var phi_1383_: u32;
-    var phi_1384_: u32;
-    var phi_1385_: u32;
-    var phi_1389_: f32;
-    var phi_1391_: mask_Masked;
-    var phi_1463_: bool;
-    var phi_1464_: bool;
-    var phi_1465_: bool;
-    var phi_1466_: bool;
-    var phi_1470_: bool;
-    var phi_1498_: f32;
-    var phi_1501_: bool;
-    var phi_1502_: u32;
-    var phi_1513_: u32;
+    var phi_1392_: u32;
+    var phi_1397_: u32;
+    var phi_1401_: u32;
+    var phi_1402_: u32;
+    var phi_1403_: u32;
+    var phi_1407_: f32;
+    var phi_1409_: mask_Masked;
+    var phi_1481_: bool;
+    var phi_1482_: bool;
+    var phi_1483_: bool;
+    var phi_1484_: bool;
+    var phi_1488_: bool;
+    var phi_1516_: f32;
+    var phi_1519_: bool;
+    var phi_1520_: u32;
+    var phi_1531_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e59 = id_1;
@@ -466,28 +466,28 @@ fn function_() {
             if (_e126 == _e128) {
                 let _e131 = samples.member[_e79.shift].normal[2u];
                 let _e133 = global[2u];
-                phi_363_ = (_e131 == _e133);
-                phi_364_ = false;
+                phi_364_ = (_e131 == _e133);
+                phi_365_ = false;
             } else {
-                phi_363_ = bool();
-                phi_364_ = true;
+                phi_364_ = bool();
+                phi_365_ = true;
             }
-            let _e136 = phi_363_;
-            let _e138 = phi_364_;
-            phi_365_ = _e136;
-            phi_366_ = _e138;
+            let _e136 = phi_364_;
+            let _e138 = phi_365_;
+            phi_366_ = _e136;
+            phi_367_ = _e138;
         } else {
-            phi_365_ = bool();
-            phi_366_ = true;
+            phi_366_ = bool();
+            phi_367_ = true;
         }
-        let _e140 = phi_365_;
-        let _e142 = phi_366_;
+        let _e140 = phi_366_;
+        let _e142 = phi_367_;
         if _e142 {
-            phi_370_ = false;
+            phi_371_ = false;
         } else {
-            phi_370_ = _e140;
+            phi_371_ = _e140;
         }
-        let _e144 = phi_370_;
+        let _e144 = phi_371_;
         if !(_e144) {
             let _e147 = samples.member[_e79.shift].position;
             let _e149 = p.member.light.place;
@@ -501,64 +501,64 @@ fn function_() {
                 let _e182 = p.member.light.axis;
                 let _e194 = p.member.light.place[3u];
                 if (_e194 == 0f) {
-                    phi_441_ = true;
+                    phi_442_ = true;
                 } else {
                     let _e197 = p.member.light.range_squared;
                     if (_e180 <= _e197) {
                         let _e200 = p.member.light.cos_outer;
-                        phi_440_ = (-((((_e162 * _e182.x) + (_e163 * _e182.y)) + (_e164 * _e182.z))) >= (_e200 * sqrt(_e180)));
+                        phi_441_ = (-((((_e162 * _e182.x) + (_e163 * _e182.y)) + (_e164 * _e182.z))) >= (_e200 * sqrt(_e180)));
                     } else {
-                        phi_440_ = false;
+                        phi_441_ = false;
                     }
-                    let _e205 = phi_440_;
-                    phi_441_ = _e205;
+                    let _e205 = phi_441_;
+                    phi_442_ = _e205;
                 }
-                let _e207 = phi_441_;
+                let _e207 = phi_442_;
                 if _e207 {
                     let _e209 = samples.member[_e79.shift].flags;
                     let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
-                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, ((_e209 & 1u) == 0u));
-                    phi_453_ = false;
+                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, ((_e209 & 1u) == 0u));
+                    phi_454_ = false;
                 } else {
-                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_453_ = true;
+                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_454_ = true;
                 }
-                let _e228 = phi_452_;
-                let _e230 = phi_453_;
-                phi_454_ = _e228;
-                phi_455_ = _e230;
+                let _e228 = phi_453_;
+                let _e230 = phi_454_;
+                phi_455_ = _e228;
+                phi_456_ = _e230;
             } else {
-                phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_455_ = true;
+                phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_456_ = true;
             }
-            let _e232 = phi_454_;
-            let _e234 = phi_455_;
+            let _e232 = phi_455_;
+            let _e234 = phi_456_;
             if _e234 {
                 let _e240 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e240.unnamed.visibility, false), _e240.unnamed_1);
-                phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e246.unnamed, true);
+                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e246.unnamed, true);
             } else {
-                phi_462_ = _e232;
+                phi_463_ = _e232;
             }
-            let _e251 = phi_462_;
-            phi_466_ = _e251;
+            let _e251 = phi_463_;
+            phi_467_ = _e251;
         } else {
             let _e257 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e263 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e257.unnamed.visibility, false), _e257.unnamed_1);
-            phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e263.unnamed, true);
+            phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e263.unnamed, true);
         }
-        let _e268 = phi_466_;
+        let _e268 = phi_467_;
         if _e268.unnamed_1 {
-            phi_1391_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
+            phi_1409_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
         } else {
             let _e273 = (_e115 < 0.5f);
             if (_e115 > 0f) {
-                phi_479_ = (_e115 < 1f);
+                phi_480_ = (_e115 < 1f);
             } else {
-                phi_479_ = false;
+                phi_480_ = false;
             }
-            let _e277 = phi_479_;
+            let _e277 = phi_480_;
             let _e279 = samples.member[_e79.shift].position;
             let _e283 = p.member.previous.eye;
             let _e286 = (_e113.x - _e283.x);
@@ -584,902 +584,904 @@ fn function_() {
             let _e431 = (((((((_e286 * _e304.x) + (_e289 * _e304.y)) + (_e292 * _e304.z)) / ((((_e314.x * _e314.x) + (_e314.y * _e314.y)) + (_e314.z * _e314.z)) * _e302)) - ((((_e357 * _e375.x) + (_e360 * _e375.y)) + (_e363 * _e375.z)) / ((((_e385.x * _e385.x) + (_e385.y * _e385.y)) + (_e385.z * _e385.z)) * _e373))) * 0.5f) * f32(_e429));
             let _e435 = p.member.current.size[1u];
             let _e437 = (((((((_e286 * _e329.x) + (_e289 * _e329.y)) + (_e292 * _e329.z)) / ((((_e339.x * _e339.x) + (_e339.y * _e339.y)) + (_e339.z * _e339.z)) * _e302)) - ((((_e357 * _e400.x) + (_e360 * _e400.y)) + (_e363 * _e400.z)) / ((((_e410.x * _e410.x) + (_e410.y * _e410.y)) + (_e410.z * _e410.z)) * _e373))) * -0.5f) * f32(_e435));
-            let _e441 = p.member.current.size[0u];
-            let _e443 = p.member.current.size[1u];
-            let _e447 = ((f32(_e59.x) + 0.5f) + _e431);
-            if (_e447 > -8388608f) {
-                let _e459 = f32(select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447)));
-                if (_e459 > _e447) {
-                    phi_668_ = 1f;
+            let _e441 = p.member.current.grid[0u];
+            let _e443 = p.member.current.grid[1u];
+            let _e463 = p.member.current.size[0u];
+            let _e465 = p.member.current.size[1u];
+            let _e467 = ((f32(_e59.x) + ((f32((_e59.y & (_e443 - 1u))) + 0.5f) / f32(_e443))) + _e431);
+            if (_e467 > -8388608f) {
+                let _e479 = f32(select(0i, select(select(i32(_e467), i32(-2147483648), (_e467 < bitcast<f32>(3472883712u))), 2147483647i, (_e467 > bitcast<f32>(1325400063u))), (_e467 == _e467)));
+                if (_e479 > _e467) {
+                    phi_688_ = 1f;
                 } else {
-                    phi_668_ = 0f;
+                    phi_688_ = 0f;
                 }
-                let _e462 = phi_668_;
-                if (_e447 < 8388608f) {
-                    phi_673_ = (_e459 - _e462);
-                    phi_674_ = false;
+                let _e482 = phi_688_;
+                if (_e467 < 8388608f) {
+                    phi_693_ = (_e479 - _e482);
+                    phi_694_ = false;
                 } else {
-                    phi_673_ = f32();
-                    phi_674_ = true;
+                    phi_693_ = f32();
+                    phi_694_ = true;
                 }
-                let _e465 = phi_673_;
-                let _e467 = phi_674_;
-                phi_675_ = _e465;
-                phi_676_ = _e467;
+                let _e485 = phi_693_;
+                let _e487 = phi_694_;
+                phi_695_ = _e485;
+                phi_696_ = _e487;
             } else {
-                phi_675_ = f32();
-                phi_676_ = true;
+                phi_695_ = f32();
+                phi_696_ = true;
             }
-            let _e469 = phi_675_;
-            let _e471 = phi_676_;
-            if _e471 {
-                phi_680_ = _e447;
+            let _e489 = phi_695_;
+            let _e491 = phi_696_;
+            if _e491 {
+                phi_700_ = _e467;
             } else {
-                phi_680_ = _e469;
+                phi_700_ = _e489;
             }
-            let _e473 = phi_680_;
-            let _e476 = ((f32(_e59.y) + 0.5f) + _e437);
-            if (_e476 > -8388608f) {
-                let _e488 = f32(select(0i, select(select(i32(_e476), i32(-2147483648), (_e476 < bitcast<f32>(3472883712u))), 2147483647i, (_e476 > bitcast<f32>(1325400063u))), (_e476 == _e476)));
-                if (_e488 > _e476) {
-                    phi_703_ = 1f;
+            let _e493 = phi_700_;
+            let _e494 = ((f32(_e59.y) + ((f32((_e59.x & (_e441 - 1u))) + 0.5f) / f32(_e441))) + _e437);
+            if (_e494 > -8388608f) {
+                let _e506 = f32(select(0i, select(select(i32(_e494), i32(-2147483648), (_e494 < bitcast<f32>(3472883712u))), 2147483647i, (_e494 > bitcast<f32>(1325400063u))), (_e494 == _e494)));
+                if (_e506 > _e494) {
+                    phi_721_ = 1f;
                 } else {
-                    phi_703_ = 0f;
+                    phi_721_ = 0f;
                 }
-                let _e491 = phi_703_;
-                if (_e476 < 8388608f) {
-                    phi_708_ = (_e488 - _e491);
-                    phi_709_ = false;
+                let _e509 = phi_721_;
+                if (_e494 < 8388608f) {
+                    phi_726_ = (_e506 - _e509);
+                    phi_727_ = false;
                 } else {
-                    phi_708_ = f32();
-                    phi_709_ = true;
+                    phi_726_ = f32();
+                    phi_727_ = true;
                 }
-                let _e494 = phi_708_;
-                let _e496 = phi_709_;
-                phi_710_ = _e494;
-                phi_711_ = _e496;
+                let _e512 = phi_726_;
+                let _e514 = phi_727_;
+                phi_728_ = _e512;
+                phi_729_ = _e514;
             } else {
-                phi_710_ = f32();
-                phi_711_ = true;
+                phi_728_ = f32();
+                phi_729_ = true;
             }
-            let _e498 = phi_710_;
-            let _e500 = phi_711_;
-            if _e500 {
-                phi_715_ = _e476;
+            let _e516 = phi_728_;
+            let _e518 = phi_729_;
+            if _e518 {
+                phi_733_ = _e494;
             } else {
-                phi_715_ = _e498;
+                phi_733_ = _e516;
             }
-            let _e502 = phi_715_;
-            if (_e473 >= 0f) {
-                if (_e502 >= 0f) {
-                    if (_e473 < f32(_e441)) {
-                        let _e508 = (_e502 < f32(_e443));
+            let _e520 = phi_733_;
+            if (_e493 >= 0f) {
+                if (_e520 >= 0f) {
+                    if (_e493 < f32(_e463)) {
+                        let _e526 = (_e520 < f32(_e465));
                         if (_e431 == 0f) {
-                            phi_736_ = (_e437 == 0f);
+                            phi_754_ = (_e437 == 0f);
                         } else {
-                            phi_736_ = false;
+                            phi_754_ = false;
                         }
-                        let _e512 = phi_736_;
-                        if _e508 {
-                            phi_755_ = vec2<u32>(select(select(u32(_e473), 0u, (_e473 < bitcast<f32>(0u))), 4294967295u, (_e473 > bitcast<f32>(1333788671u))), select(select(u32(_e502), 0u, (_e502 < bitcast<f32>(0u))), 4294967295u, (_e502 > bitcast<f32>(1333788671u))));
-                            phi_756_ = false;
+                        let _e530 = phi_754_;
+                        if _e526 {
+                            phi_773_ = vec2<u32>(select(select(u32(_e493), 0u, (_e493 < bitcast<f32>(0u))), 4294967295u, (_e493 > bitcast<f32>(1333788671u))), select(select(u32(_e520), 0u, (_e520 < bitcast<f32>(0u))), 4294967295u, (_e520 > bitcast<f32>(1333788671u))));
+                            phi_774_ = false;
                         } else {
-                            phi_755_ = vec2<u32>();
-                            phi_756_ = true;
+                            phi_773_ = vec2<u32>();
+                            phi_774_ = true;
                         }
-                        let _e529 = phi_755_;
-                        let _e531 = phi_756_;
-                        phi_757_ = _e512;
-                        phi_758_ = _e508;
-                        phi_759_ = _e529;
-                        phi_760_ = _e512;
-                        phi_761_ = _e508;
-                        phi_762_ = false;
-                        phi_763_ = _e531;
+                        let _e547 = phi_773_;
+                        let _e549 = phi_774_;
+                        phi_775_ = _e530;
+                        phi_776_ = _e526;
+                        phi_777_ = _e547;
+                        phi_778_ = _e530;
+                        phi_779_ = _e526;
+                        phi_780_ = false;
+                        phi_781_ = _e549;
                     } else {
-                        phi_757_ = bool();
-                        phi_758_ = bool();
-                        phi_759_ = vec2<u32>();
-                        phi_760_ = bool();
-                        phi_761_ = bool();
-                        phi_762_ = true;
-                        phi_763_ = false;
+                        phi_775_ = bool();
+                        phi_776_ = bool();
+                        phi_777_ = vec2<u32>();
+                        phi_778_ = bool();
+                        phi_779_ = bool();
+                        phi_780_ = true;
+                        phi_781_ = false;
                     }
-                    let _e533 = phi_757_;
-                    let _e535 = phi_758_;
-                    let _e537 = phi_759_;
-                    let _e539 = phi_760_;
-                    let _e541 = phi_761_;
-                    let _e543 = phi_762_;
-                    let _e545 = phi_763_;
-                    phi_764_ = _e533;
-                    phi_765_ = _e535;
-                    phi_766_ = _e537;
-                    phi_767_ = _e539;
-                    phi_768_ = _e541;
-                    phi_769_ = _e543;
-                    phi_770_ = _e545;
+                    let _e551 = phi_775_;
+                    let _e553 = phi_776_;
+                    let _e555 = phi_777_;
+                    let _e557 = phi_778_;
+                    let _e559 = phi_779_;
+                    let _e561 = phi_780_;
+                    let _e563 = phi_781_;
+                    phi_782_ = _e551;
+                    phi_783_ = _e553;
+                    phi_784_ = _e555;
+                    phi_785_ = _e557;
+                    phi_786_ = _e559;
+                    phi_787_ = _e561;
+                    phi_788_ = _e563;
                 } else {
-                    phi_764_ = bool();
-                    phi_765_ = bool();
-                    phi_766_ = vec2<u32>();
-                    phi_767_ = bool();
-                    phi_768_ = bool();
-                    phi_769_ = true;
-                    phi_770_ = false;
+                    phi_782_ = bool();
+                    phi_783_ = bool();
+                    phi_784_ = vec2<u32>();
+                    phi_785_ = bool();
+                    phi_786_ = bool();
+                    phi_787_ = true;
+                    phi_788_ = false;
                 }
-                let _e547 = phi_764_;
-                let _e549 = phi_765_;
-                let _e551 = phi_766_;
-                let _e553 = phi_767_;
-                let _e555 = phi_768_;
-                let _e557 = phi_769_;
-                let _e559 = phi_770_;
-                phi_771_ = _e547;
-                phi_772_ = _e549;
-                phi_773_ = _e551;
-                phi_774_ = _e553;
-                phi_775_ = _e555;
-                phi_776_ = _e557;
-                phi_777_ = _e559;
+                let _e565 = phi_782_;
+                let _e567 = phi_783_;
+                let _e569 = phi_784_;
+                let _e571 = phi_785_;
+                let _e573 = phi_786_;
+                let _e575 = phi_787_;
+                let _e577 = phi_788_;
+                phi_789_ = _e565;
+                phi_790_ = _e567;
+                phi_791_ = _e569;
+                phi_792_ = _e571;
+                phi_793_ = _e573;
+                phi_794_ = _e575;
+                phi_795_ = _e577;
             } else {
-                phi_771_ = bool();
-                phi_772_ = bool();
-                phi_773_ = vec2<u32>();
-                phi_774_ = bool();
-                phi_775_ = bool();
-                phi_776_ = true;
-                phi_777_ = false;
+                phi_789_ = bool();
+                phi_790_ = bool();
+                phi_791_ = vec2<u32>();
+                phi_792_ = bool();
+                phi_793_ = bool();
+                phi_794_ = true;
+                phi_795_ = false;
             }
-            let _e561 = phi_771_;
-            let _e563 = phi_772_;
-            let _e565 = phi_773_;
-            let _e567 = phi_774_;
-            let _e569 = phi_775_;
-            let _e571 = phi_776_;
-            let _e573 = phi_777_;
-            if _e571 {
+            let _e579 = phi_789_;
+            let _e581 = phi_790_;
+            let _e583 = phi_791_;
+            let _e585 = phi_792_;
+            let _e587 = phi_793_;
+            let _e589 = phi_794_;
+            let _e591 = phi_795_;
+            if _e589 {
                 if (_e431 == 0f) {
-                    phi_786_ = (_e437 == 0f);
+                    phi_804_ = (_e437 == 0f);
                 } else {
-                    phi_786_ = false;
+                    phi_804_ = false;
                 }
-                let _e577 = phi_786_;
-                phi_787_ = _e577;
-                phi_788_ = false;
-                phi_789_ = true;
+                let _e595 = phi_804_;
+                phi_805_ = _e595;
+                phi_806_ = false;
+                phi_807_ = true;
             } else {
-                phi_787_ = _e567;
-                phi_788_ = _e569;
-                phi_789_ = _e573;
+                phi_805_ = _e585;
+                phi_806_ = _e587;
+                phi_807_ = _e591;
             }
-            let _e579 = phi_787_;
-            let _e581 = phi_788_;
-            let _e583 = phi_789_;
-            if _e583 {
-                phi_793_ = _e579;
-                phi_794_ = _e581;
-                phi_795_ = vec2<u32>(_e59.x, _e59.y);
+            let _e597 = phi_805_;
+            let _e599 = phi_806_;
+            let _e601 = phi_807_;
+            if _e601 {
+                phi_811_ = _e597;
+                phi_812_ = _e599;
+                phi_813_ = vec2<u32>(_e59.x, _e59.y);
             } else {
-                phi_793_ = _e561;
-                phi_794_ = _e563;
-                phi_795_ = _e565;
+                phi_811_ = _e579;
+                phi_812_ = _e581;
+                phi_813_ = _e583;
             }
-            let _e585 = phi_793_;
-            let _e587 = phi_794_;
-            let _e589 = phi_795_;
-            let _e599 = lt_mask_Reprojection(vec2<u32>(_e589.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e606 = lt_mask_Reprojection(vec2<u32>(_e599.pixel.x, _e589.y), _e599.is_valid, _e599.has_moved);
-            let _e610 = lt_mask_Reprojection(_e606.pixel, _e587, _e606.has_moved);
-            let _e614 = lt_mask_Reprojection(_e610.pixel, _e610.is_valid, !(_e585));
-            if _e587 {
-                let _e617 = p.member.previous.eye;
-                let _e628 = p.member.previous.forward;
-                let _e637 = (((((_e113.x - _e617.x) * _e628.x) + ((_e113.y - _e617.y) * _e628.y)) + ((_e113.z - _e617.z) * _e628.z)) > 0f);
-                let _e641 = lt_mask_Reprojection(_e614.pixel, _e637, _e614.has_moved);
-                if _e637 {
-                    let _e644 = p.member.previous.eye;
-                    let _e655 = p.member.previous.forward;
-                    let _e663 = ((((_e113.x - _e644.x) * _e655.x) + ((_e113.y - _e644.y) * _e655.y)) + ((_e113.z - _e644.z) * _e655.z));
-                    let _e665 = ((_e589.y * _e110) + _e589.x);
-                    if (_e665 < arrayLength((&last_depths.member))) {
+            let _e603 = phi_811_;
+            let _e605 = phi_812_;
+            let _e607 = phi_813_;
+            let _e617 = lt_mask_Reprojection(vec2<u32>(_e607.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e624 = lt_mask_Reprojection(vec2<u32>(_e617.pixel.x, _e607.y), _e617.is_valid, _e617.has_moved);
+            let _e628 = lt_mask_Reprojection(_e624.pixel, _e605, _e624.has_moved);
+            let _e632 = lt_mask_Reprojection(_e628.pixel, _e628.is_valid, !(_e603));
+            if _e605 {
+                let _e635 = p.member.previous.eye;
+                let _e646 = p.member.previous.forward;
+                let _e655 = (((((_e113.x - _e635.x) * _e646.x) + ((_e113.y - _e635.y) * _e646.y)) + ((_e113.z - _e635.z) * _e646.z)) > 0f);
+                let _e659 = lt_mask_Reprojection(_e632.pixel, _e655, _e632.has_moved);
+                if _e655 {
+                    let _e662 = p.member.previous.eye;
+                    let _e673 = p.member.previous.forward;
+                    let _e681 = ((((_e113.x - _e662.x) * _e673.x) + ((_e113.y - _e662.y) * _e673.y)) + ((_e113.z - _e662.z) * _e673.z));
+                    let _e683 = ((_e607.y * _e110) + _e607.x);
+                    if (_e683 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e669 = last_depths.member[(0u + _e665)];
-                    let _e671 = p.member.depth_tolerance;
-                    let _e674 = abs(_e663);
-                    let _e675 = abs(_e669);
-                    if ((bitcast<u32>(_e675) & 2147483647u) > 2139095040u) {
-                        phi_884_ = true;
+                    let _e687 = last_depths.member[(0u + _e683)];
+                    let _e689 = p.member.depth_tolerance;
+                    let _e692 = abs(_e681);
+                    let _e693 = abs(_e687);
+                    if ((bitcast<u32>(_e693) & 2147483647u) > 2139095040u) {
+                        phi_902_ = true;
                     } else {
-                        let _e679 = (_e675 > _e674);
-                        if _e679 {
+                        let _e697 = (_e693 > _e692);
+                        if _e697 {
                         }
-                        phi_884_ = _e679;
+                        phi_902_ = _e697;
                     }
-                    let _e681 = phi_884_;
-                    if _e681 {
-                        phi_888_ = _e675;
+                    let _e699 = phi_902_;
+                    if _e699 {
+                        phi_906_ = _e693;
                     } else {
-                        phi_888_ = _e674;
+                        phi_906_ = _e692;
                     }
-                    let _e683 = phi_888_;
-                    phi_892_ = lt_mask_Reprojection(_e641.pixel, (abs((_e663 - _e669)) <= (_e671 * _e683)), _e641.has_moved);
+                    let _e701 = phi_906_;
+                    phi_910_ = lt_mask_Reprojection(_e659.pixel, (abs((_e681 - _e687)) <= (_e689 * _e701)), _e659.has_moved);
                 } else {
-                    phi_892_ = _e641;
+                    phi_910_ = _e659;
                 }
-                let _e691 = phi_892_;
-                if _e691.is_valid {
-                    let _e694 = p.member.flags;
-                    phi_901_ = ((_e694 & 1u) != 0u);
-                    phi_902_ = false;
+                let _e709 = phi_910_;
+                if _e709.is_valid {
+                    let _e712 = p.member.flags;
+                    phi_919_ = ((_e712 & 1u) != 0u);
+                    phi_920_ = false;
                 } else {
-                    phi_901_ = bool();
-                    phi_902_ = true;
+                    phi_919_ = bool();
+                    phi_920_ = true;
                 }
-                let _e698 = phi_901_;
-                let _e700 = phi_902_;
-                phi_904_ = _e698;
-                phi_905_ = _e691;
-                phi_906_ = _e691;
-                phi_907_ = _e700;
+                let _e716 = phi_919_;
+                let _e718 = phi_920_;
+                phi_922_ = _e716;
+                phi_923_ = _e709;
+                phi_924_ = _e709;
+                phi_925_ = _e718;
             } else {
-                phi_904_ = bool();
-                phi_905_ = lt_mask_Reprojection();
-                phi_906_ = lt_mask_Reprojection(_e614.pixel, false, _e614.has_moved);
-                phi_907_ = true;
+                phi_922_ = bool();
+                phi_923_ = lt_mask_Reprojection();
+                phi_924_ = lt_mask_Reprojection(_e632.pixel, false, _e632.has_moved);
+                phi_925_ = true;
             }
-            let _e706 = phi_904_;
-            let _e708 = phi_905_;
-            let _e710 = phi_906_;
-            let _e712 = phi_907_;
-            if _e712 {
-                phi_911_ = false;
-                phi_912_ = _e710;
+            let _e724 = phi_922_;
+            let _e726 = phi_923_;
+            let _e728 = phi_924_;
+            let _e730 = phi_925_;
+            if _e730 {
+                phi_929_ = false;
+                phi_930_ = _e728;
             } else {
-                phi_911_ = _e706;
-                phi_912_ = _e708;
+                phi_929_ = _e724;
+                phi_930_ = _e726;
             }
-            let _e714 = phi_911_;
-            let _e716 = phi_912_;
-            let _e720 = lt_mask_Reprojection(_e716.pixel, _e714, _e716.has_moved);
-            let _e721 = lt_mask_Neighbourhood(false, true);
+            let _e732 = phi_929_;
+            let _e734 = phi_930_;
+            let _e738 = lt_mask_Reprojection(_e734.pixel, _e732, _e734.has_moved);
+            let _e739 = lt_mask_Neighbourhood(false, true);
             if _e277 {
-                phi_918_ = false;
+                phi_936_ = false;
             } else {
-                phi_918_ = true;
+                phi_936_ = true;
             }
-            let _e723 = phi_918_;
-            if _e723 {
-                if _e714 {
+            let _e741 = phi_936_;
+            if _e741 {
+                if _e732 {
                     if ((0u & 2u) != 0u) {
-                        phi_1213_ = _e721;
+                        phi_1231_ = _e739;
                     } else {
-                        let _e727 = p.member.expansion;
-                        if _e720.has_moved {
-                            let _e730 = p.member.moving_pattern;
-                            phi_940_ = _e730;
+                        let _e745 = p.member.expansion;
+                        if _e738.has_moved {
+                            let _e748 = p.member.moving_pattern;
+                            phi_958_ = _e748;
                         } else {
-                            let _e732 = p.member.still_pattern;
-                            phi_940_ = _e732;
+                            let _e750 = p.member.still_pattern;
+                            phi_958_ = _e750;
                         }
-                        let _e734 = phi_940_;
-                        phi_942_ = 0u;
-                        phi_945_ = _e721;
+                        let _e752 = phi_958_;
+                        phi_960_ = 0u;
+                        phi_963_ = _e739;
                         loop {
-                            let _e736 = phi_942_;
-                            let _e738 = phi_945_;
-                            local_1 = _e738;
-                            if (1u <= _e734) {
-                                if (_e734 <= 4u) {
-                                    phi_957_ = false;
+                            let _e754 = phi_960_;
+                            let _e756 = phi_963_;
+                            local_1 = _e756;
+                            if (1u <= _e752) {
+                                if (_e752 <= 4u) {
+                                    phi_975_ = false;
                                 } else {
-                                    phi_957_ = true;
+                                    phi_975_ = true;
                                 }
-                                let _e742 = phi_957_;
-                                phi_958_ = _e742;
+                                let _e760 = phi_975_;
+                                phi_976_ = _e760;
                             } else {
-                                phi_958_ = true;
+                                phi_976_ = true;
                             }
-                            let _e744 = phi_958_;
-                            if _e744 {
-                                switch bitcast<i32>(_e734) {
+                            let _e762 = phi_976_;
+                            if _e762 {
+                                switch bitcast<i32>(_e752) {
                                     case 5: {
-                                        phi_967_ = 4u;
+                                        phi_985_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_967_ = 25u;
+                                        phi_985_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_967_ = 13u;
+                                        phi_985_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_967_ = 9u;
+                                        phi_985_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e747 = phi_967_;
-                                phi_968_ = _e747;
+                                let _e765 = phi_985_;
+                                phi_986_ = _e765;
                             } else {
-                                phi_968_ = 5u;
+                                phi_986_ = 5u;
                             }
-                            let _e749 = phi_968_;
-                            let _e750 = (_e736 < _e749);
-                            if _e750 {
-                                let _e756 = p.member.frame;
-                                let _e760 = p.member.current.size[0u];
-                                let _e762 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e734) {
+                            let _e767 = phi_986_;
+                            let _e768 = (_e754 < _e767);
+                            if _e768 {
+                                let _e774 = p.member.frame;
+                                let _e778 = p.member.current.size[0u];
+                                let _e780 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e752) {
                                     case 1: {
-                                        let _e772 = lt_mask_pattern_plus(_e736);
-                                        phi_1048_ = vec2<i32>(_e772.x, _e772.y);
+                                        let _e790 = lt_mask_pattern_plus(_e754);
+                                        phi_1066_ = vec2<i32>(_e790.x, _e790.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e776 = lt_mask_pattern_cross(_e736);
-                                        phi_1048_ = vec2<i32>(_e776.x, _e776.y);
+                                        let _e794 = lt_mask_pattern_cross(_e754);
+                                        phi_1066_ = vec2<i32>(_e794.x, _e794.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e782 = lt_mask_pattern_plus_or_cross(_e736, ((_e720.pixel.x + _e720.pixel.y) & 1u));
-                                        phi_1048_ = vec2<i32>(_e782.x, _e782.y);
+                                        let _e800 = lt_mask_pattern_plus_or_cross(_e754, ((_e738.pixel.x + _e738.pixel.y) & 1u));
+                                        phi_1066_ = vec2<i32>(_e800.x, _e800.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e787 = lt_mask_pattern_plus_or_cross(_e736, (_e756 & 1u));
-                                        phi_1048_ = vec2<i32>(_e787.x, _e787.y);
+                                        let _e805 = lt_mask_pattern_plus_or_cross(_e754, (_e774 & 1u));
+                                        phi_1066_ = vec2<i32>(_e805.x, _e805.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e756 & 3u)) {
+                                        switch bitcast<i32>((_e774 & 3u)) {
                                             case 0: {
-                                                phi_1028_ = vec2(-1i);
+                                                phi_1046_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1028_ = vec2(0i);
+                                                phi_1046_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1028_ = vec2<i32>(0i, -1i);
+                                                phi_1046_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1028_ = vec2<i32>(-1i, 0i);
+                                                phi_1046_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e798 = phi_1028_;
-                                        phi_1048_ = (_e798 + vec2<i32>(bitcast<i32>((_e736 & 1u)), bitcast<i32>(((_e736 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e816 = phi_1046_;
+                                        phi_1066_ = (_e816 + vec2<i32>(bitcast<i32>((_e754 & 1u)), bitcast<i32>(((_e754 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1048_ = vec2<i32>((bitcast<i32>((_e736 % 5u)) - 2i), (bitcast<i32>(((_e736 / 5u) % 5u)) - 2i));
+                                        phi_1066_ = vec2<i32>((bitcast<i32>((_e754 % 5u)) - 2i), (bitcast<i32>(((_e754 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e815 = lt_mask_pattern_diamond(_e736);
-                                        phi_1048_ = vec2<i32>(_e815.x, _e815.y);
+                                        let _e833 = lt_mask_pattern_diamond(_e754);
+                                        phi_1066_ = vec2<i32>(_e833.x, _e833.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1048_ = vec2<i32>((bitcast<i32>((_e736 % 3u)) - 1i), (bitcast<i32>(((_e736 / 3u) % 3u)) - 1i));
+                                        phi_1066_ = vec2<i32>((bitcast<i32>((_e754 % 3u)) - 1i), (bitcast<i32>(((_e754 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e820 = phi_1048_;
-                                let _e823 = lt_mask_pattern_step_clamped(_e720.pixel.x, _e820.x, _e760);
-                                let _e824 = lt_mask_pattern_step_clamped(_e720.pixel.y, _e820.y, _e762);
-                                let _e831 = ((((_e824 * _e110) + _e823) * _e106.words) + _e106.light.word);
+                                let _e838 = phi_1066_;
+                                let _e841 = lt_mask_pattern_step_clamped(_e738.pixel.x, _e838.x, _e778);
+                                let _e842 = lt_mask_pattern_step_clamped(_e738.pixel.y, _e838.y, _e780);
+                                let _e849 = ((((_e842 * _e110) + _e841) * _e106.words) + _e106.light.word);
                                 if (_e106.light.shift > 29u) {
-                                    let _e835 = (_e831 + 1u);
-                                    if (_e835 < _e65) {
+                                    let _e853 = (_e849 + 1u);
+                                    if (_e853 < _e65) {
                                     } else {
                                         return;
                                     }
-                                    let _e839 = last_bits.member[(0u + _e835)];
-                                    phi_1075_ = _e839;
+                                    let _e857 = last_bits.member[(0u + _e853)];
+                                    phi_1093_ = _e857;
                                 } else {
-                                    phi_1075_ = 0u;
+                                    phi_1093_ = 0u;
                                 }
-                                let _e841 = phi_1075_;
-                                if (_e831 < _e65) {
+                                let _e859 = phi_1093_;
+                                if (_e849 < _e65) {
                                 } else {
                                     return;
                                 }
-                                let _e847 = last_bits.member[(0u + _e831)];
-                                let _e850 = (_e847 >> bitcast<u32>((_e106.light.shift & 31u)));
+                                let _e865 = last_bits.member[(0u + _e849)];
+                                let _e868 = (_e865 >> bitcast<u32>((_e106.light.shift & 31u)));
                                 if (_e106.light.shift > 29u) {
-                                    phi_1094_ = (_e850 | (_e841 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                                    phi_1112_ = (_e868 | (_e859 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
                                 } else {
-                                    phi_1094_ = _e850;
+                                    phi_1112_ = _e868;
                                 }
-                                let _e858 = phi_1094_;
-                                if ((_e858 & 2u) == 0u) {
-                                    phi_1102_ = (_e858 & 1u);
+                                let _e876 = phi_1112_;
+                                if ((_e876 & 2u) == 0u) {
+                                    phi_1120_ = (_e876 & 1u);
                                 } else {
-                                    phi_1102_ = (_e858 & 7u);
+                                    phi_1120_ = (_e876 & 7u);
                                 }
-                                let _e864 = phi_1102_;
-                                if _e738.any_expands {
-                                    phi_1190_ = true;
+                                let _e882 = phi_1120_;
+                                if _e756.any_expands {
+                                    phi_1208_ = true;
                                 } else {
-                                    if ((_e864 & 2u) != 0u) {
-                                        let _e871 = (((_e864 & 4u) != 0u) != _e273);
-                                        switch bitcast<i32>(_e727) {
+                                    if ((_e882 & 2u) != 0u) {
+                                        let _e889 = (((_e882 & 4u) != 0u) != _e273);
+                                        switch bitcast<i32>(_e745) {
                                             case 1: {
-                                                phi_1130_ = bool();
-                                                phi_1131_ = false;
-                                                phi_1132_ = true;
-                                                phi_1133_ = false;
-                                                phi_1134_ = false;
+                                                phi_1148_ = bool();
+                                                phi_1149_ = false;
+                                                phi_1150_ = true;
+                                                phi_1151_ = false;
+                                                phi_1152_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e871 {
-                                                    phi_1128_ = (((_e864 & 4u) != 0u) != ((_e864 & 1u) != 0u));
-                                                    phi_1129_ = false;
+                                                if _e889 {
+                                                    phi_1146_ = (((_e882 & 4u) != 0u) != ((_e882 & 1u) != 0u));
+                                                    phi_1147_ = false;
                                                 } else {
-                                                    phi_1128_ = bool();
-                                                    phi_1129_ = true;
+                                                    phi_1146_ = bool();
+                                                    phi_1147_ = true;
                                                 }
-                                                let _e879 = phi_1128_;
-                                                let _e881 = phi_1129_;
-                                                phi_1130_ = _e879;
-                                                phi_1131_ = false;
-                                                phi_1132_ = false;
-                                                phi_1133_ = _e881;
-                                                phi_1134_ = _e871;
+                                                let _e897 = phi_1146_;
+                                                let _e899 = phi_1147_;
+                                                phi_1148_ = _e897;
+                                                phi_1149_ = false;
+                                                phi_1150_ = false;
+                                                phi_1151_ = _e899;
+                                                phi_1152_ = _e889;
                                                 break;
                                             }
                                             default: {
-                                                phi_1130_ = bool();
-                                                phi_1131_ = true;
-                                                phi_1132_ = false;
-                                                phi_1133_ = false;
-                                                phi_1134_ = false;
+                                                phi_1148_ = bool();
+                                                phi_1149_ = true;
+                                                phi_1150_ = false;
+                                                phi_1151_ = false;
+                                                phi_1152_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e883 = phi_1130_;
-                                        let _e885 = phi_1131_;
-                                        let _e887 = phi_1132_;
-                                        let _e889 = phi_1133_;
-                                        let _e891 = phi_1134_;
-                                        phi_1142_ = _e871;
-                                        phi_1143_ = _e883;
-                                        phi_1144_ = _e885;
-                                        phi_1145_ = _e887;
-                                        phi_1146_ = _e889;
-                                        phi_1147_ = _e891;
+                                        let _e901 = phi_1148_;
+                                        let _e903 = phi_1149_;
+                                        let _e905 = phi_1150_;
+                                        let _e907 = phi_1151_;
+                                        let _e909 = phi_1152_;
+                                        phi_1160_ = _e889;
+                                        phi_1161_ = _e901;
+                                        phi_1162_ = _e903;
+                                        phi_1163_ = _e905;
+                                        phi_1164_ = _e907;
+                                        phi_1165_ = _e909;
                                     } else {
-                                        switch bitcast<i32>(_e727) {
+                                        switch bitcast<i32>(_e745) {
                                             case 1: {
-                                                phi_1139_ = false;
-                                                phi_1140_ = true;
-                                                phi_1141_ = false;
+                                                phi_1157_ = false;
+                                                phi_1158_ = true;
+                                                phi_1159_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1139_ = false;
-                                                phi_1140_ = false;
-                                                phi_1141_ = true;
+                                                phi_1157_ = false;
+                                                phi_1158_ = false;
+                                                phi_1159_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1139_ = true;
-                                                phi_1140_ = false;
-                                                phi_1141_ = false;
+                                                phi_1157_ = true;
+                                                phi_1158_ = false;
+                                                phi_1159_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e894 = phi_1139_;
-                                        let _e896 = phi_1140_;
-                                        let _e898 = phi_1141_;
-                                        phi_1142_ = false;
-                                        phi_1143_ = bool();
-                                        phi_1144_ = _e894;
-                                        phi_1145_ = _e896;
-                                        phi_1146_ = _e898;
-                                        phi_1147_ = false;
+                                        let _e912 = phi_1157_;
+                                        let _e914 = phi_1158_;
+                                        let _e916 = phi_1159_;
+                                        phi_1160_ = false;
+                                        phi_1161_ = bool();
+                                        phi_1162_ = _e912;
+                                        phi_1163_ = _e914;
+                                        phi_1164_ = _e916;
+                                        phi_1165_ = false;
                                     }
-                                    let _e900 = phi_1142_;
-                                    let _e902 = phi_1143_;
-                                    let _e904 = phi_1144_;
-                                    let _e906 = phi_1145_;
-                                    let _e908 = phi_1146_;
-                                    let _e910 = phi_1147_;
-                                    if _e904 {
-                                        if ((_e864 & 2u) != 0u) {
-                                            if (((_e864 & 4u) != 0u) != _e273) {
-                                                phi_1162_ = false;
+                                    let _e918 = phi_1160_;
+                                    let _e920 = phi_1161_;
+                                    let _e922 = phi_1162_;
+                                    let _e924 = phi_1163_;
+                                    let _e926 = phi_1164_;
+                                    let _e928 = phi_1165_;
+                                    if _e922 {
+                                        if ((_e882 & 2u) != 0u) {
+                                            if (((_e882 & 4u) != 0u) != _e273) {
+                                                phi_1180_ = false;
                                             } else {
-                                                phi_1162_ = true;
+                                                phi_1180_ = true;
                                             }
-                                            let _e917 = phi_1162_;
-                                            phi_1163_ = _e917;
+                                            let _e935 = phi_1180_;
+                                            phi_1181_ = _e935;
                                         } else {
-                                            phi_1163_ = true;
+                                            phi_1181_ = true;
                                         }
-                                        let _e919 = phi_1163_;
-                                        if _e919 {
-                                            phi_1170_ = (((_e864 & 1u) != 0u) != _e273);
+                                        let _e937 = phi_1181_;
+                                        if _e937 {
+                                            phi_1188_ = (((_e882 & 1u) != 0u) != _e273);
                                         } else {
-                                            phi_1170_ = true;
+                                            phi_1188_ = true;
                                         }
-                                        let _e924 = phi_1170_;
-                                        phi_1171_ = _e924;
-                                        phi_1172_ = false;
-                                        phi_1173_ = false;
-                                        phi_1174_ = false;
+                                        let _e942 = phi_1188_;
+                                        phi_1189_ = _e942;
+                                        phi_1190_ = false;
+                                        phi_1191_ = false;
+                                        phi_1192_ = false;
                                     } else {
-                                        phi_1171_ = bool();
-                                        phi_1172_ = _e906;
-                                        phi_1173_ = _e908;
-                                        phi_1174_ = _e910;
-                                    }
-                                    let _e926 = phi_1171_;
-                                    let _e928 = phi_1172_;
-                                    let _e930 = phi_1173_;
-                                    let _e932 = phi_1174_;
-                                    if _e928 {
-                                        phi_1178_ = _e900;
-                                        phi_1179_ = false;
-                                        phi_1180_ = false;
-                                    } else {
-                                        phi_1178_ = _e926;
-                                        phi_1179_ = _e930;
-                                        phi_1180_ = _e932;
-                                    }
-                                    let _e934 = phi_1178_;
-                                    let _e936 = phi_1179_;
-                                    let _e938 = phi_1180_;
-                                    if _e936 {
-                                        phi_1184_ = false;
-                                        phi_1185_ = true;
-                                    } else {
-                                        phi_1184_ = _e902;
-                                        phi_1185_ = _e938;
-                                    }
-                                    let _e940 = phi_1184_;
-                                    let _e942 = phi_1185_;
-                                    if _e942 {
-                                        phi_1189_ = _e940;
-                                    } else {
-                                        phi_1189_ = _e934;
+                                        phi_1189_ = bool();
+                                        phi_1190_ = _e924;
+                                        phi_1191_ = _e926;
+                                        phi_1192_ = _e928;
                                     }
                                     let _e944 = phi_1189_;
-                                    phi_1190_ = _e944;
-                                }
-                                let _e946 = phi_1190_;
-                                if _e738.all_remove {
-                                    if (((_e864 & 1u) != 0u) == _e273) {
-                                        if ((_e864 & 2u) != 0u) {
-                                            phi_1208_ = (((_e864 & 4u) != 0u) == _e273);
-                                        } else {
-                                            phi_1208_ = true;
-                                        }
-                                        let _e956 = phi_1208_;
-                                        phi_1209_ = _e956;
+                                    let _e946 = phi_1190_;
+                                    let _e948 = phi_1191_;
+                                    let _e950 = phi_1192_;
+                                    if _e946 {
+                                        phi_1196_ = _e918;
+                                        phi_1197_ = false;
+                                        phi_1198_ = false;
                                     } else {
-                                        phi_1209_ = false;
+                                        phi_1196_ = _e944;
+                                        phi_1197_ = _e948;
+                                        phi_1198_ = _e950;
                                     }
-                                    let _e958 = phi_1209_;
-                                    phi_1210_ = _e958;
-                                } else {
-                                    phi_1210_ = false;
+                                    let _e952 = phi_1196_;
+                                    let _e954 = phi_1197_;
+                                    let _e956 = phi_1198_;
+                                    if _e954 {
+                                        phi_1202_ = false;
+                                        phi_1203_ = true;
+                                    } else {
+                                        phi_1202_ = _e920;
+                                        phi_1203_ = _e956;
+                                    }
+                                    let _e958 = phi_1202_;
+                                    let _e960 = phi_1203_;
+                                    if _e960 {
+                                        phi_1207_ = _e958;
+                                    } else {
+                                        phi_1207_ = _e952;
+                                    }
+                                    let _e962 = phi_1207_;
+                                    phi_1208_ = _e962;
                                 }
-                                let _e960 = phi_1210_;
-                                phi_943_ = (_e736 + 1u);
-                                phi_946_ = lt_mask_Neighbourhood(_e946, _e960);
+                                let _e964 = phi_1208_;
+                                if _e756.all_remove {
+                                    if (((_e882 & 1u) != 0u) == _e273) {
+                                        if ((_e882 & 2u) != 0u) {
+                                            phi_1226_ = (((_e882 & 4u) != 0u) == _e273);
+                                        } else {
+                                            phi_1226_ = true;
+                                        }
+                                        let _e974 = phi_1226_;
+                                        phi_1227_ = _e974;
+                                    } else {
+                                        phi_1227_ = false;
+                                    }
+                                    let _e976 = phi_1227_;
+                                    phi_1228_ = _e976;
+                                } else {
+                                    phi_1228_ = false;
+                                }
+                                let _e978 = phi_1228_;
+                                phi_961_ = (_e754 + 1u);
+                                phi_964_ = lt_mask_Neighbourhood(_e964, _e978);
                             } else {
-                                phi_943_ = u32();
-                                phi_946_ = lt_mask_Neighbourhood();
+                                phi_961_ = u32();
+                                phi_964_ = lt_mask_Neighbourhood();
                             }
-                            let _e964 = phi_943_;
-                            let _e966 = phi_946_;
+                            let _e982 = phi_961_;
+                            let _e984 = phi_964_;
                             continue;
                             continuing {
-                                phi_942_ = _e964;
-                                phi_945_ = _e966;
-                                break if !(_e750);
+                                phi_960_ = _e982;
+                                phi_963_ = _e984;
+                                break if !(_e768);
                             }
                         }
-                        let _e1312 = local_1;
-                        phi_1213_ = _e1312;
+                        let _e1330 = local_1;
+                        phi_1231_ = _e1330;
                     }
-                    let _e969 = phi_1213_;
-                    phi_1214_ = _e969;
+                    let _e987 = phi_1231_;
+                    phi_1232_ = _e987;
                 } else {
-                    phi_1214_ = _e721;
+                    phi_1232_ = _e739;
                 }
-                let _e971 = phi_1214_;
-                phi_1215_ = _e971;
+                let _e989 = phi_1232_;
+                phi_1233_ = _e989;
             } else {
-                phi_1215_ = _e721;
+                phi_1233_ = _e739;
             }
-            let _e973 = phi_1215_;
-            let _e976 = p.member.frame;
-            let _e978 = p.member.refresh;
-            if (_e978 == 0u) {
-                phi_1248_ = false;
+            let _e991 = phi_1233_;
+            let _e994 = p.member.frame;
+            let _e996 = p.member.refresh;
+            if (_e996 == 0u) {
+                phi_1266_ = false;
             } else {
-                if (_e978 == 0u) {
+                if (_e996 == 0u) {
                     return;
                 }
-                let _e987 = ((_e59.x + (_e59.y * (((_e978 * 5u) / 8u) | 1u))) + (_e976 % _e978));
-                if (_e978 == 0u) {
-                    phi_1247_ = (_e987 == 0u);
+                let _e1005 = ((_e59.x + (_e59.y * (((_e996 * 5u) / 8u) | 1u))) + (_e994 % _e996));
+                if (_e996 == 0u) {
+                    phi_1265_ = (_e1005 == 0u);
                 } else {
-                    if (_e978 == 0u) {
+                    if (_e996 == 0u) {
                         return;
                     }
-                    phi_1247_ = ((_e987 % _e978) == 0u);
+                    phi_1265_ = ((_e1005 % _e996) == 0u);
                 }
-                let _e994 = phi_1247_;
-                phi_1248_ = _e994;
+                let _e1012 = phi_1265_;
+                phi_1266_ = _e1012;
             }
-            let _e996 = phi_1248_;
-            if _e714 {
-                if _e996 {
-                    phi_1270_ = bool();
+            let _e1014 = phi_1266_;
+            if _e732 {
+                if _e1014 {
+                    phi_1288_ = bool();
                 } else {
-                    phi_1270_ = ((0u & 2u) != 0u);
+                    phi_1288_ = ((0u & 2u) != 0u);
                 }
-                let _e1002 = phi_1270_;
-                phi_1271_ = _e1002;
-                phi_1272_ = _e996;
+                let _e1020 = phi_1288_;
+                phi_1289_ = _e1020;
+                phi_1290_ = _e1014;
             } else {
-                phi_1271_ = bool();
-                phi_1272_ = true;
+                phi_1289_ = bool();
+                phi_1290_ = true;
             }
-            let _e1004 = phi_1271_;
-            let _e1006 = phi_1272_;
-            if _e1006 {
-                phi_1276_ = false;
+            let _e1022 = phi_1289_;
+            let _e1024 = phi_1290_;
+            if _e1024 {
+                phi_1294_ = false;
             } else {
-                phi_1276_ = _e1004;
+                phi_1294_ = _e1022;
             }
-            let _e1008 = phi_1276_;
-            if _e1008 {
-                phi_1327_ = 7u;
+            let _e1026 = phi_1294_;
+            if _e1026 {
+                phi_1345_ = 7u;
             } else {
                 if (_e115 != 0.5f) {
-                    if _e714 {
-                        if _e996 {
-                            phi_1324_ = 6u;
+                    if _e732 {
+                        if _e1014 {
+                            phi_1342_ = 6u;
                         } else {
                             if _e277 {
-                                phi_1299_ = true;
+                                phi_1317_ = true;
                             } else {
-                                if _e973.any_expands {
-                                    phi_1298_ = false;
+                                if _e991.any_expands {
+                                    phi_1316_ = false;
                                 } else {
-                                    phi_1298_ = true;
+                                    phi_1316_ = true;
                                 }
-                                let _e1010 = phi_1298_;
-                                phi_1299_ = _e1010;
+                                let _e1028 = phi_1316_;
+                                phi_1317_ = _e1028;
                             }
-                            let _e1012 = phi_1299_;
-                            if _e1012 {
+                            let _e1030 = phi_1317_;
+                            if _e1030 {
                                 if _e277 {
                                     if false {
-                                        if _e973.all_remove {
-                                            phi_1312_ = false;
+                                        if _e991.all_remove {
+                                            phi_1330_ = false;
                                         } else {
-                                            phi_1312_ = true;
+                                            phi_1330_ = true;
                                         }
-                                        let _e1014 = phi_1312_;
-                                        phi_1313_ = _e1014;
+                                        let _e1032 = phi_1330_;
+                                        phi_1331_ = _e1032;
                                     } else {
-                                        phi_1313_ = true;
+                                        phi_1331_ = true;
                                     }
-                                    let _e1016 = phi_1313_;
-                                    phi_1314_ = _e1016;
+                                    let _e1034 = phi_1331_;
+                                    phi_1332_ = _e1034;
                                 } else {
-                                    phi_1314_ = true;
+                                    phi_1332_ = true;
                                 }
-                                let _e1018 = phi_1314_;
-                                if _e1018 {
+                                let _e1036 = phi_1332_;
+                                if _e1036 {
                                     if _e277 {
-                                        phi_1321_ = 1u;
+                                        phi_1339_ = 1u;
                                     } else {
-                                        phi_1321_ = 0u;
+                                        phi_1339_ = 0u;
                                     }
-                                    let _e1020 = phi_1321_;
-                                    phi_1322_ = _e1020;
+                                    let _e1038 = phi_1339_;
+                                    phi_1340_ = _e1038;
                                 } else {
-                                    phi_1322_ = 5u;
+                                    phi_1340_ = 5u;
                                 }
-                                let _e1022 = phi_1322_;
-                                phi_1323_ = _e1022;
+                                let _e1040 = phi_1340_;
+                                phi_1341_ = _e1040;
                             } else {
-                                phi_1323_ = 4u;
+                                phi_1341_ = 4u;
                             }
-                            let _e1024 = phi_1323_;
-                            phi_1324_ = _e1024;
+                            let _e1042 = phi_1341_;
+                            phi_1342_ = _e1042;
                         }
-                        let _e1026 = phi_1324_;
-                        phi_1325_ = _e1026;
+                        let _e1044 = phi_1342_;
+                        phi_1343_ = _e1044;
                     } else {
-                        phi_1325_ = 3u;
+                        phi_1343_ = 3u;
                     }
-                    let _e1028 = phi_1325_;
-                    phi_1326_ = _e1028;
+                    let _e1046 = phi_1343_;
+                    phi_1344_ = _e1046;
                 } else {
-                    phi_1326_ = 2u;
+                    phi_1344_ = 2u;
                 }
-                let _e1030 = phi_1326_;
-                phi_1327_ = _e1030;
+                let _e1048 = phi_1344_;
+                phi_1345_ = _e1048;
             }
-            let _e1032 = phi_1327_;
-            if !((_e1032 == 0u)) {
-                if !((_e1032 == 5u)) {
-                    phi_1339_ = !(_e1008);
-                    phi_1340_ = false;
+            let _e1050 = phi_1345_;
+            if !((_e1050 == 0u)) {
+                if !((_e1050 == 5u)) {
+                    phi_1357_ = !(_e1026);
+                    phi_1358_ = false;
                 } else {
-                    phi_1339_ = bool();
-                    phi_1340_ = true;
+                    phi_1357_ = bool();
+                    phi_1358_ = true;
                 }
-                let _e1039 = phi_1339_;
-                let _e1041 = phi_1340_;
-                phi_1341_ = _e1039;
-                phi_1342_ = _e1041;
+                let _e1057 = phi_1357_;
+                let _e1059 = phi_1358_;
+                phi_1359_ = _e1057;
+                phi_1360_ = _e1059;
             } else {
-                phi_1341_ = bool();
-                phi_1342_ = true;
+                phi_1359_ = bool();
+                phi_1360_ = true;
             }
-            let _e1043 = phi_1341_;
-            let _e1045 = phi_1342_;
-            if _e1045 {
-                phi_1346_ = false;
+            let _e1061 = phi_1359_;
+            let _e1063 = phi_1360_;
+            if _e1063 {
+                phi_1364_ = false;
             } else {
-                phi_1346_ = _e1043;
+                phi_1364_ = _e1061;
             }
-            let _e1047 = phi_1346_;
-            if _e1008 {
-                phi_1352_ = ((0u & 4u) != 0u);
+            let _e1065 = phi_1364_;
+            if _e1026 {
+                phi_1370_ = ((0u & 4u) != 0u);
             } else {
-                phi_1352_ = _e273;
+                phi_1370_ = _e273;
             }
-            let _e1051 = phi_1352_;
-            if _e1047 {
+            let _e1069 = phi_1370_;
+            if _e1065 {
                 if _e273 {
-                    phi_1360_ = (2u | 1u);
+                    phi_1378_ = (2u | 1u);
                 } else {
-                    phi_1360_ = 2u;
+                    phi_1378_ = 2u;
                 }
-                let _e1054 = phi_1360_;
+                let _e1072 = phi_1378_;
                 if false {
-                    phi_1365_ = (_e1054 | 4u);
+                    phi_1383_ = (_e1072 | 4u);
                 } else {
-                    phi_1365_ = _e1054;
+                    phi_1383_ = _e1072;
                 }
-                let _e1057 = phi_1365_;
-                phi_1385_ = _e1057;
+                let _e1075 = phi_1383_;
+                phi_1403_ = _e1075;
             } else {
-                if (_e1032 == 7u) {
+                if (_e1050 == 7u) {
                     if _e273 {
-                        phi_1374_ = (2u | 1u);
+                        phi_1392_ = (2u | 1u);
                     } else {
-                        phi_1374_ = 2u;
+                        phi_1392_ = 2u;
                     }
-                    let _e1061 = phi_1374_;
-                    if _e1051 {
-                        phi_1379_ = (_e1061 | 4u);
+                    let _e1079 = phi_1392_;
+                    if _e1069 {
+                        phi_1397_ = (_e1079 | 4u);
                     } else {
-                        phi_1379_ = _e1061;
+                        phi_1397_ = _e1079;
                     }
-                    let _e1064 = phi_1379_;
-                    phi_1384_ = _e1064;
+                    let _e1082 = phi_1397_;
+                    phi_1402_ = _e1082;
                 } else {
                     if _e273 {
-                        phi_1383_ = 1u;
+                        phi_1401_ = 1u;
                     } else {
-                        phi_1383_ = 0u;
+                        phi_1401_ = 0u;
                     }
-                    let _e1066 = phi_1383_;
-                    phi_1384_ = _e1066;
+                    let _e1084 = phi_1401_;
+                    phi_1402_ = _e1084;
                 }
-                let _e1068 = phi_1384_;
-                phi_1385_ = _e1068;
+                let _e1086 = phi_1402_;
+                phi_1403_ = _e1086;
             }
-            let _e1070 = phi_1385_;
-            if _e1051 {
-                phi_1389_ = 0f;
+            let _e1088 = phi_1403_;
+            if _e1069 {
+                phi_1407_ = 0f;
             } else {
-                phi_1389_ = 1f;
+                phi_1407_ = 1f;
             }
-            let _e1072 = phi_1389_;
-            phi_1391_ = mask_Masked(_e1072, _e1070, _e1047);
+            let _e1090 = phi_1407_;
+            phi_1409_ = mask_Masked(_e1090, _e1088, _e1065);
         }
-        let _e1075 = phi_1391_;
-        visibility.member[_e79.shift] = _e1075.visibility;
-        let _e1080 = p.member.light.number;
-        let _e1081 = (_e1080 * 3u);
-        let _e1083 = (_e1081 % 32u);
-        let _e1085 = p.member.light.mask_words;
-        let _e1087 = ((_e79.shift * _e1085) + (_e1081 / 32u));
-        let _e1089 = bits.member[_e1087];
-        bits.member[_e1087] = ((_e1089 & ~((7u << bitcast<u32>((_e1083 & 31u))))) | (_e1075.bits << bitcast<u32>((_e1083 & 31u))));
-        if (_e1083 > 29u) {
-            let _e1104 = bits.member[(_e1087 + 1u)];
-            let _e1106 = (32u - _e1083);
-            bits.member[(_e1087 + 1u)] = ((_e1104 & ~((7u >> bitcast<u32>((_e1106 & 31u))))) | (_e1075.bits >> bitcast<u32>((_e1106 & 31u))));
+        let _e1093 = phi_1409_;
+        visibility.member[_e79.shift] = _e1093.visibility;
+        let _e1098 = p.member.light.number;
+        let _e1099 = (_e1098 * 3u);
+        let _e1101 = (_e1099 % 32u);
+        let _e1103 = p.member.light.mask_words;
+        let _e1105 = ((_e79.shift * _e1103) + (_e1099 / 32u));
+        let _e1107 = bits.member[_e1105];
+        bits.member[_e1105] = ((_e1107 & ~((7u << bitcast<u32>((_e1101 & 31u))))) | (_e1093.bits << bitcast<u32>((_e1101 & 31u))));
+        if (_e1101 > 29u) {
+            let _e1122 = bits.member[(_e1105 + 1u)];
+            let _e1124 = (32u - _e1101);
+            bits.member[(_e1105 + 1u)] = ((_e1122 & ~((7u >> bitcast<u32>((_e1124 & 31u))))) | (_e1093.bits >> bitcast<u32>((_e1124 & 31u))));
         }
-        let _e1121 = samples.member[_e79.shift].normal[0u];
-        let _e1123 = global[0u];
-        if (_e1121 == _e1123) {
-            let _e1126 = samples.member[_e79.shift].normal[1u];
-            let _e1128 = global[1u];
-            if (_e1126 == _e1128) {
-                let _e1131 = samples.member[_e79.shift].normal[2u];
-                let _e1133 = global[2u];
-                phi_1463_ = (_e1131 == _e1133);
-                phi_1464_ = false;
+        let _e1139 = samples.member[_e79.shift].normal[0u];
+        let _e1141 = global[0u];
+        if (_e1139 == _e1141) {
+            let _e1144 = samples.member[_e79.shift].normal[1u];
+            let _e1146 = global[1u];
+            if (_e1144 == _e1146) {
+                let _e1149 = samples.member[_e79.shift].normal[2u];
+                let _e1151 = global[2u];
+                phi_1481_ = (_e1149 == _e1151);
+                phi_1482_ = false;
             } else {
-                phi_1463_ = bool();
-                phi_1464_ = true;
+                phi_1481_ = bool();
+                phi_1482_ = true;
             }
-            let _e1136 = phi_1463_;
-            let _e1138 = phi_1464_;
-            phi_1465_ = _e1136;
-            phi_1466_ = _e1138;
+            let _e1154 = phi_1481_;
+            let _e1156 = phi_1482_;
+            phi_1483_ = _e1154;
+            phi_1484_ = _e1156;
         } else {
-            phi_1465_ = bool();
-            phi_1466_ = true;
+            phi_1483_ = bool();
+            phi_1484_ = true;
         }
-        let _e1140 = phi_1465_;
-        let _e1142 = phi_1466_;
-        if _e1142 {
-            phi_1470_ = false;
+        let _e1158 = phi_1483_;
+        let _e1160 = phi_1484_;
+        if _e1160 {
+            phi_1488_ = false;
         } else {
-            phi_1470_ = _e1140;
+            phi_1488_ = _e1158;
         }
-        let _e1144 = phi_1470_;
-        if !(_e1144) {
-            let _e1147 = samples.member[_e79.shift].position;
-            let _e1149 = p.member.current.eye;
-            let _e1160 = p.member.current.forward;
-            phi_1498_ = ((((_e1147.x - _e1149.x) * _e1160.x) + ((_e1147.y - _e1149.y) * _e1160.y)) + ((_e1147.z - _e1149.z) * _e1160.z));
+        let _e1162 = phi_1488_;
+        if !(_e1162) {
+            let _e1165 = samples.member[_e79.shift].position;
+            let _e1167 = p.member.current.eye;
+            let _e1178 = p.member.current.forward;
+            phi_1516_ = ((((_e1165.x - _e1167.x) * _e1178.x) + ((_e1165.y - _e1167.y) * _e1178.y)) + ((_e1165.z - _e1167.z) * _e1178.z));
         } else {
-            phi_1498_ = 0f;
+            phi_1516_ = 0f;
         }
-        let _e1170 = phi_1498_;
-        depths.member[_e79.shift] = _e1170;
-        phi_1501_ = _e1075.needs_ray;
-        phi_1502_ = _e79.shift;
+        let _e1188 = phi_1516_;
+        depths.member[_e79.shift] = _e1188;
+        phi_1519_ = _e1093.needs_ray;
+        phi_1520_ = _e79.shift;
     } else {
-        phi_1501_ = false;
-        phi_1502_ = 0u;
+        phi_1519_ = false;
+        phi_1520_ = 0u;
     }
-    let _e1174 = phi_1501_;
-    let _e1176 = phi_1502_;
+    let _e1192 = phi_1519_;
+    let _e1194 = phi_1520_;
     if (_e60 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1174 {
-        let _e1180 = atomicAdd((&shared_[0u]), 1u);
-        phi_1513_ = _e1180;
+    if _e1192 {
+        let _e1198 = atomicAdd((&shared_[0u]), 1u);
+        phi_1531_ = _e1198;
     } else {
-        phi_1513_ = 0u;
+        phi_1531_ = 0u;
     }
-    let _e1182 = phi_1513_;
+    let _e1200 = phi_1531_;
     workgroupBarrier();
     if (_e60 == 0u) {
-        let _e1186 = atomicLoad((&shared_[0u]));
-        let _e1187 = atomicAdd((&list.member[3u]), _e1186);
-        atomicStore((&shared_[1u]), _e1187);
+        let _e1204 = atomicLoad((&shared_[0u]));
+        let _e1205 = atomicAdd((&list.member[3u]), _e1204);
+        atomicStore((&shared_[1u]), _e1205);
     }
     workgroupBarrier();
-    if _e1174 {
-        let _e1190 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1190) + _e1182)]), _e1176);
+    if _e1192 {
+        let _e1208 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1208) + _e1200)]), _e1194);
     }
     return;
 }

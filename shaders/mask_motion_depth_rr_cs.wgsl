@@ -2,13 +2,13 @@ struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
     right: vec3<f32>,
-    pad0_: u32,
+    layers_behind: u32,
     up: vec3<f32>,
     pad1_: u32,
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_LightParams {
@@ -123,336 +123,336 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_176_: lt_mask_LightPlace;
-    var phi_177_: bool;
-    var phi_178_: lt_mask_LightPlace;
-    var phi_179_: bool;
-    var phi_184_: lt_mask_LightPlace;
+    var phi_177_: lt_mask_LightPlace;
+    var phi_178_: bool;
+    var phi_179_: lt_mask_LightPlace;
+    var phi_180_: bool;
+    var phi_185_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_176_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_177_ = false;
+            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_178_ = false;
         } else {
-            phi_176_ = lt_mask_LightPlace();
-            phi_177_ = true;
+            phi_177_ = lt_mask_LightPlace();
+            phi_178_ = true;
         }
-        let _e72 = phi_176_;
-        let _e74 = phi_177_;
-        phi_178_ = _e72;
-        phi_179_ = _e74;
+        let _e72 = phi_177_;
+        let _e74 = phi_178_;
+        phi_179_ = _e72;
+        phi_180_ = _e74;
     } else {
-        phi_178_ = lt_mask_LightPlace();
-        phi_179_ = true;
+        phi_179_ = lt_mask_LightPlace();
+        phi_180_ = true;
     }
-    let _e76 = phi_178_;
-    let _e78 = phi_179_;
+    let _e76 = phi_179_;
+    let _e78 = phi_180_;
     if _e78 {
-        phi_184_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_184_ = _e76;
+        phi_185_ = _e76;
     }
-    let _e83 = phi_184_;
+    let _e83 = phi_185_;
     return lt_mask_LightPlace(_e83.word, _e83.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_202_: vec2<i32>;
+    var phi_203_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_202_ = vec2(0i);
+            phi_203_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_202_ = vec2<i32>(0i, -1i);
+            phi_203_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_202_ = vec2<i32>(-1i, 0i);
+            phi_203_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_202_ = vec2<i32>(1i, 0i);
+            phi_203_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_202_ = vec2<i32>(0i, 1i);
+            phi_203_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e68 = phi_202_;
+    let _e68 = phi_203_;
     return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_220_: vec2<i32>;
+    var phi_221_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_220_ = vec2(0i);
+            phi_221_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_220_ = vec2(-1i);
+            phi_221_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_220_ = vec2<i32>(1i, -1i);
+            phi_221_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_220_ = vec2<i32>(-1i, 1i);
+            phi_221_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_220_ = vec2(1i);
+            phi_221_ = vec2(1i);
             break;
         }
     }
-    let _e68 = phi_220_;
+    let _e68 = phi_221_;
     return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_239_: vec2<i32>;
+    var phi_240_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e62 = lt_mask_pattern_plus(param_5);
-        phi_239_ = vec2<i32>(_e62.x, _e62.y);
+        phi_240_ = vec2<i32>(_e62.x, _e62.y);
     } else {
         let _e66 = lt_mask_pattern_cross(param_5);
-        phi_239_ = vec2<i32>(_e66.x, _e66.y);
+        phi_240_ = vec2<i32>(_e66.x, _e66.y);
     }
-    let _e71 = phi_239_;
+    let _e71 = phi_240_;
     return vec2<i32>(_e71.x, _e71.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_264_: vec2<i32>;
+    var phi_265_: vec2<i32>;
 
     let _e60 = (param_7 % 13u);
     switch bitcast<i32>(_e60) {
         case 9: {
-            phi_264_ = vec2<i32>(0i, -2i);
+            phi_265_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_264_ = vec2<i32>(-2i, 0i);
+            phi_265_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_264_ = vec2<i32>(2i, 0i);
+            phi_265_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_264_ = vec2<i32>(0i, 2i);
+            phi_265_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_264_ = vec2<i32>((bitcast<i32>((_e60 % 3u)) - 1i), (bitcast<i32>(((_e60 / 3u) % 3u)) - 1i));
+            phi_265_ = vec2<i32>((bitcast<i32>((_e60 % 3u)) - 1i), (bitcast<i32>(((_e60 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e75 = phi_264_;
+    let _e75 = phi_265_;
     return vec2<i32>(_e75.x, _e75.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_285_: u32;
     var phi_286_: u32;
+    var phi_287_: u32;
 
     let _e63 = (bitcast<i32>(param_8) + param_9);
     if (_e63 < 0i) {
-        phi_286_ = 0u;
+        phi_287_ = 0u;
     } else {
         if (_e63 >= bitcast<i32>(param_10)) {
-            phi_285_ = (param_10 - 1u);
+            phi_286_ = (param_10 - 1u);
         } else {
-            phi_285_ = bitcast<u32>(_e63);
+            phi_286_ = bitcast<u32>(_e63);
         }
-        let _e70 = phi_285_;
-        phi_286_ = _e70;
+        let _e70 = phi_286_;
+        phi_287_ = _e70;
     }
-    let _e72 = phi_286_;
+    let _e72 = phi_287_;
     return _e72;
 }
 
 fn function_() {
-    var phi_363_: bool;
     var phi_364_: bool;
     var phi_365_: bool;
     var phi_366_: bool;
-    var phi_370_: bool;
-    var phi_440_: bool;
+    var phi_367_: bool;
+    var phi_371_: bool;
     var phi_441_: bool;
-    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_453_: bool;
-    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: bool;
-    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_479_: bool;
-    var phi_668_: f32;
-    var phi_673_: f32;
-    var phi_674_: bool;
-    var phi_675_: f32;
-    var phi_676_: bool;
-    var phi_680_: f32;
-    var phi_703_: f32;
-    var phi_708_: f32;
-    var phi_709_: bool;
-    var phi_710_: f32;
-    var phi_711_: bool;
-    var phi_715_: f32;
-    var phi_736_: bool;
-    var phi_755_: vec2<u32>;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: vec2<u32>;
-    var phi_760_: bool;
-    var phi_761_: bool;
-    var phi_762_: bool;
-    var phi_763_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: vec2<u32>;
-    var phi_767_: bool;
-    var phi_768_: bool;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
+    var phi_442_: bool;
+    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: bool;
+    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_456_: bool;
+    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_480_: bool;
+    var phi_688_: f32;
+    var phi_693_: f32;
+    var phi_694_: bool;
+    var phi_695_: f32;
+    var phi_696_: bool;
+    var phi_700_: f32;
+    var phi_721_: f32;
+    var phi_726_: f32;
+    var phi_727_: bool;
+    var phi_728_: f32;
+    var phi_729_: bool;
+    var phi_733_: f32;
+    var phi_754_: bool;
     var phi_773_: vec2<u32>;
     var phi_774_: bool;
     var phi_775_: bool;
     var phi_776_: bool;
-    var phi_777_: bool;
+    var phi_777_: vec2<u32>;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: bool;
+    var phi_781_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: vec2<u32>;
+    var phi_785_: bool;
     var phi_786_: bool;
     var phi_787_: bool;
     var phi_788_: bool;
     var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_791_: vec2<u32>;
+    var phi_792_: bool;
     var phi_793_: bool;
     var phi_794_: bool;
-    var phi_795_: vec2<u32>;
-    var phi_884_: bool;
-    var phi_888_: f32;
-    var phi_892_: lt_mask_Reprojection;
-    var phi_901_: bool;
+    var phi_795_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: vec2<u32>;
     var phi_902_: bool;
-    var phi_904_: bool;
-    var phi_905_: lt_mask_Reprojection;
-    var phi_906_: lt_mask_Reprojection;
-    var phi_907_: bool;
-    var phi_911_: bool;
-    var phi_912_: lt_mask_Reprojection;
-    var phi_955_: u32;
-    var phi_974_: u32;
-    var phi_982_: u32;
-    var phi_983_: u32;
-    var phi_984_: bool;
-    var phi_985_: u32;
-    var phi_986_: bool;
-    var phi_987_: bool;
-    var phi_988_: u32;
-    var phi_989_: bool;
-    var phi_990_: bool;
-    var phi_994_: bool;
-    var phi_998_: u32;
-    var phi_1003_: bool;
-    var phi_1025_: u32;
-    var phi_1027_: u32;
-    var phi_1030_: lt_mask_Neighbourhood;
-    var phi_1042_: bool;
-    var phi_1043_: bool;
-    var phi_1052_: u32;
-    var phi_1053_: u32;
-    var phi_1113_: vec2<i32>;
-    var phi_1133_: vec2<i32>;
-    var phi_1160_: u32;
-    var phi_1179_: u32;
-    var phi_1187_: u32;
-    var phi_1213_: bool;
-    var phi_1214_: bool;
-    var phi_1215_: bool;
-    var phi_1216_: bool;
-    var phi_1217_: bool;
-    var phi_1218_: bool;
-    var phi_1219_: bool;
-    var phi_1224_: bool;
-    var phi_1225_: bool;
-    var phi_1226_: bool;
-    var phi_1227_: bool;
-    var phi_1228_: bool;
-    var phi_1229_: bool;
-    var phi_1230_: bool;
+    var phi_906_: f32;
+    var phi_910_: lt_mask_Reprojection;
+    var phi_919_: bool;
+    var phi_920_: bool;
+    var phi_922_: bool;
+    var phi_923_: lt_mask_Reprojection;
+    var phi_924_: lt_mask_Reprojection;
+    var phi_925_: bool;
+    var phi_929_: bool;
+    var phi_930_: lt_mask_Reprojection;
+    var phi_973_: u32;
+    var phi_992_: u32;
+    var phi_1000_: u32;
+    var phi_1001_: u32;
+    var phi_1002_: bool;
+    var phi_1003_: u32;
+    var phi_1004_: bool;
+    var phi_1005_: bool;
+    var phi_1006_: u32;
+    var phi_1007_: bool;
+    var phi_1008_: bool;
+    var phi_1012_: bool;
+    var phi_1016_: u32;
+    var phi_1021_: bool;
+    var phi_1043_: u32;
+    var phi_1045_: u32;
+    var phi_1048_: lt_mask_Neighbourhood;
+    var phi_1060_: bool;
+    var phi_1061_: bool;
+    var phi_1070_: u32;
+    var phi_1071_: u32;
+    var phi_1131_: vec2<i32>;
+    var phi_1151_: vec2<i32>;
+    var phi_1178_: u32;
+    var phi_1197_: u32;
+    var phi_1205_: u32;
     var phi_1231_: bool;
     var phi_1232_: bool;
+    var phi_1233_: bool;
+    var phi_1234_: bool;
+    var phi_1235_: bool;
+    var phi_1236_: bool;
+    var phi_1237_: bool;
+    var phi_1242_: bool;
+    var phi_1243_: bool;
+    var phi_1244_: bool;
+    var phi_1245_: bool;
+    var phi_1246_: bool;
     var phi_1247_: bool;
     var phi_1248_: bool;
-    var phi_1255_: bool;
-    var phi_1256_: bool;
-    var phi_1257_: bool;
-    var phi_1258_: bool;
-    var phi_1259_: bool;
-    var phi_1263_: bool;
-    var phi_1264_: bool;
+    var phi_1249_: bool;
+    var phi_1250_: bool;
     var phi_1265_: bool;
-    var phi_1269_: bool;
-    var phi_1270_: bool;
+    var phi_1266_: bool;
+    var phi_1273_: bool;
     var phi_1274_: bool;
     var phi_1275_: bool;
+    var phi_1276_: bool;
+    var phi_1277_: bool;
+    var phi_1281_: bool;
+    var phi_1282_: bool;
+    var phi_1283_: bool;
+    var phi_1287_: bool;
+    var phi_1288_: bool;
+    var phi_1292_: bool;
     var phi_1293_: bool;
-    var phi_1294_: bool;
-    var phi_1295_: bool;
-    var phi_1028_: u32;
-    var phi_1031_: lt_mask_Neighbourhood;
-    var phi_1298_: lt_mask_Neighbourhood;
-    var phi_1299_: lt_mask_Neighbourhood;
-    var phi_1300_: lt_mask_Neighbourhood;
-    var phi_1332_: bool;
-    var phi_1333_: bool;
-    var phi_1355_: bool;
-    var phi_1356_: bool;
-    var phi_1357_: bool;
-    var phi_1361_: bool;
-    var phi_1383_: bool;
-    var phi_1384_: bool;
-    var phi_1397_: bool;
-    var phi_1398_: bool;
-    var phi_1399_: bool;
-    var phi_1406_: u32;
-    var phi_1407_: u32;
-    var phi_1408_: u32;
-    var phi_1409_: u32;
-    var phi_1410_: u32;
-    var phi_1411_: u32;
-    var phi_1412_: u32;
-    var phi_1424_: bool;
-    var phi_1425_: bool;
-    var phi_1426_: bool;
-    var phi_1427_: bool;
-    var phi_1431_: bool;
-    var phi_1437_: bool;
-    var phi_1445_: u32;
-    var phi_1450_: u32;
-    var phi_1459_: u32;
-    var phi_1464_: u32;
+    var phi_1311_: bool;
+    var phi_1312_: bool;
+    var phi_1313_: bool;
+    var phi_1046_: u32;
+    var phi_1049_: lt_mask_Neighbourhood;
+    var phi_1316_: lt_mask_Neighbourhood;
+    var phi_1317_: lt_mask_Neighbourhood;
+    var phi_1318_: lt_mask_Neighbourhood;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
+    var phi_1373_: bool;
+    var phi_1374_: bool;
+    var phi_1375_: bool;
+    var phi_1379_: bool;
+    var phi_1401_: bool;
+    var phi_1402_: bool;
+    var phi_1415_: bool;
+    var phi_1416_: bool;
+    var phi_1417_: bool;
+    var phi_1424_: u32;
+    var phi_1425_: u32;
+    var phi_1426_: u32;
+    var phi_1427_: u32;
+    var phi_1428_: u32;
+    var phi_1429_: u32;
+    var phi_1430_: u32;
+    var phi_1442_: bool;
+    var phi_1443_: bool;
+    var phi_1444_: bool;
+    var phi_1445_: bool;
+    var phi_1449_: bool;
+    var phi_1455_: bool;
+    var phi_1463_: u32;
     var phi_1468_: u32;
-    var phi_1469_: u32;
-    var phi_1470_: u32;
-    var phi_1474_: f32;
-    var phi_1476_: mask_Masked;
-    var phi_1548_: bool;
-    var phi_1549_: bool;
-    var phi_1550_: bool;
-    var phi_1551_: bool;
-    var phi_1555_: bool;
-    var phi_1583_: f32;
-    var phi_1586_: bool;
-    var phi_1587_: u32;
-    var phi_1598_: u32;
+    var phi_1477_: u32;
+    var phi_1482_: u32;
+    var phi_1486_: u32;
+    var phi_1487_: u32;
+    var phi_1488_: u32;
+    var phi_1492_: f32;
+    var phi_1494_: mask_Masked;
+    var phi_1566_: bool;
+    var phi_1567_: bool;
+    var phi_1568_: bool;
+    var phi_1569_: bool;
+    var phi_1573_: bool;
+    var phi_1601_: f32;
+    var phi_1604_: bool;
+    var phi_1605_: u32;
+    var phi_1616_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e59 = id_1;
@@ -479,28 +479,28 @@ fn function_() {
             if (_e126 == _e128) {
                 let _e131 = samples.member[_e79.shift].normal[2u];
                 let _e133 = global[2u];
-                phi_363_ = (_e131 == _e133);
-                phi_364_ = false;
+                phi_364_ = (_e131 == _e133);
+                phi_365_ = false;
             } else {
-                phi_363_ = bool();
-                phi_364_ = true;
+                phi_364_ = bool();
+                phi_365_ = true;
             }
-            let _e136 = phi_363_;
-            let _e138 = phi_364_;
-            phi_365_ = _e136;
-            phi_366_ = _e138;
+            let _e136 = phi_364_;
+            let _e138 = phi_365_;
+            phi_366_ = _e136;
+            phi_367_ = _e138;
         } else {
-            phi_365_ = bool();
-            phi_366_ = true;
+            phi_366_ = bool();
+            phi_367_ = true;
         }
-        let _e140 = phi_365_;
-        let _e142 = phi_366_;
+        let _e140 = phi_366_;
+        let _e142 = phi_367_;
         if _e142 {
-            phi_370_ = false;
+            phi_371_ = false;
         } else {
-            phi_370_ = _e140;
+            phi_371_ = _e140;
         }
-        let _e144 = phi_370_;
+        let _e144 = phi_371_;
         if !(_e144) {
             let _e147 = samples.member[_e79.shift].position;
             let _e149 = p.member.light.place;
@@ -514,64 +514,64 @@ fn function_() {
                 let _e182 = p.member.light.axis;
                 let _e194 = p.member.light.place[3u];
                 if (_e194 == 0f) {
-                    phi_441_ = true;
+                    phi_442_ = true;
                 } else {
                     let _e197 = p.member.light.range_squared;
                     if (_e180 <= _e197) {
                         let _e200 = p.member.light.cos_outer;
-                        phi_440_ = (-((((_e162 * _e182.x) + (_e163 * _e182.y)) + (_e164 * _e182.z))) >= (_e200 * sqrt(_e180)));
+                        phi_441_ = (-((((_e162 * _e182.x) + (_e163 * _e182.y)) + (_e164 * _e182.z))) >= (_e200 * sqrt(_e180)));
                     } else {
-                        phi_440_ = false;
+                        phi_441_ = false;
                     }
-                    let _e205 = phi_440_;
-                    phi_441_ = _e205;
+                    let _e205 = phi_441_;
+                    phi_442_ = _e205;
                 }
-                let _e207 = phi_441_;
+                let _e207 = phi_442_;
                 if _e207 {
                     let _e209 = samples.member[_e79.shift].flags;
                     let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
-                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, ((_e209 & 1u) == 0u));
-                    phi_453_ = false;
+                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, ((_e209 & 1u) == 0u));
+                    phi_454_ = false;
                 } else {
-                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_453_ = true;
+                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_454_ = true;
                 }
-                let _e228 = phi_452_;
-                let _e230 = phi_453_;
-                phi_454_ = _e228;
-                phi_455_ = _e230;
+                let _e228 = phi_453_;
+                let _e230 = phi_454_;
+                phi_455_ = _e228;
+                phi_456_ = _e230;
             } else {
-                phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_455_ = true;
+                phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_456_ = true;
             }
-            let _e232 = phi_454_;
-            let _e234 = phi_455_;
+            let _e232 = phi_455_;
+            let _e234 = phi_456_;
             if _e234 {
                 let _e240 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e240.unnamed.visibility, false), _e240.unnamed_1);
-                phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e246.unnamed, true);
+                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e246.unnamed, true);
             } else {
-                phi_462_ = _e232;
+                phi_463_ = _e232;
             }
-            let _e251 = phi_462_;
-            phi_466_ = _e251;
+            let _e251 = phi_463_;
+            phi_467_ = _e251;
         } else {
             let _e257 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e263 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e257.unnamed.visibility, false), _e257.unnamed_1);
-            phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e263.unnamed, true);
+            phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e263.unnamed, true);
         }
-        let _e268 = phi_466_;
+        let _e268 = phi_467_;
         if _e268.unnamed_1 {
-            phi_1476_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
+            phi_1494_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
         } else {
             let _e273 = (_e115 < 0.5f);
             if (_e115 > 0f) {
-                phi_479_ = (_e115 < 1f);
+                phi_480_ = (_e115 < 1f);
             } else {
-                phi_479_ = false;
+                phi_480_ = false;
             }
-            let _e277 = phi_479_;
+            let _e277 = phi_480_;
             let _e279 = samples.member[_e79.shift].position;
             let _e283 = p.member.previous.eye;
             let _e286 = (_e113.x - _e283.x);
@@ -597,981 +597,983 @@ fn function_() {
             let _e431 = (((((((_e286 * _e304.x) + (_e289 * _e304.y)) + (_e292 * _e304.z)) / ((((_e314.x * _e314.x) + (_e314.y * _e314.y)) + (_e314.z * _e314.z)) * _e302)) - ((((_e357 * _e375.x) + (_e360 * _e375.y)) + (_e363 * _e375.z)) / ((((_e385.x * _e385.x) + (_e385.y * _e385.y)) + (_e385.z * _e385.z)) * _e373))) * 0.5f) * f32(_e429));
             let _e435 = p.member.current.size[1u];
             let _e437 = (((((((_e286 * _e329.x) + (_e289 * _e329.y)) + (_e292 * _e329.z)) / ((((_e339.x * _e339.x) + (_e339.y * _e339.y)) + (_e339.z * _e339.z)) * _e302)) - ((((_e357 * _e400.x) + (_e360 * _e400.y)) + (_e363 * _e400.z)) / ((((_e410.x * _e410.x) + (_e410.y * _e410.y)) + (_e410.z * _e410.z)) * _e373))) * -0.5f) * f32(_e435));
-            let _e441 = p.member.current.size[0u];
-            let _e443 = p.member.current.size[1u];
-            let _e447 = ((f32(_e59.x) + 0.5f) + _e431);
-            if (_e447 > -8388608f) {
-                let _e459 = f32(select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447)));
-                if (_e459 > _e447) {
-                    phi_668_ = 1f;
+            let _e441 = p.member.current.grid[0u];
+            let _e443 = p.member.current.grid[1u];
+            let _e463 = p.member.current.size[0u];
+            let _e465 = p.member.current.size[1u];
+            let _e467 = ((f32(_e59.x) + ((f32((_e59.y & (_e443 - 1u))) + 0.5f) / f32(_e443))) + _e431);
+            if (_e467 > -8388608f) {
+                let _e479 = f32(select(0i, select(select(i32(_e467), i32(-2147483648), (_e467 < bitcast<f32>(3472883712u))), 2147483647i, (_e467 > bitcast<f32>(1325400063u))), (_e467 == _e467)));
+                if (_e479 > _e467) {
+                    phi_688_ = 1f;
                 } else {
-                    phi_668_ = 0f;
+                    phi_688_ = 0f;
                 }
-                let _e462 = phi_668_;
-                if (_e447 < 8388608f) {
-                    phi_673_ = (_e459 - _e462);
-                    phi_674_ = false;
+                let _e482 = phi_688_;
+                if (_e467 < 8388608f) {
+                    phi_693_ = (_e479 - _e482);
+                    phi_694_ = false;
                 } else {
-                    phi_673_ = f32();
-                    phi_674_ = true;
+                    phi_693_ = f32();
+                    phi_694_ = true;
                 }
-                let _e465 = phi_673_;
-                let _e467 = phi_674_;
-                phi_675_ = _e465;
-                phi_676_ = _e467;
+                let _e485 = phi_693_;
+                let _e487 = phi_694_;
+                phi_695_ = _e485;
+                phi_696_ = _e487;
             } else {
-                phi_675_ = f32();
-                phi_676_ = true;
+                phi_695_ = f32();
+                phi_696_ = true;
             }
-            let _e469 = phi_675_;
-            let _e471 = phi_676_;
-            if _e471 {
-                phi_680_ = _e447;
+            let _e489 = phi_695_;
+            let _e491 = phi_696_;
+            if _e491 {
+                phi_700_ = _e467;
             } else {
-                phi_680_ = _e469;
+                phi_700_ = _e489;
             }
-            let _e473 = phi_680_;
-            let _e476 = ((f32(_e59.y) + 0.5f) + _e437);
-            if (_e476 > -8388608f) {
-                let _e488 = f32(select(0i, select(select(i32(_e476), i32(-2147483648), (_e476 < bitcast<f32>(3472883712u))), 2147483647i, (_e476 > bitcast<f32>(1325400063u))), (_e476 == _e476)));
-                if (_e488 > _e476) {
-                    phi_703_ = 1f;
+            let _e493 = phi_700_;
+            let _e494 = ((f32(_e59.y) + ((f32((_e59.x & (_e441 - 1u))) + 0.5f) / f32(_e441))) + _e437);
+            if (_e494 > -8388608f) {
+                let _e506 = f32(select(0i, select(select(i32(_e494), i32(-2147483648), (_e494 < bitcast<f32>(3472883712u))), 2147483647i, (_e494 > bitcast<f32>(1325400063u))), (_e494 == _e494)));
+                if (_e506 > _e494) {
+                    phi_721_ = 1f;
                 } else {
-                    phi_703_ = 0f;
+                    phi_721_ = 0f;
                 }
-                let _e491 = phi_703_;
-                if (_e476 < 8388608f) {
-                    phi_708_ = (_e488 - _e491);
-                    phi_709_ = false;
+                let _e509 = phi_721_;
+                if (_e494 < 8388608f) {
+                    phi_726_ = (_e506 - _e509);
+                    phi_727_ = false;
                 } else {
-                    phi_708_ = f32();
-                    phi_709_ = true;
+                    phi_726_ = f32();
+                    phi_727_ = true;
                 }
-                let _e494 = phi_708_;
-                let _e496 = phi_709_;
-                phi_710_ = _e494;
-                phi_711_ = _e496;
+                let _e512 = phi_726_;
+                let _e514 = phi_727_;
+                phi_728_ = _e512;
+                phi_729_ = _e514;
             } else {
-                phi_710_ = f32();
-                phi_711_ = true;
+                phi_728_ = f32();
+                phi_729_ = true;
             }
-            let _e498 = phi_710_;
-            let _e500 = phi_711_;
-            if _e500 {
-                phi_715_ = _e476;
+            let _e516 = phi_728_;
+            let _e518 = phi_729_;
+            if _e518 {
+                phi_733_ = _e494;
             } else {
-                phi_715_ = _e498;
+                phi_733_ = _e516;
             }
-            let _e502 = phi_715_;
-            if (_e473 >= 0f) {
-                if (_e502 >= 0f) {
-                    if (_e473 < f32(_e441)) {
-                        let _e508 = (_e502 < f32(_e443));
+            let _e520 = phi_733_;
+            if (_e493 >= 0f) {
+                if (_e520 >= 0f) {
+                    if (_e493 < f32(_e463)) {
+                        let _e526 = (_e520 < f32(_e465));
                         if (_e431 == 0f) {
-                            phi_736_ = (_e437 == 0f);
+                            phi_754_ = (_e437 == 0f);
                         } else {
-                            phi_736_ = false;
+                            phi_754_ = false;
                         }
-                        let _e512 = phi_736_;
-                        if _e508 {
-                            phi_755_ = vec2<u32>(select(select(u32(_e473), 0u, (_e473 < bitcast<f32>(0u))), 4294967295u, (_e473 > bitcast<f32>(1333788671u))), select(select(u32(_e502), 0u, (_e502 < bitcast<f32>(0u))), 4294967295u, (_e502 > bitcast<f32>(1333788671u))));
-                            phi_756_ = false;
+                        let _e530 = phi_754_;
+                        if _e526 {
+                            phi_773_ = vec2<u32>(select(select(u32(_e493), 0u, (_e493 < bitcast<f32>(0u))), 4294967295u, (_e493 > bitcast<f32>(1333788671u))), select(select(u32(_e520), 0u, (_e520 < bitcast<f32>(0u))), 4294967295u, (_e520 > bitcast<f32>(1333788671u))));
+                            phi_774_ = false;
                         } else {
-                            phi_755_ = vec2<u32>();
-                            phi_756_ = true;
+                            phi_773_ = vec2<u32>();
+                            phi_774_ = true;
                         }
-                        let _e529 = phi_755_;
-                        let _e531 = phi_756_;
-                        phi_757_ = _e512;
-                        phi_758_ = _e508;
-                        phi_759_ = _e529;
-                        phi_760_ = _e512;
-                        phi_761_ = _e508;
-                        phi_762_ = false;
-                        phi_763_ = _e531;
+                        let _e547 = phi_773_;
+                        let _e549 = phi_774_;
+                        phi_775_ = _e530;
+                        phi_776_ = _e526;
+                        phi_777_ = _e547;
+                        phi_778_ = _e530;
+                        phi_779_ = _e526;
+                        phi_780_ = false;
+                        phi_781_ = _e549;
                     } else {
-                        phi_757_ = bool();
-                        phi_758_ = bool();
-                        phi_759_ = vec2<u32>();
-                        phi_760_ = bool();
-                        phi_761_ = bool();
-                        phi_762_ = true;
-                        phi_763_ = false;
+                        phi_775_ = bool();
+                        phi_776_ = bool();
+                        phi_777_ = vec2<u32>();
+                        phi_778_ = bool();
+                        phi_779_ = bool();
+                        phi_780_ = true;
+                        phi_781_ = false;
                     }
-                    let _e533 = phi_757_;
-                    let _e535 = phi_758_;
-                    let _e537 = phi_759_;
-                    let _e539 = phi_760_;
-                    let _e541 = phi_761_;
-                    let _e543 = phi_762_;
-                    let _e545 = phi_763_;
-                    phi_764_ = _e533;
-                    phi_765_ = _e535;
-                    phi_766_ = _e537;
-                    phi_767_ = _e539;
-                    phi_768_ = _e541;
-                    phi_769_ = _e543;
-                    phi_770_ = _e545;
+                    let _e551 = phi_775_;
+                    let _e553 = phi_776_;
+                    let _e555 = phi_777_;
+                    let _e557 = phi_778_;
+                    let _e559 = phi_779_;
+                    let _e561 = phi_780_;
+                    let _e563 = phi_781_;
+                    phi_782_ = _e551;
+                    phi_783_ = _e553;
+                    phi_784_ = _e555;
+                    phi_785_ = _e557;
+                    phi_786_ = _e559;
+                    phi_787_ = _e561;
+                    phi_788_ = _e563;
                 } else {
-                    phi_764_ = bool();
-                    phi_765_ = bool();
-                    phi_766_ = vec2<u32>();
-                    phi_767_ = bool();
-                    phi_768_ = bool();
-                    phi_769_ = true;
-                    phi_770_ = false;
+                    phi_782_ = bool();
+                    phi_783_ = bool();
+                    phi_784_ = vec2<u32>();
+                    phi_785_ = bool();
+                    phi_786_ = bool();
+                    phi_787_ = true;
+                    phi_788_ = false;
                 }
-                let _e547 = phi_764_;
-                let _e549 = phi_765_;
-                let _e551 = phi_766_;
-                let _e553 = phi_767_;
-                let _e555 = phi_768_;
-                let _e557 = phi_769_;
-                let _e559 = phi_770_;
-                phi_771_ = _e547;
-                phi_772_ = _e549;
-                phi_773_ = _e551;
-                phi_774_ = _e553;
-                phi_775_ = _e555;
-                phi_776_ = _e557;
-                phi_777_ = _e559;
+                let _e565 = phi_782_;
+                let _e567 = phi_783_;
+                let _e569 = phi_784_;
+                let _e571 = phi_785_;
+                let _e573 = phi_786_;
+                let _e575 = phi_787_;
+                let _e577 = phi_788_;
+                phi_789_ = _e565;
+                phi_790_ = _e567;
+                phi_791_ = _e569;
+                phi_792_ = _e571;
+                phi_793_ = _e573;
+                phi_794_ = _e575;
+                phi_795_ = _e577;
             } else {
-                phi_771_ = bool();
-                phi_772_ = bool();
-                phi_773_ = vec2<u32>();
-                phi_774_ = bool();
-                phi_775_ = bool();
-                phi_776_ = true;
-                phi_777_ = false;
+                phi_789_ = bool();
+                phi_790_ = bool();
+                phi_791_ = vec2<u32>();
+                phi_792_ = bool();
+                phi_793_ = bool();
+                phi_794_ = true;
+                phi_795_ = false;
             }
-            let _e561 = phi_771_;
-            let _e563 = phi_772_;
-            let _e565 = phi_773_;
-            let _e567 = phi_774_;
-            let _e569 = phi_775_;
-            let _e571 = phi_776_;
-            let _e573 = phi_777_;
-            if _e571 {
+            let _e579 = phi_789_;
+            let _e581 = phi_790_;
+            let _e583 = phi_791_;
+            let _e585 = phi_792_;
+            let _e587 = phi_793_;
+            let _e589 = phi_794_;
+            let _e591 = phi_795_;
+            if _e589 {
                 if (_e431 == 0f) {
-                    phi_786_ = (_e437 == 0f);
+                    phi_804_ = (_e437 == 0f);
                 } else {
-                    phi_786_ = false;
+                    phi_804_ = false;
                 }
-                let _e577 = phi_786_;
-                phi_787_ = _e577;
-                phi_788_ = false;
-                phi_789_ = true;
+                let _e595 = phi_804_;
+                phi_805_ = _e595;
+                phi_806_ = false;
+                phi_807_ = true;
             } else {
-                phi_787_ = _e567;
-                phi_788_ = _e569;
-                phi_789_ = _e573;
+                phi_805_ = _e585;
+                phi_806_ = _e587;
+                phi_807_ = _e591;
             }
-            let _e579 = phi_787_;
-            let _e581 = phi_788_;
-            let _e583 = phi_789_;
-            if _e583 {
-                phi_793_ = _e579;
-                phi_794_ = _e581;
-                phi_795_ = vec2<u32>(_e59.x, _e59.y);
+            let _e597 = phi_805_;
+            let _e599 = phi_806_;
+            let _e601 = phi_807_;
+            if _e601 {
+                phi_811_ = _e597;
+                phi_812_ = _e599;
+                phi_813_ = vec2<u32>(_e59.x, _e59.y);
             } else {
-                phi_793_ = _e561;
-                phi_794_ = _e563;
-                phi_795_ = _e565;
+                phi_811_ = _e579;
+                phi_812_ = _e581;
+                phi_813_ = _e583;
             }
-            let _e585 = phi_793_;
-            let _e587 = phi_794_;
-            let _e589 = phi_795_;
-            let _e599 = lt_mask_Reprojection(vec2<u32>(_e589.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e606 = lt_mask_Reprojection(vec2<u32>(_e599.pixel.x, _e589.y), _e599.is_valid, _e599.has_moved);
-            let _e610 = lt_mask_Reprojection(_e606.pixel, _e587, _e606.has_moved);
-            let _e614 = lt_mask_Reprojection(_e610.pixel, _e610.is_valid, !(_e585));
-            if _e587 {
-                let _e617 = p.member.previous.eye;
-                let _e628 = p.member.previous.forward;
-                let _e637 = (((((_e113.x - _e617.x) * _e628.x) + ((_e113.y - _e617.y) * _e628.y)) + ((_e113.z - _e617.z) * _e628.z)) > 0f);
-                let _e641 = lt_mask_Reprojection(_e614.pixel, _e637, _e614.has_moved);
-                if _e637 {
-                    let _e644 = p.member.previous.eye;
-                    let _e655 = p.member.previous.forward;
-                    let _e663 = ((((_e113.x - _e644.x) * _e655.x) + ((_e113.y - _e644.y) * _e655.y)) + ((_e113.z - _e644.z) * _e655.z));
-                    let _e665 = ((_e589.y * _e110) + _e589.x);
-                    if (_e665 < arrayLength((&last_depths.member))) {
+            let _e603 = phi_811_;
+            let _e605 = phi_812_;
+            let _e607 = phi_813_;
+            let _e617 = lt_mask_Reprojection(vec2<u32>(_e607.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e624 = lt_mask_Reprojection(vec2<u32>(_e617.pixel.x, _e607.y), _e617.is_valid, _e617.has_moved);
+            let _e628 = lt_mask_Reprojection(_e624.pixel, _e605, _e624.has_moved);
+            let _e632 = lt_mask_Reprojection(_e628.pixel, _e628.is_valid, !(_e603));
+            if _e605 {
+                let _e635 = p.member.previous.eye;
+                let _e646 = p.member.previous.forward;
+                let _e655 = (((((_e113.x - _e635.x) * _e646.x) + ((_e113.y - _e635.y) * _e646.y)) + ((_e113.z - _e635.z) * _e646.z)) > 0f);
+                let _e659 = lt_mask_Reprojection(_e632.pixel, _e655, _e632.has_moved);
+                if _e655 {
+                    let _e662 = p.member.previous.eye;
+                    let _e673 = p.member.previous.forward;
+                    let _e681 = ((((_e113.x - _e662.x) * _e673.x) + ((_e113.y - _e662.y) * _e673.y)) + ((_e113.z - _e662.z) * _e673.z));
+                    let _e683 = ((_e607.y * _e110) + _e607.x);
+                    if (_e683 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e669 = last_depths.member[(0u + _e665)];
-                    let _e671 = p.member.depth_tolerance;
-                    let _e674 = abs(_e663);
-                    let _e675 = abs(_e669);
-                    if ((bitcast<u32>(_e675) & 2147483647u) > 2139095040u) {
-                        phi_884_ = true;
+                    let _e687 = last_depths.member[(0u + _e683)];
+                    let _e689 = p.member.depth_tolerance;
+                    let _e692 = abs(_e681);
+                    let _e693 = abs(_e687);
+                    if ((bitcast<u32>(_e693) & 2147483647u) > 2139095040u) {
+                        phi_902_ = true;
                     } else {
-                        let _e679 = (_e675 > _e674);
-                        if _e679 {
+                        let _e697 = (_e693 > _e692);
+                        if _e697 {
                         }
-                        phi_884_ = _e679;
+                        phi_902_ = _e697;
                     }
-                    let _e681 = phi_884_;
-                    if _e681 {
-                        phi_888_ = _e675;
+                    let _e699 = phi_902_;
+                    if _e699 {
+                        phi_906_ = _e693;
                     } else {
-                        phi_888_ = _e674;
+                        phi_906_ = _e692;
                     }
-                    let _e683 = phi_888_;
-                    phi_892_ = lt_mask_Reprojection(_e641.pixel, (abs((_e663 - _e669)) <= (_e671 * _e683)), _e641.has_moved);
+                    let _e701 = phi_906_;
+                    phi_910_ = lt_mask_Reprojection(_e659.pixel, (abs((_e681 - _e687)) <= (_e689 * _e701)), _e659.has_moved);
                 } else {
-                    phi_892_ = _e641;
+                    phi_910_ = _e659;
                 }
-                let _e691 = phi_892_;
-                if _e691.is_valid {
-                    let _e694 = p.member.flags;
-                    phi_901_ = ((_e694 & 1u) != 0u);
-                    phi_902_ = false;
+                let _e709 = phi_910_;
+                if _e709.is_valid {
+                    let _e712 = p.member.flags;
+                    phi_919_ = ((_e712 & 1u) != 0u);
+                    phi_920_ = false;
                 } else {
-                    phi_901_ = bool();
-                    phi_902_ = true;
+                    phi_919_ = bool();
+                    phi_920_ = true;
                 }
-                let _e698 = phi_901_;
-                let _e700 = phi_902_;
-                phi_904_ = _e698;
-                phi_905_ = _e691;
-                phi_906_ = _e691;
-                phi_907_ = _e700;
+                let _e716 = phi_919_;
+                let _e718 = phi_920_;
+                phi_922_ = _e716;
+                phi_923_ = _e709;
+                phi_924_ = _e709;
+                phi_925_ = _e718;
             } else {
-                phi_904_ = bool();
-                phi_905_ = lt_mask_Reprojection();
-                phi_906_ = lt_mask_Reprojection(_e614.pixel, false, _e614.has_moved);
-                phi_907_ = true;
+                phi_922_ = bool();
+                phi_923_ = lt_mask_Reprojection();
+                phi_924_ = lt_mask_Reprojection(_e632.pixel, false, _e632.has_moved);
+                phi_925_ = true;
             }
-            let _e706 = phi_904_;
-            let _e708 = phi_905_;
-            let _e710 = phi_906_;
-            let _e712 = phi_907_;
-            if _e712 {
-                phi_911_ = false;
-                phi_912_ = _e710;
+            let _e724 = phi_922_;
+            let _e726 = phi_923_;
+            let _e728 = phi_924_;
+            let _e730 = phi_925_;
+            if _e730 {
+                phi_929_ = false;
+                phi_930_ = _e728;
             } else {
-                phi_911_ = _e706;
-                phi_912_ = _e708;
+                phi_929_ = _e724;
+                phi_930_ = _e726;
             }
-            let _e714 = phi_911_;
-            let _e716 = phi_912_;
-            let _e720 = lt_mask_Reprojection(_e716.pixel, _e714, _e716.has_moved);
-            let _e722 = p.member.flags;
-            let _e724 = ((_e722 & 2u) != 0u);
-            let _e726 = p.member.flags;
-            if ((_e726 & 4u) == 0u) {
-                phi_988_ = u32();
-                phi_989_ = true;
-                phi_990_ = false;
+            let _e732 = phi_929_;
+            let _e734 = phi_930_;
+            let _e738 = lt_mask_Reprojection(_e734.pixel, _e732, _e734.has_moved);
+            let _e740 = p.member.flags;
+            let _e742 = ((_e740 & 2u) != 0u);
+            let _e744 = p.member.flags;
+            if ((_e744 & 4u) == 0u) {
+                phi_1006_ = u32();
+                phi_1007_ = true;
+                phi_1008_ = false;
             } else {
-                if _e714 {
-                    if !(_e720.has_moved) {
-                        let _e737 = ((((_e59.y * _e110) + _e59.x) * _e106.words) + _e106.light.word);
+                if _e732 {
+                    if !(_e738.has_moved) {
+                        let _e755 = ((((_e59.y * _e110) + _e59.x) * _e106.words) + _e106.light.word);
                         if (_e106.light.shift > 29u) {
-                            let _e741 = (_e737 + 1u);
-                            if (_e741 < _e65) {
+                            let _e759 = (_e755 + 1u);
+                            if (_e759 < _e65) {
                             } else {
                                 return;
                             }
-                            let _e745 = last_bits.member[(0u + _e741)];
-                            phi_955_ = _e745;
+                            let _e763 = last_bits.member[(0u + _e759)];
+                            phi_973_ = _e763;
                         } else {
-                            phi_955_ = 0u;
+                            phi_973_ = 0u;
                         }
-                        let _e747 = phi_955_;
-                        if (_e737 < _e65) {
+                        let _e765 = phi_973_;
+                        if (_e755 < _e65) {
                         } else {
                             return;
                         }
-                        let _e753 = last_bits.member[(0u + _e737)];
-                        let _e756 = (_e753 >> bitcast<u32>((_e106.light.shift & 31u)));
+                        let _e771 = last_bits.member[(0u + _e755)];
+                        let _e774 = (_e771 >> bitcast<u32>((_e106.light.shift & 31u)));
                         if (_e106.light.shift > 29u) {
-                            phi_974_ = (_e756 | (_e747 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                            phi_992_ = (_e774 | (_e765 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
                         } else {
-                            phi_974_ = _e756;
+                            phi_992_ = _e774;
                         }
-                        let _e764 = phi_974_;
-                        if ((_e764 & 2u) == 0u) {
-                            phi_982_ = (_e764 & 1u);
+                        let _e782 = phi_992_;
+                        if ((_e782 & 2u) == 0u) {
+                            phi_1000_ = (_e782 & 1u);
                         } else {
-                            phi_982_ = (_e764 & 7u);
+                            phi_1000_ = (_e782 & 7u);
                         }
-                        let _e770 = phi_982_;
-                        phi_983_ = _e770;
-                        phi_984_ = false;
+                        let _e788 = phi_1000_;
+                        phi_1001_ = _e788;
+                        phi_1002_ = false;
                     } else {
-                        phi_983_ = u32();
-                        phi_984_ = true;
+                        phi_1001_ = u32();
+                        phi_1002_ = true;
                     }
-                    let _e772 = phi_983_;
-                    let _e774 = phi_984_;
-                    phi_985_ = _e772;
-                    phi_986_ = false;
-                    phi_987_ = _e774;
+                    let _e790 = phi_1001_;
+                    let _e792 = phi_1002_;
+                    phi_1003_ = _e790;
+                    phi_1004_ = false;
+                    phi_1005_ = _e792;
                 } else {
-                    phi_985_ = u32();
-                    phi_986_ = true;
-                    phi_987_ = false;
+                    phi_1003_ = u32();
+                    phi_1004_ = true;
+                    phi_1005_ = false;
                 }
-                let _e776 = phi_985_;
-                let _e778 = phi_986_;
-                let _e780 = phi_987_;
-                phi_988_ = _e776;
-                phi_989_ = _e778;
-                phi_990_ = _e780;
+                let _e794 = phi_1003_;
+                let _e796 = phi_1004_;
+                let _e798 = phi_1005_;
+                phi_1006_ = _e794;
+                phi_1007_ = _e796;
+                phi_1008_ = _e798;
             }
-            let _e782 = phi_988_;
-            let _e784 = phi_989_;
-            let _e786 = phi_990_;
-            if _e784 {
-                phi_994_ = true;
+            let _e800 = phi_1006_;
+            let _e802 = phi_1007_;
+            let _e804 = phi_1008_;
+            if _e802 {
+                phi_1012_ = true;
             } else {
-                phi_994_ = _e786;
+                phi_1012_ = _e804;
             }
-            let _e788 = phi_994_;
-            if _e788 {
-                phi_998_ = 0u;
+            let _e806 = phi_1012_;
+            if _e806 {
+                phi_1016_ = 0u;
             } else {
-                phi_998_ = _e782;
+                phi_1016_ = _e800;
             }
-            let _e790 = phi_998_;
-            let _e791 = lt_mask_Neighbourhood(false, true);
+            let _e808 = phi_1016_;
+            let _e809 = lt_mask_Neighbourhood(false, true);
             if _e277 {
-                phi_1003_ = _e724;
+                phi_1021_ = _e742;
             } else {
-                phi_1003_ = false;
+                phi_1021_ = false;
             }
-            let _e793 = phi_1003_;
-            if _e793 {
-                if _e714 {
-                    if ((_e790 & 2u) != 0u) {
-                        phi_1298_ = _e791;
+            let _e811 = phi_1021_;
+            if _e811 {
+                if _e732 {
+                    if ((_e808 & 2u) != 0u) {
+                        phi_1316_ = _e809;
                     } else {
-                        let _e797 = p.member.expansion;
-                        if _e720.has_moved {
-                            let _e800 = p.member.moving_pattern;
-                            phi_1025_ = _e800;
+                        let _e815 = p.member.expansion;
+                        if _e738.has_moved {
+                            let _e818 = p.member.moving_pattern;
+                            phi_1043_ = _e818;
                         } else {
-                            let _e802 = p.member.still_pattern;
-                            phi_1025_ = _e802;
+                            let _e820 = p.member.still_pattern;
+                            phi_1043_ = _e820;
                         }
-                        let _e804 = phi_1025_;
-                        phi_1027_ = 0u;
-                        phi_1030_ = _e791;
+                        let _e822 = phi_1043_;
+                        phi_1045_ = 0u;
+                        phi_1048_ = _e809;
                         loop {
-                            let _e806 = phi_1027_;
-                            let _e808 = phi_1030_;
-                            local_1 = _e808;
-                            if (1u <= _e804) {
-                                if (_e804 <= 4u) {
-                                    phi_1042_ = false;
+                            let _e824 = phi_1045_;
+                            let _e826 = phi_1048_;
+                            local_1 = _e826;
+                            if (1u <= _e822) {
+                                if (_e822 <= 4u) {
+                                    phi_1060_ = false;
                                 } else {
-                                    phi_1042_ = true;
+                                    phi_1060_ = true;
                                 }
-                                let _e812 = phi_1042_;
-                                phi_1043_ = _e812;
+                                let _e830 = phi_1060_;
+                                phi_1061_ = _e830;
                             } else {
-                                phi_1043_ = true;
+                                phi_1061_ = true;
                             }
-                            let _e814 = phi_1043_;
-                            if _e814 {
-                                switch bitcast<i32>(_e804) {
+                            let _e832 = phi_1061_;
+                            if _e832 {
+                                switch bitcast<i32>(_e822) {
                                     case 5: {
-                                        phi_1052_ = 4u;
+                                        phi_1070_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_1052_ = 25u;
+                                        phi_1070_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_1052_ = 13u;
+                                        phi_1070_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_1052_ = 9u;
+                                        phi_1070_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e817 = phi_1052_;
-                                phi_1053_ = _e817;
+                                let _e835 = phi_1070_;
+                                phi_1071_ = _e835;
                             } else {
-                                phi_1053_ = 5u;
+                                phi_1071_ = 5u;
                             }
-                            let _e819 = phi_1053_;
-                            let _e820 = (_e806 < _e819);
-                            if _e820 {
-                                let _e826 = p.member.frame;
-                                let _e830 = p.member.current.size[0u];
-                                let _e832 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e804) {
+                            let _e837 = phi_1071_;
+                            let _e838 = (_e824 < _e837);
+                            if _e838 {
+                                let _e844 = p.member.frame;
+                                let _e848 = p.member.current.size[0u];
+                                let _e850 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e822) {
                                     case 1: {
-                                        let _e842 = lt_mask_pattern_plus(_e806);
-                                        phi_1133_ = vec2<i32>(_e842.x, _e842.y);
+                                        let _e860 = lt_mask_pattern_plus(_e824);
+                                        phi_1151_ = vec2<i32>(_e860.x, _e860.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e846 = lt_mask_pattern_cross(_e806);
-                                        phi_1133_ = vec2<i32>(_e846.x, _e846.y);
+                                        let _e864 = lt_mask_pattern_cross(_e824);
+                                        phi_1151_ = vec2<i32>(_e864.x, _e864.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e852 = lt_mask_pattern_plus_or_cross(_e806, ((_e720.pixel.x + _e720.pixel.y) & 1u));
-                                        phi_1133_ = vec2<i32>(_e852.x, _e852.y);
+                                        let _e870 = lt_mask_pattern_plus_or_cross(_e824, ((_e738.pixel.x + _e738.pixel.y) & 1u));
+                                        phi_1151_ = vec2<i32>(_e870.x, _e870.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e857 = lt_mask_pattern_plus_or_cross(_e806, (_e826 & 1u));
-                                        phi_1133_ = vec2<i32>(_e857.x, _e857.y);
+                                        let _e875 = lt_mask_pattern_plus_or_cross(_e824, (_e844 & 1u));
+                                        phi_1151_ = vec2<i32>(_e875.x, _e875.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e826 & 3u)) {
+                                        switch bitcast<i32>((_e844 & 3u)) {
                                             case 0: {
-                                                phi_1113_ = vec2(-1i);
+                                                phi_1131_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1113_ = vec2(0i);
+                                                phi_1131_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1113_ = vec2<i32>(0i, -1i);
+                                                phi_1131_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1113_ = vec2<i32>(-1i, 0i);
+                                                phi_1131_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e868 = phi_1113_;
-                                        phi_1133_ = (_e868 + vec2<i32>(bitcast<i32>((_e806 & 1u)), bitcast<i32>(((_e806 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e886 = phi_1131_;
+                                        phi_1151_ = (_e886 + vec2<i32>(bitcast<i32>((_e824 & 1u)), bitcast<i32>(((_e824 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1133_ = vec2<i32>((bitcast<i32>((_e806 % 5u)) - 2i), (bitcast<i32>(((_e806 / 5u) % 5u)) - 2i));
+                                        phi_1151_ = vec2<i32>((bitcast<i32>((_e824 % 5u)) - 2i), (bitcast<i32>(((_e824 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e885 = lt_mask_pattern_diamond(_e806);
-                                        phi_1133_ = vec2<i32>(_e885.x, _e885.y);
+                                        let _e903 = lt_mask_pattern_diamond(_e824);
+                                        phi_1151_ = vec2<i32>(_e903.x, _e903.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1133_ = vec2<i32>((bitcast<i32>((_e806 % 3u)) - 1i), (bitcast<i32>(((_e806 / 3u) % 3u)) - 1i));
+                                        phi_1151_ = vec2<i32>((bitcast<i32>((_e824 % 3u)) - 1i), (bitcast<i32>(((_e824 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e890 = phi_1133_;
-                                let _e893 = lt_mask_pattern_step_clamped(_e720.pixel.x, _e890.x, _e830);
-                                let _e894 = lt_mask_pattern_step_clamped(_e720.pixel.y, _e890.y, _e832);
-                                let _e901 = ((((_e894 * _e110) + _e893) * _e106.words) + _e106.light.word);
+                                let _e908 = phi_1151_;
+                                let _e911 = lt_mask_pattern_step_clamped(_e738.pixel.x, _e908.x, _e848);
+                                let _e912 = lt_mask_pattern_step_clamped(_e738.pixel.y, _e908.y, _e850);
+                                let _e919 = ((((_e912 * _e110) + _e911) * _e106.words) + _e106.light.word);
                                 if (_e106.light.shift > 29u) {
-                                    let _e905 = (_e901 + 1u);
-                                    if (_e905 < _e65) {
+                                    let _e923 = (_e919 + 1u);
+                                    if (_e923 < _e65) {
                                     } else {
                                         return;
                                     }
-                                    let _e909 = last_bits.member[(0u + _e905)];
-                                    phi_1160_ = _e909;
+                                    let _e927 = last_bits.member[(0u + _e923)];
+                                    phi_1178_ = _e927;
                                 } else {
-                                    phi_1160_ = 0u;
+                                    phi_1178_ = 0u;
                                 }
-                                let _e911 = phi_1160_;
-                                if (_e901 < _e65) {
+                                let _e929 = phi_1178_;
+                                if (_e919 < _e65) {
                                 } else {
                                     return;
                                 }
-                                let _e917 = last_bits.member[(0u + _e901)];
-                                let _e920 = (_e917 >> bitcast<u32>((_e106.light.shift & 31u)));
+                                let _e935 = last_bits.member[(0u + _e919)];
+                                let _e938 = (_e935 >> bitcast<u32>((_e106.light.shift & 31u)));
                                 if (_e106.light.shift > 29u) {
-                                    phi_1179_ = (_e920 | (_e911 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                                    phi_1197_ = (_e938 | (_e929 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
                                 } else {
-                                    phi_1179_ = _e920;
+                                    phi_1197_ = _e938;
                                 }
-                                let _e928 = phi_1179_;
-                                if ((_e928 & 2u) == 0u) {
-                                    phi_1187_ = (_e928 & 1u);
+                                let _e946 = phi_1197_;
+                                if ((_e946 & 2u) == 0u) {
+                                    phi_1205_ = (_e946 & 1u);
                                 } else {
-                                    phi_1187_ = (_e928 & 7u);
+                                    phi_1205_ = (_e946 & 7u);
                                 }
-                                let _e934 = phi_1187_;
-                                if _e808.any_expands {
-                                    phi_1275_ = true;
+                                let _e952 = phi_1205_;
+                                if _e826.any_expands {
+                                    phi_1293_ = true;
                                 } else {
-                                    if ((_e934 & 2u) != 0u) {
-                                        let _e941 = (((_e934 & 4u) != 0u) != _e273);
-                                        switch bitcast<i32>(_e797) {
+                                    if ((_e952 & 2u) != 0u) {
+                                        let _e959 = (((_e952 & 4u) != 0u) != _e273);
+                                        switch bitcast<i32>(_e815) {
                                             case 1: {
-                                                phi_1215_ = bool();
-                                                phi_1216_ = false;
-                                                phi_1217_ = true;
-                                                phi_1218_ = false;
-                                                phi_1219_ = false;
+                                                phi_1233_ = bool();
+                                                phi_1234_ = false;
+                                                phi_1235_ = true;
+                                                phi_1236_ = false;
+                                                phi_1237_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e941 {
-                                                    phi_1213_ = (((_e934 & 4u) != 0u) != ((_e934 & 1u) != 0u));
-                                                    phi_1214_ = false;
+                                                if _e959 {
+                                                    phi_1231_ = (((_e952 & 4u) != 0u) != ((_e952 & 1u) != 0u));
+                                                    phi_1232_ = false;
                                                 } else {
-                                                    phi_1213_ = bool();
-                                                    phi_1214_ = true;
+                                                    phi_1231_ = bool();
+                                                    phi_1232_ = true;
                                                 }
-                                                let _e949 = phi_1213_;
-                                                let _e951 = phi_1214_;
-                                                phi_1215_ = _e949;
-                                                phi_1216_ = false;
-                                                phi_1217_ = false;
-                                                phi_1218_ = _e951;
-                                                phi_1219_ = _e941;
+                                                let _e967 = phi_1231_;
+                                                let _e969 = phi_1232_;
+                                                phi_1233_ = _e967;
+                                                phi_1234_ = false;
+                                                phi_1235_ = false;
+                                                phi_1236_ = _e969;
+                                                phi_1237_ = _e959;
                                                 break;
                                             }
                                             default: {
-                                                phi_1215_ = bool();
-                                                phi_1216_ = true;
-                                                phi_1217_ = false;
-                                                phi_1218_ = false;
-                                                phi_1219_ = false;
+                                                phi_1233_ = bool();
+                                                phi_1234_ = true;
+                                                phi_1235_ = false;
+                                                phi_1236_ = false;
+                                                phi_1237_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e953 = phi_1215_;
-                                        let _e955 = phi_1216_;
-                                        let _e957 = phi_1217_;
-                                        let _e959 = phi_1218_;
-                                        let _e961 = phi_1219_;
-                                        phi_1227_ = _e941;
-                                        phi_1228_ = _e953;
-                                        phi_1229_ = _e955;
-                                        phi_1230_ = _e957;
-                                        phi_1231_ = _e959;
-                                        phi_1232_ = _e961;
+                                        let _e971 = phi_1233_;
+                                        let _e973 = phi_1234_;
+                                        let _e975 = phi_1235_;
+                                        let _e977 = phi_1236_;
+                                        let _e979 = phi_1237_;
+                                        phi_1245_ = _e959;
+                                        phi_1246_ = _e971;
+                                        phi_1247_ = _e973;
+                                        phi_1248_ = _e975;
+                                        phi_1249_ = _e977;
+                                        phi_1250_ = _e979;
                                     } else {
-                                        switch bitcast<i32>(_e797) {
+                                        switch bitcast<i32>(_e815) {
                                             case 1: {
-                                                phi_1224_ = false;
-                                                phi_1225_ = true;
-                                                phi_1226_ = false;
+                                                phi_1242_ = false;
+                                                phi_1243_ = true;
+                                                phi_1244_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1224_ = false;
-                                                phi_1225_ = false;
-                                                phi_1226_ = true;
+                                                phi_1242_ = false;
+                                                phi_1243_ = false;
+                                                phi_1244_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1224_ = true;
-                                                phi_1225_ = false;
-                                                phi_1226_ = false;
+                                                phi_1242_ = true;
+                                                phi_1243_ = false;
+                                                phi_1244_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e964 = phi_1224_;
-                                        let _e966 = phi_1225_;
-                                        let _e968 = phi_1226_;
-                                        phi_1227_ = false;
-                                        phi_1228_ = bool();
-                                        phi_1229_ = _e964;
-                                        phi_1230_ = _e966;
-                                        phi_1231_ = _e968;
-                                        phi_1232_ = false;
+                                        let _e982 = phi_1242_;
+                                        let _e984 = phi_1243_;
+                                        let _e986 = phi_1244_;
+                                        phi_1245_ = false;
+                                        phi_1246_ = bool();
+                                        phi_1247_ = _e982;
+                                        phi_1248_ = _e984;
+                                        phi_1249_ = _e986;
+                                        phi_1250_ = false;
                                     }
-                                    let _e970 = phi_1227_;
-                                    let _e972 = phi_1228_;
-                                    let _e974 = phi_1229_;
-                                    let _e976 = phi_1230_;
-                                    let _e978 = phi_1231_;
-                                    let _e980 = phi_1232_;
-                                    if _e974 {
-                                        if ((_e934 & 2u) != 0u) {
-                                            if (((_e934 & 4u) != 0u) != _e273) {
-                                                phi_1247_ = false;
+                                    let _e988 = phi_1245_;
+                                    let _e990 = phi_1246_;
+                                    let _e992 = phi_1247_;
+                                    let _e994 = phi_1248_;
+                                    let _e996 = phi_1249_;
+                                    let _e998 = phi_1250_;
+                                    if _e992 {
+                                        if ((_e952 & 2u) != 0u) {
+                                            if (((_e952 & 4u) != 0u) != _e273) {
+                                                phi_1265_ = false;
                                             } else {
-                                                phi_1247_ = true;
+                                                phi_1265_ = true;
                                             }
-                                            let _e987 = phi_1247_;
-                                            phi_1248_ = _e987;
+                                            let _e1005 = phi_1265_;
+                                            phi_1266_ = _e1005;
                                         } else {
-                                            phi_1248_ = true;
+                                            phi_1266_ = true;
                                         }
-                                        let _e989 = phi_1248_;
-                                        if _e989 {
-                                            phi_1255_ = (((_e934 & 1u) != 0u) != _e273);
+                                        let _e1007 = phi_1266_;
+                                        if _e1007 {
+                                            phi_1273_ = (((_e952 & 1u) != 0u) != _e273);
                                         } else {
-                                            phi_1255_ = true;
+                                            phi_1273_ = true;
                                         }
-                                        let _e994 = phi_1255_;
-                                        phi_1256_ = _e994;
-                                        phi_1257_ = false;
-                                        phi_1258_ = false;
-                                        phi_1259_ = false;
+                                        let _e1012 = phi_1273_;
+                                        phi_1274_ = _e1012;
+                                        phi_1275_ = false;
+                                        phi_1276_ = false;
+                                        phi_1277_ = false;
                                     } else {
-                                        phi_1256_ = bool();
-                                        phi_1257_ = _e976;
-                                        phi_1258_ = _e978;
-                                        phi_1259_ = _e980;
-                                    }
-                                    let _e996 = phi_1256_;
-                                    let _e998 = phi_1257_;
-                                    let _e1000 = phi_1258_;
-                                    let _e1002 = phi_1259_;
-                                    if _e998 {
-                                        phi_1263_ = _e970;
-                                        phi_1264_ = false;
-                                        phi_1265_ = false;
-                                    } else {
-                                        phi_1263_ = _e996;
-                                        phi_1264_ = _e1000;
-                                        phi_1265_ = _e1002;
-                                    }
-                                    let _e1004 = phi_1263_;
-                                    let _e1006 = phi_1264_;
-                                    let _e1008 = phi_1265_;
-                                    if _e1006 {
-                                        phi_1269_ = false;
-                                        phi_1270_ = true;
-                                    } else {
-                                        phi_1269_ = _e972;
-                                        phi_1270_ = _e1008;
-                                    }
-                                    let _e1010 = phi_1269_;
-                                    let _e1012 = phi_1270_;
-                                    if _e1012 {
-                                        phi_1274_ = _e1010;
-                                    } else {
-                                        phi_1274_ = _e1004;
+                                        phi_1274_ = bool();
+                                        phi_1275_ = _e994;
+                                        phi_1276_ = _e996;
+                                        phi_1277_ = _e998;
                                     }
                                     let _e1014 = phi_1274_;
-                                    phi_1275_ = _e1014;
-                                }
-                                let _e1016 = phi_1275_;
-                                if _e808.all_remove {
-                                    if (((_e934 & 1u) != 0u) == _e273) {
-                                        if ((_e934 & 2u) != 0u) {
-                                            phi_1293_ = (((_e934 & 4u) != 0u) == _e273);
-                                        } else {
-                                            phi_1293_ = true;
-                                        }
-                                        let _e1026 = phi_1293_;
-                                        phi_1294_ = _e1026;
+                                    let _e1016 = phi_1275_;
+                                    let _e1018 = phi_1276_;
+                                    let _e1020 = phi_1277_;
+                                    if _e1016 {
+                                        phi_1281_ = _e988;
+                                        phi_1282_ = false;
+                                        phi_1283_ = false;
                                     } else {
-                                        phi_1294_ = false;
+                                        phi_1281_ = _e1014;
+                                        phi_1282_ = _e1018;
+                                        phi_1283_ = _e1020;
                                     }
-                                    let _e1028 = phi_1294_;
-                                    phi_1295_ = _e1028;
-                                } else {
-                                    phi_1295_ = false;
+                                    let _e1022 = phi_1281_;
+                                    let _e1024 = phi_1282_;
+                                    let _e1026 = phi_1283_;
+                                    if _e1024 {
+                                        phi_1287_ = false;
+                                        phi_1288_ = true;
+                                    } else {
+                                        phi_1287_ = _e990;
+                                        phi_1288_ = _e1026;
+                                    }
+                                    let _e1028 = phi_1287_;
+                                    let _e1030 = phi_1288_;
+                                    if _e1030 {
+                                        phi_1292_ = _e1028;
+                                    } else {
+                                        phi_1292_ = _e1022;
+                                    }
+                                    let _e1032 = phi_1292_;
+                                    phi_1293_ = _e1032;
                                 }
-                                let _e1030 = phi_1295_;
-                                phi_1028_ = (_e806 + 1u);
-                                phi_1031_ = lt_mask_Neighbourhood(_e1016, _e1030);
+                                let _e1034 = phi_1293_;
+                                if _e826.all_remove {
+                                    if (((_e952 & 1u) != 0u) == _e273) {
+                                        if ((_e952 & 2u) != 0u) {
+                                            phi_1311_ = (((_e952 & 4u) != 0u) == _e273);
+                                        } else {
+                                            phi_1311_ = true;
+                                        }
+                                        let _e1044 = phi_1311_;
+                                        phi_1312_ = _e1044;
+                                    } else {
+                                        phi_1312_ = false;
+                                    }
+                                    let _e1046 = phi_1312_;
+                                    phi_1313_ = _e1046;
+                                } else {
+                                    phi_1313_ = false;
+                                }
+                                let _e1048 = phi_1313_;
+                                phi_1046_ = (_e824 + 1u);
+                                phi_1049_ = lt_mask_Neighbourhood(_e1034, _e1048);
                             } else {
-                                phi_1028_ = u32();
-                                phi_1031_ = lt_mask_Neighbourhood();
+                                phi_1046_ = u32();
+                                phi_1049_ = lt_mask_Neighbourhood();
                             }
-                            let _e1034 = phi_1028_;
-                            let _e1036 = phi_1031_;
+                            let _e1052 = phi_1046_;
+                            let _e1054 = phi_1049_;
                             continue;
                             continuing {
-                                phi_1027_ = _e1034;
-                                phi_1030_ = _e1036;
-                                break if !(_e820);
+                                phi_1045_ = _e1052;
+                                phi_1048_ = _e1054;
+                                break if !(_e838);
                             }
                         }
-                        let _e1395 = local_1;
-                        phi_1298_ = _e1395;
+                        let _e1413 = local_1;
+                        phi_1316_ = _e1413;
                     }
-                    let _e1039 = phi_1298_;
-                    phi_1299_ = _e1039;
+                    let _e1057 = phi_1316_;
+                    phi_1317_ = _e1057;
                 } else {
-                    phi_1299_ = _e791;
+                    phi_1317_ = _e809;
                 }
-                let _e1041 = phi_1299_;
-                phi_1300_ = _e1041;
+                let _e1059 = phi_1317_;
+                phi_1318_ = _e1059;
             } else {
-                phi_1300_ = _e791;
+                phi_1318_ = _e809;
             }
-            let _e1043 = phi_1300_;
-            let _e1046 = p.member.frame;
-            let _e1048 = p.member.refresh;
-            if (_e1048 == 0u) {
-                phi_1333_ = false;
+            let _e1061 = phi_1318_;
+            let _e1064 = p.member.frame;
+            let _e1066 = p.member.refresh;
+            if (_e1066 == 0u) {
+                phi_1351_ = false;
             } else {
-                if (_e1048 == 0u) {
+                if (_e1066 == 0u) {
                     return;
                 }
-                let _e1057 = ((_e59.x + (_e59.y * (((_e1048 * 5u) / 8u) | 1u))) + (_e1046 % _e1048));
-                if (_e1048 == 0u) {
-                    phi_1332_ = (_e1057 == 0u);
+                let _e1075 = ((_e59.x + (_e59.y * (((_e1066 * 5u) / 8u) | 1u))) + (_e1064 % _e1066));
+                if (_e1066 == 0u) {
+                    phi_1350_ = (_e1075 == 0u);
                 } else {
-                    if (_e1048 == 0u) {
+                    if (_e1066 == 0u) {
                         return;
                     }
-                    phi_1332_ = ((_e1057 % _e1048) == 0u);
+                    phi_1350_ = ((_e1075 % _e1066) == 0u);
                 }
-                let _e1064 = phi_1332_;
-                phi_1333_ = _e1064;
+                let _e1082 = phi_1350_;
+                phi_1351_ = _e1082;
             }
-            let _e1066 = phi_1333_;
-            if _e714 {
-                if _e1066 {
-                    phi_1355_ = bool();
+            let _e1084 = phi_1351_;
+            if _e732 {
+                if _e1084 {
+                    phi_1373_ = bool();
                 } else {
-                    phi_1355_ = ((_e790 & 2u) != 0u);
+                    phi_1373_ = ((_e808 & 2u) != 0u);
                 }
-                let _e1072 = phi_1355_;
-                phi_1356_ = _e1072;
-                phi_1357_ = _e1066;
+                let _e1090 = phi_1373_;
+                phi_1374_ = _e1090;
+                phi_1375_ = _e1084;
             } else {
-                phi_1356_ = bool();
-                phi_1357_ = true;
+                phi_1374_ = bool();
+                phi_1375_ = true;
             }
-            let _e1074 = phi_1356_;
-            let _e1076 = phi_1357_;
-            if _e1076 {
-                phi_1361_ = false;
+            let _e1092 = phi_1374_;
+            let _e1094 = phi_1375_;
+            if _e1094 {
+                phi_1379_ = false;
             } else {
-                phi_1361_ = _e1074;
+                phi_1379_ = _e1092;
             }
-            let _e1078 = phi_1361_;
-            if _e1078 {
-                phi_1412_ = 7u;
+            let _e1096 = phi_1379_;
+            if _e1096 {
+                phi_1430_ = 7u;
             } else {
                 if (_e115 != 0.5f) {
-                    if _e714 {
-                        if _e1066 {
-                            phi_1409_ = 6u;
+                    if _e732 {
+                        if _e1084 {
+                            phi_1427_ = 6u;
                         } else {
                             if _e277 {
-                                phi_1384_ = true;
+                                phi_1402_ = true;
                             } else {
-                                if _e1043.any_expands {
-                                    phi_1383_ = false;
+                                if _e1061.any_expands {
+                                    phi_1401_ = false;
                                 } else {
-                                    phi_1383_ = true;
+                                    phi_1401_ = true;
                                 }
-                                let _e1080 = phi_1383_;
-                                phi_1384_ = _e1080;
+                                let _e1098 = phi_1401_;
+                                phi_1402_ = _e1098;
                             }
-                            let _e1082 = phi_1384_;
-                            if _e1082 {
+                            let _e1100 = phi_1402_;
+                            if _e1100 {
                                 if _e277 {
-                                    if _e724 {
-                                        if _e1043.all_remove {
-                                            phi_1397_ = false;
+                                    if _e742 {
+                                        if _e1061.all_remove {
+                                            phi_1415_ = false;
                                         } else {
-                                            phi_1397_ = true;
+                                            phi_1415_ = true;
                                         }
-                                        let _e1084 = phi_1397_;
-                                        phi_1398_ = _e1084;
+                                        let _e1102 = phi_1415_;
+                                        phi_1416_ = _e1102;
                                     } else {
-                                        phi_1398_ = true;
+                                        phi_1416_ = true;
                                     }
-                                    let _e1086 = phi_1398_;
-                                    phi_1399_ = _e1086;
+                                    let _e1104 = phi_1416_;
+                                    phi_1417_ = _e1104;
                                 } else {
-                                    phi_1399_ = true;
+                                    phi_1417_ = true;
                                 }
-                                let _e1088 = phi_1399_;
-                                if _e1088 {
+                                let _e1106 = phi_1417_;
+                                if _e1106 {
                                     if _e277 {
-                                        phi_1406_ = 1u;
+                                        phi_1424_ = 1u;
                                     } else {
-                                        phi_1406_ = 0u;
+                                        phi_1424_ = 0u;
                                     }
-                                    let _e1090 = phi_1406_;
-                                    phi_1407_ = _e1090;
+                                    let _e1108 = phi_1424_;
+                                    phi_1425_ = _e1108;
                                 } else {
-                                    phi_1407_ = 5u;
+                                    phi_1425_ = 5u;
                                 }
-                                let _e1092 = phi_1407_;
-                                phi_1408_ = _e1092;
+                                let _e1110 = phi_1425_;
+                                phi_1426_ = _e1110;
                             } else {
-                                phi_1408_ = 4u;
+                                phi_1426_ = 4u;
                             }
-                            let _e1094 = phi_1408_;
-                            phi_1409_ = _e1094;
+                            let _e1112 = phi_1426_;
+                            phi_1427_ = _e1112;
                         }
-                        let _e1096 = phi_1409_;
-                        phi_1410_ = _e1096;
+                        let _e1114 = phi_1427_;
+                        phi_1428_ = _e1114;
                     } else {
-                        phi_1410_ = 3u;
+                        phi_1428_ = 3u;
                     }
-                    let _e1098 = phi_1410_;
-                    phi_1411_ = _e1098;
+                    let _e1116 = phi_1428_;
+                    phi_1429_ = _e1116;
                 } else {
-                    phi_1411_ = 2u;
+                    phi_1429_ = 2u;
                 }
-                let _e1100 = phi_1411_;
-                phi_1412_ = _e1100;
+                let _e1118 = phi_1429_;
+                phi_1430_ = _e1118;
             }
-            let _e1102 = phi_1412_;
-            if !((_e1102 == 0u)) {
-                if !((_e1102 == 5u)) {
-                    phi_1424_ = !(_e1078);
-                    phi_1425_ = false;
+            let _e1120 = phi_1430_;
+            if !((_e1120 == 0u)) {
+                if !((_e1120 == 5u)) {
+                    phi_1442_ = !(_e1096);
+                    phi_1443_ = false;
                 } else {
-                    phi_1424_ = bool();
-                    phi_1425_ = true;
+                    phi_1442_ = bool();
+                    phi_1443_ = true;
                 }
-                let _e1109 = phi_1424_;
-                let _e1111 = phi_1425_;
-                phi_1426_ = _e1109;
-                phi_1427_ = _e1111;
+                let _e1127 = phi_1442_;
+                let _e1129 = phi_1443_;
+                phi_1444_ = _e1127;
+                phi_1445_ = _e1129;
             } else {
-                phi_1426_ = bool();
-                phi_1427_ = true;
+                phi_1444_ = bool();
+                phi_1445_ = true;
             }
-            let _e1113 = phi_1426_;
-            let _e1115 = phi_1427_;
-            if _e1115 {
-                phi_1431_ = false;
+            let _e1131 = phi_1444_;
+            let _e1133 = phi_1445_;
+            if _e1133 {
+                phi_1449_ = false;
             } else {
-                phi_1431_ = _e1113;
+                phi_1449_ = _e1131;
             }
-            let _e1117 = phi_1431_;
-            if _e1078 {
-                phi_1437_ = ((_e790 & 4u) != 0u);
+            let _e1135 = phi_1449_;
+            if _e1096 {
+                phi_1455_ = ((_e808 & 4u) != 0u);
             } else {
-                phi_1437_ = _e273;
+                phi_1455_ = _e273;
             }
-            let _e1121 = phi_1437_;
-            if _e1117 {
+            let _e1139 = phi_1455_;
+            if _e1135 {
                 if _e273 {
-                    phi_1445_ = (2u | 1u);
+                    phi_1463_ = (2u | 1u);
                 } else {
-                    phi_1445_ = 2u;
+                    phi_1463_ = 2u;
                 }
-                let _e1124 = phi_1445_;
+                let _e1142 = phi_1463_;
                 if false {
-                    phi_1450_ = (_e1124 | 4u);
+                    phi_1468_ = (_e1142 | 4u);
                 } else {
-                    phi_1450_ = _e1124;
+                    phi_1468_ = _e1142;
                 }
-                let _e1127 = phi_1450_;
-                phi_1470_ = _e1127;
+                let _e1145 = phi_1468_;
+                phi_1488_ = _e1145;
             } else {
-                if (_e1102 == 7u) {
+                if (_e1120 == 7u) {
                     if _e273 {
-                        phi_1459_ = (2u | 1u);
+                        phi_1477_ = (2u | 1u);
                     } else {
-                        phi_1459_ = 2u;
+                        phi_1477_ = 2u;
                     }
-                    let _e1131 = phi_1459_;
-                    if _e1121 {
-                        phi_1464_ = (_e1131 | 4u);
+                    let _e1149 = phi_1477_;
+                    if _e1139 {
+                        phi_1482_ = (_e1149 | 4u);
                     } else {
-                        phi_1464_ = _e1131;
+                        phi_1482_ = _e1149;
                     }
-                    let _e1134 = phi_1464_;
-                    phi_1469_ = _e1134;
+                    let _e1152 = phi_1482_;
+                    phi_1487_ = _e1152;
                 } else {
                     if _e273 {
-                        phi_1468_ = 1u;
+                        phi_1486_ = 1u;
                     } else {
-                        phi_1468_ = 0u;
+                        phi_1486_ = 0u;
                     }
-                    let _e1136 = phi_1468_;
-                    phi_1469_ = _e1136;
+                    let _e1154 = phi_1486_;
+                    phi_1487_ = _e1154;
                 }
-                let _e1138 = phi_1469_;
-                phi_1470_ = _e1138;
+                let _e1156 = phi_1487_;
+                phi_1488_ = _e1156;
             }
-            let _e1140 = phi_1470_;
-            if _e1121 {
-                phi_1474_ = 0f;
+            let _e1158 = phi_1488_;
+            if _e1139 {
+                phi_1492_ = 0f;
             } else {
-                phi_1474_ = 1f;
+                phi_1492_ = 1f;
             }
-            let _e1142 = phi_1474_;
-            phi_1476_ = mask_Masked(_e1142, _e1140, _e1117);
+            let _e1160 = phi_1492_;
+            phi_1494_ = mask_Masked(_e1160, _e1158, _e1135);
         }
-        let _e1145 = phi_1476_;
-        visibility.member[_e79.shift] = _e1145.visibility;
-        let _e1150 = p.member.light.number;
-        let _e1151 = (_e1150 * 3u);
-        let _e1153 = (_e1151 % 32u);
-        let _e1155 = p.member.light.mask_words;
-        let _e1157 = ((_e79.shift * _e1155) + (_e1151 / 32u));
-        let _e1159 = bits.member[_e1157];
-        bits.member[_e1157] = ((_e1159 & ~((7u << bitcast<u32>((_e1153 & 31u))))) | (_e1145.bits << bitcast<u32>((_e1153 & 31u))));
-        if (_e1153 > 29u) {
-            let _e1174 = bits.member[(_e1157 + 1u)];
-            let _e1176 = (32u - _e1153);
-            bits.member[(_e1157 + 1u)] = ((_e1174 & ~((7u >> bitcast<u32>((_e1176 & 31u))))) | (_e1145.bits >> bitcast<u32>((_e1176 & 31u))));
+        let _e1163 = phi_1494_;
+        visibility.member[_e79.shift] = _e1163.visibility;
+        let _e1168 = p.member.light.number;
+        let _e1169 = (_e1168 * 3u);
+        let _e1171 = (_e1169 % 32u);
+        let _e1173 = p.member.light.mask_words;
+        let _e1175 = ((_e79.shift * _e1173) + (_e1169 / 32u));
+        let _e1177 = bits.member[_e1175];
+        bits.member[_e1175] = ((_e1177 & ~((7u << bitcast<u32>((_e1171 & 31u))))) | (_e1163.bits << bitcast<u32>((_e1171 & 31u))));
+        if (_e1171 > 29u) {
+            let _e1192 = bits.member[(_e1175 + 1u)];
+            let _e1194 = (32u - _e1171);
+            bits.member[(_e1175 + 1u)] = ((_e1192 & ~((7u >> bitcast<u32>((_e1194 & 31u))))) | (_e1163.bits >> bitcast<u32>((_e1194 & 31u))));
         }
-        let _e1191 = samples.member[_e79.shift].normal[0u];
-        let _e1193 = global[0u];
-        if (_e1191 == _e1193) {
-            let _e1196 = samples.member[_e79.shift].normal[1u];
-            let _e1198 = global[1u];
-            if (_e1196 == _e1198) {
-                let _e1201 = samples.member[_e79.shift].normal[2u];
-                let _e1203 = global[2u];
-                phi_1548_ = (_e1201 == _e1203);
-                phi_1549_ = false;
+        let _e1209 = samples.member[_e79.shift].normal[0u];
+        let _e1211 = global[0u];
+        if (_e1209 == _e1211) {
+            let _e1214 = samples.member[_e79.shift].normal[1u];
+            let _e1216 = global[1u];
+            if (_e1214 == _e1216) {
+                let _e1219 = samples.member[_e79.shift].normal[2u];
+                let _e1221 = global[2u];
+                phi_1566_ = (_e1219 == _e1221);
+                phi_1567_ = false;
             } else {
-                phi_1548_ = bool();
-                phi_1549_ = true;
+                phi_1566_ = bool();
+                phi_1567_ = true;
             }
-            let _e1206 = phi_1548_;
-            let _e1208 = phi_1549_;
-            phi_1550_ = _e1206;
-            phi_1551_ = _e1208;
+            let _e1224 = phi_1566_;
+            let _e1226 = phi_1567_;
+            phi_1568_ = _e1224;
+            phi_1569_ = _e1226;
         } else {
-            phi_1550_ = bool();
-            phi_1551_ = true;
+            phi_1568_ = bool();
+            phi_1569_ = true;
         }
-        let _e1210 = phi_1550_;
-        let _e1212 = phi_1551_;
-        if _e1212 {
-            phi_1555_ = false;
+        let _e1228 = phi_1568_;
+        let _e1230 = phi_1569_;
+        if _e1230 {
+            phi_1573_ = false;
         } else {
-            phi_1555_ = _e1210;
+            phi_1573_ = _e1228;
         }
-        let _e1214 = phi_1555_;
-        if !(_e1214) {
-            let _e1217 = samples.member[_e79.shift].position;
-            let _e1219 = p.member.current.eye;
-            let _e1230 = p.member.current.forward;
-            phi_1583_ = ((((_e1217.x - _e1219.x) * _e1230.x) + ((_e1217.y - _e1219.y) * _e1230.y)) + ((_e1217.z - _e1219.z) * _e1230.z));
+        let _e1232 = phi_1573_;
+        if !(_e1232) {
+            let _e1235 = samples.member[_e79.shift].position;
+            let _e1237 = p.member.current.eye;
+            let _e1248 = p.member.current.forward;
+            phi_1601_ = ((((_e1235.x - _e1237.x) * _e1248.x) + ((_e1235.y - _e1237.y) * _e1248.y)) + ((_e1235.z - _e1237.z) * _e1248.z));
         } else {
-            phi_1583_ = 0f;
+            phi_1601_ = 0f;
         }
-        let _e1240 = phi_1583_;
-        depths.member[_e79.shift] = _e1240;
-        phi_1586_ = _e1145.needs_ray;
-        phi_1587_ = _e79.shift;
+        let _e1258 = phi_1601_;
+        depths.member[_e79.shift] = _e1258;
+        phi_1604_ = _e1163.needs_ray;
+        phi_1605_ = _e79.shift;
     } else {
-        phi_1586_ = false;
-        phi_1587_ = 0u;
+        phi_1604_ = false;
+        phi_1605_ = 0u;
     }
-    let _e1244 = phi_1586_;
-    let _e1246 = phi_1587_;
+    let _e1262 = phi_1604_;
+    let _e1264 = phi_1605_;
     if (_e60 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1244 {
-        let _e1250 = atomicAdd((&shared_[0u]), 1u);
-        phi_1598_ = _e1250;
+    if _e1262 {
+        let _e1268 = atomicAdd((&shared_[0u]), 1u);
+        phi_1616_ = _e1268;
     } else {
-        phi_1598_ = 0u;
+        phi_1616_ = 0u;
     }
-    let _e1252 = phi_1598_;
+    let _e1270 = phi_1616_;
     workgroupBarrier();
     if (_e60 == 0u) {
-        let _e1256 = atomicLoad((&shared_[0u]));
-        let _e1257 = atomicAdd((&list.member[3u]), _e1256);
-        atomicStore((&shared_[1u]), _e1257);
+        let _e1274 = atomicLoad((&shared_[0u]));
+        let _e1275 = atomicAdd((&list.member[3u]), _e1274);
+        atomicStore((&shared_[1u]), _e1275);
     }
     workgroupBarrier();
-    if _e1244 {
-        let _e1260 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1260) + _e1252)]), _e1246);
+    if _e1262 {
+        let _e1278 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1278) + _e1270)]), _e1264);
     }
     return;
 }

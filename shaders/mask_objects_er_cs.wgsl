@@ -2,13 +2,13 @@ struct abi_CameraParams {
     eye: vec3<f32>,
     root: u32,
     right: vec3<f32>,
-    pad0_: u32,
+    layers_behind: u32,
     up: vec3<f32>,
     pad1_: u32,
     forward: vec3<f32>,
     pad2_: u32,
     size: vec2<u32>,
-    pad3_: vec2<u32>,
+    grid: vec2<u32>,
 }
 
 struct abi_LightParams {
@@ -120,314 +120,314 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_176_: lt_mask_LightPlace;
-    var phi_177_: bool;
-    var phi_178_: lt_mask_LightPlace;
-    var phi_179_: bool;
-    var phi_184_: lt_mask_LightPlace;
+    var phi_177_: lt_mask_LightPlace;
+    var phi_178_: bool;
+    var phi_179_: lt_mask_LightPlace;
+    var phi_180_: bool;
+    var phi_185_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_176_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_177_ = false;
+            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_178_ = false;
         } else {
-            phi_176_ = lt_mask_LightPlace();
-            phi_177_ = true;
+            phi_177_ = lt_mask_LightPlace();
+            phi_178_ = true;
         }
-        let _e68 = phi_176_;
-        let _e70 = phi_177_;
-        phi_178_ = _e68;
-        phi_179_ = _e70;
+        let _e68 = phi_177_;
+        let _e70 = phi_178_;
+        phi_179_ = _e68;
+        phi_180_ = _e70;
     } else {
-        phi_178_ = lt_mask_LightPlace();
-        phi_179_ = true;
+        phi_179_ = lt_mask_LightPlace();
+        phi_180_ = true;
     }
-    let _e72 = phi_178_;
-    let _e74 = phi_179_;
+    let _e72 = phi_179_;
+    let _e74 = phi_180_;
     if _e74 {
-        phi_184_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_184_ = _e72;
+        phi_185_ = _e72;
     }
-    let _e79 = phi_184_;
+    let _e79 = phi_185_;
     return lt_mask_LightPlace(_e79.word, _e79.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_202_: vec2<i32>;
+    var phi_203_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_202_ = vec2(0i);
+            phi_203_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_202_ = vec2<i32>(0i, -1i);
+            phi_203_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_202_ = vec2<i32>(-1i, 0i);
+            phi_203_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_202_ = vec2<i32>(1i, 0i);
+            phi_203_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_202_ = vec2<i32>(0i, 1i);
+            phi_203_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e64 = phi_202_;
+    let _e64 = phi_203_;
     return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_220_: vec2<i32>;
+    var phi_221_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_220_ = vec2(0i);
+            phi_221_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_220_ = vec2(-1i);
+            phi_221_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_220_ = vec2<i32>(1i, -1i);
+            phi_221_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_220_ = vec2<i32>(-1i, 1i);
+            phi_221_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_220_ = vec2(1i);
+            phi_221_ = vec2(1i);
             break;
         }
     }
-    let _e64 = phi_220_;
+    let _e64 = phi_221_;
     return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_239_: vec2<i32>;
+    var phi_240_: vec2<i32>;
 
     if (param_6 == 0u) {
         let _e58 = lt_mask_pattern_plus(param_5);
-        phi_239_ = vec2<i32>(_e58.x, _e58.y);
+        phi_240_ = vec2<i32>(_e58.x, _e58.y);
     } else {
         let _e62 = lt_mask_pattern_cross(param_5);
-        phi_239_ = vec2<i32>(_e62.x, _e62.y);
+        phi_240_ = vec2<i32>(_e62.x, _e62.y);
     }
-    let _e67 = phi_239_;
+    let _e67 = phi_240_;
     return vec2<i32>(_e67.x, _e67.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_264_: vec2<i32>;
+    var phi_265_: vec2<i32>;
 
     let _e56 = (param_7 % 13u);
     switch bitcast<i32>(_e56) {
         case 9: {
-            phi_264_ = vec2<i32>(0i, -2i);
+            phi_265_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_264_ = vec2<i32>(-2i, 0i);
+            phi_265_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_264_ = vec2<i32>(2i, 0i);
+            phi_265_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_264_ = vec2<i32>(0i, 2i);
+            phi_265_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_264_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
+            phi_265_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e71 = phi_264_;
+    let _e71 = phi_265_;
     return vec2<i32>(_e71.x, _e71.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_285_: u32;
     var phi_286_: u32;
+    var phi_287_: u32;
 
     let _e59 = (bitcast<i32>(param_8) + param_9);
     if (_e59 < 0i) {
-        phi_286_ = 0u;
+        phi_287_ = 0u;
     } else {
         if (_e59 >= bitcast<i32>(param_10)) {
-            phi_285_ = (param_10 - 1u);
+            phi_286_ = (param_10 - 1u);
         } else {
-            phi_285_ = bitcast<u32>(_e59);
+            phi_286_ = bitcast<u32>(_e59);
         }
-        let _e66 = phi_285_;
-        phi_286_ = _e66;
+        let _e66 = phi_286_;
+        phi_287_ = _e66;
     }
-    let _e68 = phi_286_;
+    let _e68 = phi_287_;
     return _e68;
 }
 
 fn function_() {
-    var phi_362_: bool;
     var phi_363_: bool;
     var phi_364_: bool;
     var phi_365_: bool;
-    var phi_369_: bool;
-    var phi_439_: bool;
+    var phi_366_: bool;
+    var phi_370_: bool;
     var phi_440_: bool;
-    var phi_451_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_452_: bool;
-    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_454_: bool;
-    var phi_461_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_465_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_478_: bool;
-    var phi_664_: f32;
-    var phi_669_: f32;
-    var phi_670_: bool;
-    var phi_671_: f32;
-    var phi_672_: bool;
-    var phi_676_: f32;
-    var phi_699_: f32;
-    var phi_704_: f32;
-    var phi_705_: bool;
-    var phi_706_: f32;
-    var phi_707_: bool;
-    var phi_711_: f32;
-    var phi_732_: bool;
-    var phi_751_: vec2<u32>;
-    var phi_752_: bool;
-    var phi_753_: bool;
-    var phi_754_: bool;
-    var phi_755_: vec2<u32>;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_760_: bool;
-    var phi_761_: bool;
-    var phi_762_: vec2<u32>;
-    var phi_763_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: bool;
-    var phi_767_: bool;
-    var phi_768_: bool;
+    var phi_441_: bool;
+    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_453_: bool;
+    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_455_: bool;
+    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_479_: bool;
+    var phi_684_: f32;
+    var phi_689_: f32;
+    var phi_690_: bool;
+    var phi_691_: f32;
+    var phi_692_: bool;
+    var phi_696_: f32;
+    var phi_717_: f32;
+    var phi_722_: f32;
+    var phi_723_: bool;
+    var phi_724_: f32;
+    var phi_725_: bool;
+    var phi_729_: f32;
+    var phi_750_: bool;
     var phi_769_: vec2<u32>;
     var phi_770_: bool;
     var phi_771_: bool;
     var phi_772_: bool;
-    var phi_773_: bool;
+    var phi_773_: vec2<u32>;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_777_: bool;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: vec2<u32>;
+    var phi_781_: bool;
     var phi_782_: bool;
     var phi_783_: bool;
     var phi_784_: bool;
     var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: vec2<u32>;
+    var phi_788_: bool;
     var phi_789_: bool;
     var phi_790_: bool;
-    var phi_791_: vec2<u32>;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_833_: bool;
-    var phi_834_: lt_mask_Reprojection;
-    var phi_835_: lt_mask_Reprojection;
-    var phi_836_: bool;
-    var phi_840_: bool;
-    var phi_841_: lt_mask_Reprojection;
-    var phi_847_: bool;
-    var phi_869_: u32;
-    var phi_871_: u32;
-    var phi_874_: lt_mask_Neighbourhood;
-    var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_896_: u32;
-    var phi_897_: u32;
-    var phi_957_: vec2<i32>;
-    var phi_977_: vec2<i32>;
-    var phi_1002_: u32;
-    var phi_1021_: u32;
-    var phi_1029_: u32;
-    var phi_1055_: bool;
-    var phi_1056_: bool;
-    var phi_1057_: bool;
-    var phi_1058_: bool;
-    var phi_1059_: bool;
-    var phi_1060_: bool;
-    var phi_1061_: bool;
-    var phi_1066_: bool;
-    var phi_1067_: bool;
-    var phi_1068_: bool;
-    var phi_1069_: bool;
-    var phi_1070_: bool;
-    var phi_1071_: bool;
-    var phi_1072_: bool;
+    var phi_791_: bool;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_803_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
+    var phi_809_: vec2<u32>;
+    var phi_848_: bool;
+    var phi_849_: bool;
+    var phi_851_: bool;
+    var phi_852_: lt_mask_Reprojection;
+    var phi_853_: lt_mask_Reprojection;
+    var phi_854_: bool;
+    var phi_858_: bool;
+    var phi_859_: lt_mask_Reprojection;
+    var phi_865_: bool;
+    var phi_887_: u32;
+    var phi_889_: u32;
+    var phi_892_: lt_mask_Neighbourhood;
+    var phi_904_: bool;
+    var phi_905_: bool;
+    var phi_914_: u32;
+    var phi_915_: u32;
+    var phi_975_: vec2<i32>;
+    var phi_995_: vec2<i32>;
+    var phi_1020_: u32;
+    var phi_1039_: u32;
+    var phi_1047_: u32;
     var phi_1073_: bool;
     var phi_1074_: bool;
+    var phi_1075_: bool;
+    var phi_1076_: bool;
+    var phi_1077_: bool;
+    var phi_1078_: bool;
+    var phi_1079_: bool;
+    var phi_1084_: bool;
+    var phi_1085_: bool;
+    var phi_1086_: bool;
+    var phi_1087_: bool;
+    var phi_1088_: bool;
     var phi_1089_: bool;
     var phi_1090_: bool;
-    var phi_1097_: bool;
-    var phi_1098_: bool;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1101_: bool;
-    var phi_1105_: bool;
-    var phi_1106_: bool;
+    var phi_1091_: bool;
+    var phi_1092_: bool;
     var phi_1107_: bool;
-    var phi_1111_: bool;
-    var phi_1112_: bool;
+    var phi_1108_: bool;
+    var phi_1115_: bool;
     var phi_1116_: bool;
     var phi_1117_: bool;
+    var phi_1118_: bool;
+    var phi_1119_: bool;
+    var phi_1123_: bool;
+    var phi_1124_: bool;
+    var phi_1125_: bool;
+    var phi_1129_: bool;
+    var phi_1130_: bool;
+    var phi_1134_: bool;
     var phi_1135_: bool;
-    var phi_1136_: bool;
-    var phi_1137_: bool;
-    var phi_872_: u32;
-    var phi_875_: lt_mask_Neighbourhood;
-    var phi_1140_: lt_mask_Neighbourhood;
-    var phi_1141_: lt_mask_Neighbourhood;
-    var phi_1142_: lt_mask_Neighbourhood;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_1197_: bool;
-    var phi_1198_: bool;
-    var phi_1199_: bool;
-    var phi_1203_: bool;
-    var phi_1225_: bool;
-    var phi_1226_: bool;
-    var phi_1239_: bool;
-    var phi_1240_: bool;
-    var phi_1241_: bool;
-    var phi_1248_: u32;
-    var phi_1249_: u32;
-    var phi_1250_: u32;
-    var phi_1251_: u32;
-    var phi_1252_: u32;
-    var phi_1253_: u32;
-    var phi_1254_: u32;
-    var phi_1266_: bool;
-    var phi_1267_: bool;
-    var phi_1268_: bool;
-    var phi_1269_: bool;
-    var phi_1273_: bool;
-    var phi_1279_: bool;
-    var phi_1287_: u32;
-    var phi_1292_: u32;
-    var phi_1301_: u32;
-    var phi_1306_: u32;
+    var phi_1153_: bool;
+    var phi_1154_: bool;
+    var phi_1155_: bool;
+    var phi_890_: u32;
+    var phi_893_: lt_mask_Neighbourhood;
+    var phi_1158_: lt_mask_Neighbourhood;
+    var phi_1159_: lt_mask_Neighbourhood;
+    var phi_1160_: lt_mask_Neighbourhood;
+    var phi_1192_: bool;
+    var phi_1193_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1217_: bool;
+    var phi_1221_: bool;
+    var phi_1243_: bool;
+    var phi_1244_: bool;
+    var phi_1257_: bool;
+    var phi_1258_: bool;
+    var phi_1259_: bool;
+    var phi_1266_: u32;
+    var phi_1267_: u32;
+    var phi_1268_: u32;
+    var phi_1269_: u32;
+    var phi_1270_: u32;
+    var phi_1271_: u32;
+    var phi_1272_: u32;
+    var phi_1284_: bool;
+    var phi_1285_: bool;
+    var phi_1286_: bool;
+    var phi_1287_: bool;
+    var phi_1291_: bool;
+    var phi_1297_: bool;
+    var phi_1305_: u32;
     var phi_1310_: u32;
-    var phi_1311_: u32;
-    var phi_1312_: u32;
-    var phi_1316_: f32;
-    var phi_1318_: mask_Masked;
-    var phi_1368_: bool;
-    var phi_1369_: u32;
-    var phi_1380_: u32;
+    var phi_1319_: u32;
+    var phi_1324_: u32;
+    var phi_1328_: u32;
+    var phi_1329_: u32;
+    var phi_1330_: u32;
+    var phi_1334_: f32;
+    var phi_1336_: mask_Masked;
+    var phi_1386_: bool;
+    var phi_1387_: u32;
+    var phi_1398_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e55 = id_1;
@@ -452,28 +452,28 @@ fn function_() {
             if (_e107 == _e109) {
                 let _e112 = samples.member[_e72.shift].normal[2u];
                 let _e114 = global[2u];
-                phi_362_ = (_e112 == _e114);
-                phi_363_ = false;
+                phi_363_ = (_e112 == _e114);
+                phi_364_ = false;
             } else {
-                phi_362_ = bool();
-                phi_363_ = true;
+                phi_363_ = bool();
+                phi_364_ = true;
             }
-            let _e117 = phi_362_;
-            let _e119 = phi_363_;
-            phi_364_ = _e117;
-            phi_365_ = _e119;
+            let _e117 = phi_363_;
+            let _e119 = phi_364_;
+            phi_365_ = _e117;
+            phi_366_ = _e119;
         } else {
-            phi_364_ = bool();
-            phi_365_ = true;
+            phi_365_ = bool();
+            phi_366_ = true;
         }
-        let _e121 = phi_364_;
-        let _e123 = phi_365_;
+        let _e121 = phi_365_;
+        let _e123 = phi_366_;
         if _e123 {
-            phi_369_ = false;
+            phi_370_ = false;
         } else {
-            phi_369_ = _e121;
+            phi_370_ = _e121;
         }
-        let _e125 = phi_369_;
+        let _e125 = phi_370_;
         if !(_e125) {
             let _e128 = samples.member[_e72.shift].position;
             let _e130 = p.member.light.place;
@@ -487,64 +487,64 @@ fn function_() {
                 let _e163 = p.member.light.axis;
                 let _e175 = p.member.light.place[3u];
                 if (_e175 == 0f) {
-                    phi_440_ = true;
+                    phi_441_ = true;
                 } else {
                     let _e178 = p.member.light.range_squared;
                     if (_e161 <= _e178) {
                         let _e181 = p.member.light.cos_outer;
-                        phi_439_ = (-((((_e143 * _e163.x) + (_e144 * _e163.y)) + (_e145 * _e163.z))) >= (_e181 * sqrt(_e161)));
+                        phi_440_ = (-((((_e143 * _e163.x) + (_e144 * _e163.y)) + (_e145 * _e163.z))) >= (_e181 * sqrt(_e161)));
                     } else {
-                        phi_439_ = false;
+                        phi_440_ = false;
                     }
-                    let _e186 = phi_439_;
-                    phi_440_ = _e186;
+                    let _e186 = phi_440_;
+                    phi_441_ = _e186;
                 }
-                let _e188 = phi_440_;
+                let _e188 = phi_441_;
                 if _e188 {
                     let _e190 = samples.member[_e72.shift].flags;
                     let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e198.unnamed.visibility, false), _e198.unnamed_1);
-                    phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, ((_e190 & 1u) == 0u));
-                    phi_452_ = false;
+                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, ((_e190 & 1u) == 0u));
+                    phi_453_ = false;
                 } else {
-                    phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_452_ = true;
+                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_453_ = true;
                 }
-                let _e209 = phi_451_;
-                let _e211 = phi_452_;
-                phi_453_ = _e209;
-                phi_454_ = _e211;
+                let _e209 = phi_452_;
+                let _e211 = phi_453_;
+                phi_454_ = _e209;
+                phi_455_ = _e211;
             } else {
-                phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_454_ = true;
+                phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_455_ = true;
             }
-            let _e213 = phi_453_;
-            let _e215 = phi_454_;
+            let _e213 = phi_454_;
+            let _e215 = phi_455_;
             if _e215 {
                 let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-                phi_461_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+                phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
             } else {
-                phi_461_ = _e213;
+                phi_462_ = _e213;
             }
-            let _e232 = phi_461_;
-            phi_465_ = _e232;
+            let _e232 = phi_462_;
+            phi_466_ = _e232;
         } else {
             let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e244 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e238.unnamed.visibility, false), _e238.unnamed_1);
-            phi_465_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e244.unnamed, true);
+            phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e244.unnamed, true);
         }
-        let _e249 = phi_465_;
+        let _e249 = phi_466_;
         if _e249.unnamed_1 {
-            phi_1318_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
+            phi_1336_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
         } else {
             let _e254 = (_e96 < 0.5f);
             if (_e96 > 0f) {
-                phi_478_ = (_e96 < 1f);
+                phi_479_ = (_e96 < 1f);
             } else {
-                phi_478_ = false;
+                phi_479_ = false;
             }
-            let _e258 = phi_478_;
+            let _e258 = phi_479_;
             let _e260 = samples.member[_e72.shift].position;
             let _e264 = p.member.previous.eye;
             let _e266 = (_e91.x - _e264.x);
@@ -570,829 +570,831 @@ fn function_() {
             let _e409 = (((((((_e266 * _e282.x) + (_e268 * _e282.y)) + (_e270 * _e282.z)) / ((((_e292.x * _e292.x) + (_e292.y * _e292.y)) + (_e292.z * _e292.z)) * _e280)) - ((((_e335 * _e353.x) + (_e338 * _e353.y)) + (_e341 * _e353.z)) / ((((_e363.x * _e363.x) + (_e363.y * _e363.y)) + (_e363.z * _e363.z)) * _e351))) * 0.5f) * f32(_e407));
             let _e413 = p.member.current.size[1u];
             let _e415 = (((((((_e266 * _e307.x) + (_e268 * _e307.y)) + (_e270 * _e307.z)) / ((((_e317.x * _e317.x) + (_e317.y * _e317.y)) + (_e317.z * _e317.z)) * _e280)) - ((((_e335 * _e378.x) + (_e338 * _e378.y)) + (_e341 * _e378.z)) / ((((_e388.x * _e388.x) + (_e388.y * _e388.y)) + (_e388.z * _e388.z)) * _e351))) * -0.5f) * f32(_e413));
-            let _e419 = p.member.current.size[0u];
-            let _e421 = p.member.current.size[1u];
-            let _e425 = ((f32(_e55.x) + 0.5f) + _e409);
-            if (_e425 > -8388608f) {
-                let _e437 = f32(select(0i, select(select(i32(_e425), i32(-2147483648), (_e425 < bitcast<f32>(3472883712u))), 2147483647i, (_e425 > bitcast<f32>(1325400063u))), (_e425 == _e425)));
-                if (_e437 > _e425) {
-                    phi_664_ = 1f;
+            let _e419 = p.member.current.grid[0u];
+            let _e421 = p.member.current.grid[1u];
+            let _e441 = p.member.current.size[0u];
+            let _e443 = p.member.current.size[1u];
+            let _e445 = ((f32(_e55.x) + ((f32((_e55.y & (_e421 - 1u))) + 0.5f) / f32(_e421))) + _e409);
+            if (_e445 > -8388608f) {
+                let _e457 = f32(select(0i, select(select(i32(_e445), i32(-2147483648), (_e445 < bitcast<f32>(3472883712u))), 2147483647i, (_e445 > bitcast<f32>(1325400063u))), (_e445 == _e445)));
+                if (_e457 > _e445) {
+                    phi_684_ = 1f;
                 } else {
-                    phi_664_ = 0f;
+                    phi_684_ = 0f;
                 }
-                let _e440 = phi_664_;
-                if (_e425 < 8388608f) {
-                    phi_669_ = (_e437 - _e440);
-                    phi_670_ = false;
+                let _e460 = phi_684_;
+                if (_e445 < 8388608f) {
+                    phi_689_ = (_e457 - _e460);
+                    phi_690_ = false;
                 } else {
-                    phi_669_ = f32();
-                    phi_670_ = true;
+                    phi_689_ = f32();
+                    phi_690_ = true;
                 }
-                let _e443 = phi_669_;
-                let _e445 = phi_670_;
-                phi_671_ = _e443;
-                phi_672_ = _e445;
+                let _e463 = phi_689_;
+                let _e465 = phi_690_;
+                phi_691_ = _e463;
+                phi_692_ = _e465;
             } else {
-                phi_671_ = f32();
-                phi_672_ = true;
+                phi_691_ = f32();
+                phi_692_ = true;
             }
-            let _e447 = phi_671_;
-            let _e449 = phi_672_;
-            if _e449 {
-                phi_676_ = _e425;
+            let _e467 = phi_691_;
+            let _e469 = phi_692_;
+            if _e469 {
+                phi_696_ = _e445;
             } else {
-                phi_676_ = _e447;
+                phi_696_ = _e467;
             }
-            let _e451 = phi_676_;
-            let _e454 = ((f32(_e55.y) + 0.5f) + _e415);
-            if (_e454 > -8388608f) {
-                let _e466 = f32(select(0i, select(select(i32(_e454), i32(-2147483648), (_e454 < bitcast<f32>(3472883712u))), 2147483647i, (_e454 > bitcast<f32>(1325400063u))), (_e454 == _e454)));
-                if (_e466 > _e454) {
-                    phi_699_ = 1f;
+            let _e471 = phi_696_;
+            let _e472 = ((f32(_e55.y) + ((f32((_e55.x & (_e419 - 1u))) + 0.5f) / f32(_e419))) + _e415);
+            if (_e472 > -8388608f) {
+                let _e484 = f32(select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < bitcast<f32>(3472883712u))), 2147483647i, (_e472 > bitcast<f32>(1325400063u))), (_e472 == _e472)));
+                if (_e484 > _e472) {
+                    phi_717_ = 1f;
                 } else {
-                    phi_699_ = 0f;
+                    phi_717_ = 0f;
                 }
-                let _e469 = phi_699_;
-                if (_e454 < 8388608f) {
-                    phi_704_ = (_e466 - _e469);
-                    phi_705_ = false;
+                let _e487 = phi_717_;
+                if (_e472 < 8388608f) {
+                    phi_722_ = (_e484 - _e487);
+                    phi_723_ = false;
                 } else {
-                    phi_704_ = f32();
-                    phi_705_ = true;
+                    phi_722_ = f32();
+                    phi_723_ = true;
                 }
-                let _e472 = phi_704_;
-                let _e474 = phi_705_;
-                phi_706_ = _e472;
-                phi_707_ = _e474;
+                let _e490 = phi_722_;
+                let _e492 = phi_723_;
+                phi_724_ = _e490;
+                phi_725_ = _e492;
             } else {
-                phi_706_ = f32();
-                phi_707_ = true;
+                phi_724_ = f32();
+                phi_725_ = true;
             }
-            let _e476 = phi_706_;
-            let _e478 = phi_707_;
-            if _e478 {
-                phi_711_ = _e454;
+            let _e494 = phi_724_;
+            let _e496 = phi_725_;
+            if _e496 {
+                phi_729_ = _e472;
             } else {
-                phi_711_ = _e476;
+                phi_729_ = _e494;
             }
-            let _e480 = phi_711_;
-            if (_e451 >= 0f) {
-                if (_e480 >= 0f) {
-                    if (_e451 < f32(_e419)) {
-                        let _e486 = (_e480 < f32(_e421));
+            let _e498 = phi_729_;
+            if (_e471 >= 0f) {
+                if (_e498 >= 0f) {
+                    if (_e471 < f32(_e441)) {
+                        let _e504 = (_e498 < f32(_e443));
                         if (_e409 == 0f) {
-                            phi_732_ = (_e415 == 0f);
+                            phi_750_ = (_e415 == 0f);
                         } else {
-                            phi_732_ = false;
+                            phi_750_ = false;
                         }
-                        let _e490 = phi_732_;
-                        if _e486 {
-                            phi_751_ = vec2<u32>(select(select(u32(_e451), 0u, (_e451 < bitcast<f32>(0u))), 4294967295u, (_e451 > bitcast<f32>(1333788671u))), select(select(u32(_e480), 0u, (_e480 < bitcast<f32>(0u))), 4294967295u, (_e480 > bitcast<f32>(1333788671u))));
-                            phi_752_ = false;
+                        let _e508 = phi_750_;
+                        if _e504 {
+                            phi_769_ = vec2<u32>(select(select(u32(_e471), 0u, (_e471 < bitcast<f32>(0u))), 4294967295u, (_e471 > bitcast<f32>(1333788671u))), select(select(u32(_e498), 0u, (_e498 < bitcast<f32>(0u))), 4294967295u, (_e498 > bitcast<f32>(1333788671u))));
+                            phi_770_ = false;
                         } else {
-                            phi_751_ = vec2<u32>();
-                            phi_752_ = true;
+                            phi_769_ = vec2<u32>();
+                            phi_770_ = true;
                         }
-                        let _e507 = phi_751_;
-                        let _e509 = phi_752_;
-                        phi_753_ = _e490;
-                        phi_754_ = _e486;
-                        phi_755_ = _e507;
-                        phi_756_ = _e490;
-                        phi_757_ = _e486;
-                        phi_758_ = false;
-                        phi_759_ = _e509;
+                        let _e525 = phi_769_;
+                        let _e527 = phi_770_;
+                        phi_771_ = _e508;
+                        phi_772_ = _e504;
+                        phi_773_ = _e525;
+                        phi_774_ = _e508;
+                        phi_775_ = _e504;
+                        phi_776_ = false;
+                        phi_777_ = _e527;
                     } else {
-                        phi_753_ = bool();
-                        phi_754_ = bool();
-                        phi_755_ = vec2<u32>();
-                        phi_756_ = bool();
-                        phi_757_ = bool();
-                        phi_758_ = true;
-                        phi_759_ = false;
+                        phi_771_ = bool();
+                        phi_772_ = bool();
+                        phi_773_ = vec2<u32>();
+                        phi_774_ = bool();
+                        phi_775_ = bool();
+                        phi_776_ = true;
+                        phi_777_ = false;
                     }
-                    let _e511 = phi_753_;
-                    let _e513 = phi_754_;
-                    let _e515 = phi_755_;
-                    let _e517 = phi_756_;
-                    let _e519 = phi_757_;
-                    let _e521 = phi_758_;
-                    let _e523 = phi_759_;
-                    phi_760_ = _e511;
-                    phi_761_ = _e513;
-                    phi_762_ = _e515;
-                    phi_763_ = _e517;
-                    phi_764_ = _e519;
-                    phi_765_ = _e521;
-                    phi_766_ = _e523;
+                    let _e529 = phi_771_;
+                    let _e531 = phi_772_;
+                    let _e533 = phi_773_;
+                    let _e535 = phi_774_;
+                    let _e537 = phi_775_;
+                    let _e539 = phi_776_;
+                    let _e541 = phi_777_;
+                    phi_778_ = _e529;
+                    phi_779_ = _e531;
+                    phi_780_ = _e533;
+                    phi_781_ = _e535;
+                    phi_782_ = _e537;
+                    phi_783_ = _e539;
+                    phi_784_ = _e541;
                 } else {
-                    phi_760_ = bool();
-                    phi_761_ = bool();
-                    phi_762_ = vec2<u32>();
-                    phi_763_ = bool();
-                    phi_764_ = bool();
-                    phi_765_ = true;
-                    phi_766_ = false;
+                    phi_778_ = bool();
+                    phi_779_ = bool();
+                    phi_780_ = vec2<u32>();
+                    phi_781_ = bool();
+                    phi_782_ = bool();
+                    phi_783_ = true;
+                    phi_784_ = false;
                 }
-                let _e525 = phi_760_;
-                let _e527 = phi_761_;
-                let _e529 = phi_762_;
-                let _e531 = phi_763_;
-                let _e533 = phi_764_;
-                let _e535 = phi_765_;
-                let _e537 = phi_766_;
-                phi_767_ = _e525;
-                phi_768_ = _e527;
-                phi_769_ = _e529;
-                phi_770_ = _e531;
-                phi_771_ = _e533;
-                phi_772_ = _e535;
-                phi_773_ = _e537;
+                let _e543 = phi_778_;
+                let _e545 = phi_779_;
+                let _e547 = phi_780_;
+                let _e549 = phi_781_;
+                let _e551 = phi_782_;
+                let _e553 = phi_783_;
+                let _e555 = phi_784_;
+                phi_785_ = _e543;
+                phi_786_ = _e545;
+                phi_787_ = _e547;
+                phi_788_ = _e549;
+                phi_789_ = _e551;
+                phi_790_ = _e553;
+                phi_791_ = _e555;
             } else {
-                phi_767_ = bool();
-                phi_768_ = bool();
-                phi_769_ = vec2<u32>();
-                phi_770_ = bool();
-                phi_771_ = bool();
-                phi_772_ = true;
-                phi_773_ = false;
+                phi_785_ = bool();
+                phi_786_ = bool();
+                phi_787_ = vec2<u32>();
+                phi_788_ = bool();
+                phi_789_ = bool();
+                phi_790_ = true;
+                phi_791_ = false;
             }
-            let _e539 = phi_767_;
-            let _e541 = phi_768_;
-            let _e543 = phi_769_;
-            let _e545 = phi_770_;
-            let _e547 = phi_771_;
-            let _e549 = phi_772_;
-            let _e551 = phi_773_;
-            if _e549 {
+            let _e557 = phi_785_;
+            let _e559 = phi_786_;
+            let _e561 = phi_787_;
+            let _e563 = phi_788_;
+            let _e565 = phi_789_;
+            let _e567 = phi_790_;
+            let _e569 = phi_791_;
+            if _e567 {
                 if (_e409 == 0f) {
-                    phi_782_ = (_e415 == 0f);
+                    phi_800_ = (_e415 == 0f);
                 } else {
-                    phi_782_ = false;
+                    phi_800_ = false;
                 }
-                let _e555 = phi_782_;
-                phi_783_ = _e555;
-                phi_784_ = false;
-                phi_785_ = true;
+                let _e573 = phi_800_;
+                phi_801_ = _e573;
+                phi_802_ = false;
+                phi_803_ = true;
             } else {
-                phi_783_ = _e545;
-                phi_784_ = _e547;
-                phi_785_ = _e551;
+                phi_801_ = _e563;
+                phi_802_ = _e565;
+                phi_803_ = _e569;
             }
-            let _e557 = phi_783_;
-            let _e559 = phi_784_;
-            let _e561 = phi_785_;
-            if _e561 {
-                phi_789_ = _e557;
-                phi_790_ = _e559;
-                phi_791_ = vec2<u32>(_e55.x, _e55.y);
+            let _e575 = phi_801_;
+            let _e577 = phi_802_;
+            let _e579 = phi_803_;
+            if _e579 {
+                phi_807_ = _e575;
+                phi_808_ = _e577;
+                phi_809_ = vec2<u32>(_e55.x, _e55.y);
             } else {
-                phi_789_ = _e539;
-                phi_790_ = _e541;
-                phi_791_ = _e543;
+                phi_807_ = _e557;
+                phi_808_ = _e559;
+                phi_809_ = _e561;
             }
-            let _e563 = phi_789_;
-            let _e565 = phi_790_;
-            let _e567 = phi_791_;
-            let _e577 = lt_mask_Reprojection(vec2<u32>(_e567.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e584 = lt_mask_Reprojection(vec2<u32>(_e577.pixel.x, _e567.y), _e577.is_valid, _e577.has_moved);
-            let _e588 = lt_mask_Reprojection(_e584.pixel, _e565, _e584.has_moved);
-            let _e592 = lt_mask_Reprojection(_e588.pixel, _e588.is_valid, !(_e563));
-            if _e565 {
-                let _e595 = p.member.previous.eye;
-                let _e603 = p.member.previous.forward;
-                let _e612 = (((((_e91.x - _e595.x) * _e603.x) + ((_e91.y - _e595.y) * _e603.y)) + ((_e91.z - _e595.z) * _e603.z)) > 0f);
-                let _e616 = lt_mask_Reprojection(_e592.pixel, _e612, _e592.has_moved);
-                if _e612 {
-                    let _e618 = p.member.flags;
-                    phi_830_ = ((_e618 & 1u) != 0u);
-                    phi_831_ = false;
+            let _e581 = phi_807_;
+            let _e583 = phi_808_;
+            let _e585 = phi_809_;
+            let _e595 = lt_mask_Reprojection(vec2<u32>(_e585.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e602 = lt_mask_Reprojection(vec2<u32>(_e595.pixel.x, _e585.y), _e595.is_valid, _e595.has_moved);
+            let _e606 = lt_mask_Reprojection(_e602.pixel, _e583, _e602.has_moved);
+            let _e610 = lt_mask_Reprojection(_e606.pixel, _e606.is_valid, !(_e581));
+            if _e583 {
+                let _e613 = p.member.previous.eye;
+                let _e621 = p.member.previous.forward;
+                let _e630 = (((((_e91.x - _e613.x) * _e621.x) + ((_e91.y - _e613.y) * _e621.y)) + ((_e91.z - _e613.z) * _e621.z)) > 0f);
+                let _e634 = lt_mask_Reprojection(_e610.pixel, _e630, _e610.has_moved);
+                if _e630 {
+                    let _e636 = p.member.flags;
+                    phi_848_ = ((_e636 & 1u) != 0u);
+                    phi_849_ = false;
                 } else {
-                    phi_830_ = bool();
-                    phi_831_ = true;
+                    phi_848_ = bool();
+                    phi_849_ = true;
                 }
-                let _e622 = phi_830_;
-                let _e624 = phi_831_;
-                phi_833_ = _e622;
-                phi_834_ = _e616;
-                phi_835_ = _e616;
-                phi_836_ = _e624;
+                let _e640 = phi_848_;
+                let _e642 = phi_849_;
+                phi_851_ = _e640;
+                phi_852_ = _e634;
+                phi_853_ = _e634;
+                phi_854_ = _e642;
             } else {
-                phi_833_ = bool();
-                phi_834_ = lt_mask_Reprojection();
-                phi_835_ = lt_mask_Reprojection(_e592.pixel, false, _e592.has_moved);
-                phi_836_ = true;
+                phi_851_ = bool();
+                phi_852_ = lt_mask_Reprojection();
+                phi_853_ = lt_mask_Reprojection(_e610.pixel, false, _e610.has_moved);
+                phi_854_ = true;
             }
-            let _e630 = phi_833_;
-            let _e632 = phi_834_;
-            let _e634 = phi_835_;
-            let _e636 = phi_836_;
-            if _e636 {
-                phi_840_ = false;
-                phi_841_ = _e634;
+            let _e648 = phi_851_;
+            let _e650 = phi_852_;
+            let _e652 = phi_853_;
+            let _e654 = phi_854_;
+            if _e654 {
+                phi_858_ = false;
+                phi_859_ = _e652;
             } else {
-                phi_840_ = _e630;
-                phi_841_ = _e632;
+                phi_858_ = _e648;
+                phi_859_ = _e650;
             }
-            let _e638 = phi_840_;
-            let _e640 = phi_841_;
-            let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
-            let _e645 = lt_mask_Neighbourhood(false, true);
+            let _e656 = phi_858_;
+            let _e658 = phi_859_;
+            let _e662 = lt_mask_Reprojection(_e658.pixel, _e656, _e658.has_moved);
+            let _e663 = lt_mask_Neighbourhood(false, true);
             if _e258 {
-                phi_847_ = false;
+                phi_865_ = false;
             } else {
-                phi_847_ = true;
+                phi_865_ = true;
             }
-            let _e647 = phi_847_;
-            if _e647 {
-                if _e638 {
+            let _e665 = phi_865_;
+            if _e665 {
+                if _e656 {
                     if ((0u & 2u) != 0u) {
-                        phi_1140_ = _e645;
+                        phi_1158_ = _e663;
                     } else {
-                        let _e651 = p.member.expansion;
-                        if _e644.has_moved {
-                            let _e654 = p.member.moving_pattern;
-                            phi_869_ = _e654;
+                        let _e669 = p.member.expansion;
+                        if _e662.has_moved {
+                            let _e672 = p.member.moving_pattern;
+                            phi_887_ = _e672;
                         } else {
-                            let _e656 = p.member.still_pattern;
-                            phi_869_ = _e656;
+                            let _e674 = p.member.still_pattern;
+                            phi_887_ = _e674;
                         }
-                        let _e658 = phi_869_;
-                        phi_871_ = 0u;
-                        phi_874_ = _e645;
+                        let _e676 = phi_887_;
+                        phi_889_ = 0u;
+                        phi_892_ = _e663;
                         loop {
-                            let _e660 = phi_871_;
-                            let _e662 = phi_874_;
-                            local_1 = _e662;
-                            if (1u <= _e658) {
-                                if (_e658 <= 4u) {
-                                    phi_886_ = false;
+                            let _e678 = phi_889_;
+                            let _e680 = phi_892_;
+                            local_1 = _e680;
+                            if (1u <= _e676) {
+                                if (_e676 <= 4u) {
+                                    phi_904_ = false;
                                 } else {
-                                    phi_886_ = true;
+                                    phi_904_ = true;
                                 }
-                                let _e666 = phi_886_;
-                                phi_887_ = _e666;
+                                let _e684 = phi_904_;
+                                phi_905_ = _e684;
                             } else {
-                                phi_887_ = true;
+                                phi_905_ = true;
                             }
-                            let _e668 = phi_887_;
-                            if _e668 {
-                                switch bitcast<i32>(_e658) {
+                            let _e686 = phi_905_;
+                            if _e686 {
+                                switch bitcast<i32>(_e676) {
                                     case 5: {
-                                        phi_896_ = 4u;
+                                        phi_914_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_896_ = 25u;
+                                        phi_914_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_896_ = 13u;
+                                        phi_914_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_896_ = 9u;
+                                        phi_914_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e671 = phi_896_;
-                                phi_897_ = _e671;
+                                let _e689 = phi_914_;
+                                phi_915_ = _e689;
                             } else {
-                                phi_897_ = 5u;
+                                phi_915_ = 5u;
                             }
-                            let _e673 = phi_897_;
-                            let _e674 = (_e660 < _e673);
-                            if _e674 {
-                                let _e680 = p.member.frame;
-                                let _e684 = p.member.current.size[0u];
-                                let _e686 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e658) {
+                            let _e691 = phi_915_;
+                            let _e692 = (_e678 < _e691);
+                            if _e692 {
+                                let _e698 = p.member.frame;
+                                let _e702 = p.member.current.size[0u];
+                                let _e704 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e676) {
                                     case 1: {
-                                        let _e696 = lt_mask_pattern_plus(_e660);
-                                        phi_977_ = vec2<i32>(_e696.x, _e696.y);
+                                        let _e714 = lt_mask_pattern_plus(_e678);
+                                        phi_995_ = vec2<i32>(_e714.x, _e714.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e700 = lt_mask_pattern_cross(_e660);
-                                        phi_977_ = vec2<i32>(_e700.x, _e700.y);
+                                        let _e718 = lt_mask_pattern_cross(_e678);
+                                        phi_995_ = vec2<i32>(_e718.x, _e718.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e706 = lt_mask_pattern_plus_or_cross(_e660, ((_e644.pixel.x + _e644.pixel.y) & 1u));
-                                        phi_977_ = vec2<i32>(_e706.x, _e706.y);
+                                        let _e724 = lt_mask_pattern_plus_or_cross(_e678, ((_e662.pixel.x + _e662.pixel.y) & 1u));
+                                        phi_995_ = vec2<i32>(_e724.x, _e724.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e711 = lt_mask_pattern_plus_or_cross(_e660, (_e680 & 1u));
-                                        phi_977_ = vec2<i32>(_e711.x, _e711.y);
+                                        let _e729 = lt_mask_pattern_plus_or_cross(_e678, (_e698 & 1u));
+                                        phi_995_ = vec2<i32>(_e729.x, _e729.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e680 & 3u)) {
+                                        switch bitcast<i32>((_e698 & 3u)) {
                                             case 0: {
-                                                phi_957_ = vec2(-1i);
+                                                phi_975_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_957_ = vec2(0i);
+                                                phi_975_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_957_ = vec2<i32>(0i, -1i);
+                                                phi_975_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_957_ = vec2<i32>(-1i, 0i);
+                                                phi_975_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e722 = phi_957_;
-                                        phi_977_ = (_e722 + vec2<i32>(bitcast<i32>((_e660 & 1u)), bitcast<i32>(((_e660 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e740 = phi_975_;
+                                        phi_995_ = (_e740 + vec2<i32>(bitcast<i32>((_e678 & 1u)), bitcast<i32>(((_e678 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_977_ = vec2<i32>((bitcast<i32>((_e660 % 5u)) - 2i), (bitcast<i32>(((_e660 / 5u) % 5u)) - 2i));
+                                        phi_995_ = vec2<i32>((bitcast<i32>((_e678 % 5u)) - 2i), (bitcast<i32>(((_e678 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e739 = lt_mask_pattern_diamond(_e660);
-                                        phi_977_ = vec2<i32>(_e739.x, _e739.y);
+                                        let _e757 = lt_mask_pattern_diamond(_e678);
+                                        phi_995_ = vec2<i32>(_e757.x, _e757.y);
                                         break;
                                     }
                                     default: {
-                                        phi_977_ = vec2<i32>((bitcast<i32>((_e660 % 3u)) - 1i), (bitcast<i32>(((_e660 / 3u) % 3u)) - 1i));
+                                        phi_995_ = vec2<i32>((bitcast<i32>((_e678 % 3u)) - 1i), (bitcast<i32>(((_e678 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e744 = phi_977_;
-                                let _e747 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e744.x, _e684);
-                                let _e748 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e744.y, _e686);
-                                let _e752 = ((((_e748 * _e88) + _e747) * _e84) + (_e80 / 32u));
+                                let _e762 = phi_995_;
+                                let _e765 = lt_mask_pattern_step_clamped(_e662.pixel.x, _e762.x, _e702);
+                                let _e766 = lt_mask_pattern_step_clamped(_e662.pixel.y, _e762.y, _e704);
+                                let _e770 = ((((_e766 * _e88) + _e765) * _e84) + (_e80 / 32u));
                                 if (_e82 > 29u) {
-                                    let _e754 = (_e752 + 1u);
-                                    if (_e754 < _e61) {
+                                    let _e772 = (_e770 + 1u);
+                                    if (_e772 < _e61) {
                                     } else {
                                         return;
                                     }
-                                    let _e758 = last_bits.member[(0u + _e754)];
-                                    phi_1002_ = _e758;
+                                    let _e776 = last_bits.member[(0u + _e772)];
+                                    phi_1020_ = _e776;
                                 } else {
-                                    phi_1002_ = 0u;
+                                    phi_1020_ = 0u;
                                 }
-                                let _e760 = phi_1002_;
-                                if (_e752 < _e61) {
+                                let _e778 = phi_1020_;
+                                if (_e770 < _e61) {
                                 } else {
                                     return;
                                 }
-                                let _e764 = last_bits.member[(0u + _e752)];
-                                let _e767 = (_e764 >> bitcast<u32>((_e82 & 31u)));
+                                let _e782 = last_bits.member[(0u + _e770)];
+                                let _e785 = (_e782 >> bitcast<u32>((_e82 & 31u)));
                                 if (_e82 > 29u) {
-                                    phi_1021_ = (_e767 | (_e760 << bitcast<u32>(((32u - _e82) & 31u))));
+                                    phi_1039_ = (_e785 | (_e778 << bitcast<u32>(((32u - _e82) & 31u))));
                                 } else {
-                                    phi_1021_ = _e767;
+                                    phi_1039_ = _e785;
                                 }
-                                let _e775 = phi_1021_;
-                                if ((_e775 & 2u) == 0u) {
-                                    phi_1029_ = (_e775 & 1u);
+                                let _e793 = phi_1039_;
+                                if ((_e793 & 2u) == 0u) {
+                                    phi_1047_ = (_e793 & 1u);
                                 } else {
-                                    phi_1029_ = (_e775 & 7u);
+                                    phi_1047_ = (_e793 & 7u);
                                 }
-                                let _e781 = phi_1029_;
-                                if _e662.any_expands {
-                                    phi_1117_ = true;
+                                let _e799 = phi_1047_;
+                                if _e680.any_expands {
+                                    phi_1135_ = true;
                                 } else {
-                                    if ((_e781 & 2u) != 0u) {
-                                        let _e788 = (((_e781 & 4u) != 0u) != _e254);
-                                        switch bitcast<i32>(_e651) {
+                                    if ((_e799 & 2u) != 0u) {
+                                        let _e806 = (((_e799 & 4u) != 0u) != _e254);
+                                        switch bitcast<i32>(_e669) {
                                             case 1: {
-                                                phi_1057_ = bool();
-                                                phi_1058_ = false;
-                                                phi_1059_ = true;
-                                                phi_1060_ = false;
-                                                phi_1061_ = false;
+                                                phi_1075_ = bool();
+                                                phi_1076_ = false;
+                                                phi_1077_ = true;
+                                                phi_1078_ = false;
+                                                phi_1079_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e788 {
-                                                    phi_1055_ = (((_e781 & 4u) != 0u) != ((_e781 & 1u) != 0u));
-                                                    phi_1056_ = false;
+                                                if _e806 {
+                                                    phi_1073_ = (((_e799 & 4u) != 0u) != ((_e799 & 1u) != 0u));
+                                                    phi_1074_ = false;
                                                 } else {
-                                                    phi_1055_ = bool();
-                                                    phi_1056_ = true;
+                                                    phi_1073_ = bool();
+                                                    phi_1074_ = true;
                                                 }
-                                                let _e796 = phi_1055_;
-                                                let _e798 = phi_1056_;
-                                                phi_1057_ = _e796;
-                                                phi_1058_ = false;
-                                                phi_1059_ = false;
-                                                phi_1060_ = _e798;
-                                                phi_1061_ = _e788;
+                                                let _e814 = phi_1073_;
+                                                let _e816 = phi_1074_;
+                                                phi_1075_ = _e814;
+                                                phi_1076_ = false;
+                                                phi_1077_ = false;
+                                                phi_1078_ = _e816;
+                                                phi_1079_ = _e806;
                                                 break;
                                             }
                                             default: {
-                                                phi_1057_ = bool();
-                                                phi_1058_ = true;
-                                                phi_1059_ = false;
-                                                phi_1060_ = false;
-                                                phi_1061_ = false;
+                                                phi_1075_ = bool();
+                                                phi_1076_ = true;
+                                                phi_1077_ = false;
+                                                phi_1078_ = false;
+                                                phi_1079_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e800 = phi_1057_;
-                                        let _e802 = phi_1058_;
-                                        let _e804 = phi_1059_;
-                                        let _e806 = phi_1060_;
-                                        let _e808 = phi_1061_;
-                                        phi_1069_ = _e788;
-                                        phi_1070_ = _e800;
-                                        phi_1071_ = _e802;
-                                        phi_1072_ = _e804;
-                                        phi_1073_ = _e806;
-                                        phi_1074_ = _e808;
+                                        let _e818 = phi_1075_;
+                                        let _e820 = phi_1076_;
+                                        let _e822 = phi_1077_;
+                                        let _e824 = phi_1078_;
+                                        let _e826 = phi_1079_;
+                                        phi_1087_ = _e806;
+                                        phi_1088_ = _e818;
+                                        phi_1089_ = _e820;
+                                        phi_1090_ = _e822;
+                                        phi_1091_ = _e824;
+                                        phi_1092_ = _e826;
                                     } else {
-                                        switch bitcast<i32>(_e651) {
+                                        switch bitcast<i32>(_e669) {
                                             case 1: {
-                                                phi_1066_ = false;
-                                                phi_1067_ = true;
-                                                phi_1068_ = false;
+                                                phi_1084_ = false;
+                                                phi_1085_ = true;
+                                                phi_1086_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1066_ = false;
-                                                phi_1067_ = false;
-                                                phi_1068_ = true;
+                                                phi_1084_ = false;
+                                                phi_1085_ = false;
+                                                phi_1086_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1066_ = true;
-                                                phi_1067_ = false;
-                                                phi_1068_ = false;
+                                                phi_1084_ = true;
+                                                phi_1085_ = false;
+                                                phi_1086_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e811 = phi_1066_;
-                                        let _e813 = phi_1067_;
-                                        let _e815 = phi_1068_;
-                                        phi_1069_ = false;
-                                        phi_1070_ = bool();
-                                        phi_1071_ = _e811;
-                                        phi_1072_ = _e813;
-                                        phi_1073_ = _e815;
-                                        phi_1074_ = false;
+                                        let _e829 = phi_1084_;
+                                        let _e831 = phi_1085_;
+                                        let _e833 = phi_1086_;
+                                        phi_1087_ = false;
+                                        phi_1088_ = bool();
+                                        phi_1089_ = _e829;
+                                        phi_1090_ = _e831;
+                                        phi_1091_ = _e833;
+                                        phi_1092_ = false;
                                     }
-                                    let _e817 = phi_1069_;
-                                    let _e819 = phi_1070_;
-                                    let _e821 = phi_1071_;
-                                    let _e823 = phi_1072_;
-                                    let _e825 = phi_1073_;
-                                    let _e827 = phi_1074_;
-                                    if _e821 {
-                                        if ((_e781 & 2u) != 0u) {
-                                            if (((_e781 & 4u) != 0u) != _e254) {
-                                                phi_1089_ = false;
+                                    let _e835 = phi_1087_;
+                                    let _e837 = phi_1088_;
+                                    let _e839 = phi_1089_;
+                                    let _e841 = phi_1090_;
+                                    let _e843 = phi_1091_;
+                                    let _e845 = phi_1092_;
+                                    if _e839 {
+                                        if ((_e799 & 2u) != 0u) {
+                                            if (((_e799 & 4u) != 0u) != _e254) {
+                                                phi_1107_ = false;
                                             } else {
-                                                phi_1089_ = true;
+                                                phi_1107_ = true;
                                             }
-                                            let _e834 = phi_1089_;
-                                            phi_1090_ = _e834;
+                                            let _e852 = phi_1107_;
+                                            phi_1108_ = _e852;
                                         } else {
-                                            phi_1090_ = true;
+                                            phi_1108_ = true;
                                         }
-                                        let _e836 = phi_1090_;
-                                        if _e836 {
-                                            phi_1097_ = (((_e781 & 1u) != 0u) != _e254);
+                                        let _e854 = phi_1108_;
+                                        if _e854 {
+                                            phi_1115_ = (((_e799 & 1u) != 0u) != _e254);
                                         } else {
-                                            phi_1097_ = true;
+                                            phi_1115_ = true;
                                         }
-                                        let _e841 = phi_1097_;
-                                        phi_1098_ = _e841;
-                                        phi_1099_ = false;
-                                        phi_1100_ = false;
-                                        phi_1101_ = false;
+                                        let _e859 = phi_1115_;
+                                        phi_1116_ = _e859;
+                                        phi_1117_ = false;
+                                        phi_1118_ = false;
+                                        phi_1119_ = false;
                                     } else {
-                                        phi_1098_ = bool();
-                                        phi_1099_ = _e823;
-                                        phi_1100_ = _e825;
-                                        phi_1101_ = _e827;
-                                    }
-                                    let _e843 = phi_1098_;
-                                    let _e845 = phi_1099_;
-                                    let _e847 = phi_1100_;
-                                    let _e849 = phi_1101_;
-                                    if _e845 {
-                                        phi_1105_ = _e817;
-                                        phi_1106_ = false;
-                                        phi_1107_ = false;
-                                    } else {
-                                        phi_1105_ = _e843;
-                                        phi_1106_ = _e847;
-                                        phi_1107_ = _e849;
-                                    }
-                                    let _e851 = phi_1105_;
-                                    let _e853 = phi_1106_;
-                                    let _e855 = phi_1107_;
-                                    if _e853 {
-                                        phi_1111_ = false;
-                                        phi_1112_ = true;
-                                    } else {
-                                        phi_1111_ = _e819;
-                                        phi_1112_ = _e855;
-                                    }
-                                    let _e857 = phi_1111_;
-                                    let _e859 = phi_1112_;
-                                    if _e859 {
-                                        phi_1116_ = _e857;
-                                    } else {
-                                        phi_1116_ = _e851;
+                                        phi_1116_ = bool();
+                                        phi_1117_ = _e841;
+                                        phi_1118_ = _e843;
+                                        phi_1119_ = _e845;
                                     }
                                     let _e861 = phi_1116_;
-                                    phi_1117_ = _e861;
-                                }
-                                let _e863 = phi_1117_;
-                                if _e662.all_remove {
-                                    if (((_e781 & 1u) != 0u) == _e254) {
-                                        if ((_e781 & 2u) != 0u) {
-                                            phi_1135_ = (((_e781 & 4u) != 0u) == _e254);
-                                        } else {
-                                            phi_1135_ = true;
-                                        }
-                                        let _e873 = phi_1135_;
-                                        phi_1136_ = _e873;
+                                    let _e863 = phi_1117_;
+                                    let _e865 = phi_1118_;
+                                    let _e867 = phi_1119_;
+                                    if _e863 {
+                                        phi_1123_ = _e835;
+                                        phi_1124_ = false;
+                                        phi_1125_ = false;
                                     } else {
-                                        phi_1136_ = false;
+                                        phi_1123_ = _e861;
+                                        phi_1124_ = _e865;
+                                        phi_1125_ = _e867;
                                     }
-                                    let _e875 = phi_1136_;
-                                    phi_1137_ = _e875;
-                                } else {
-                                    phi_1137_ = false;
+                                    let _e869 = phi_1123_;
+                                    let _e871 = phi_1124_;
+                                    let _e873 = phi_1125_;
+                                    if _e871 {
+                                        phi_1129_ = false;
+                                        phi_1130_ = true;
+                                    } else {
+                                        phi_1129_ = _e837;
+                                        phi_1130_ = _e873;
+                                    }
+                                    let _e875 = phi_1129_;
+                                    let _e877 = phi_1130_;
+                                    if _e877 {
+                                        phi_1134_ = _e875;
+                                    } else {
+                                        phi_1134_ = _e869;
+                                    }
+                                    let _e879 = phi_1134_;
+                                    phi_1135_ = _e879;
                                 }
-                                let _e877 = phi_1137_;
-                                phi_872_ = (_e660 + 1u);
-                                phi_875_ = lt_mask_Neighbourhood(_e863, _e877);
+                                let _e881 = phi_1135_;
+                                if _e680.all_remove {
+                                    if (((_e799 & 1u) != 0u) == _e254) {
+                                        if ((_e799 & 2u) != 0u) {
+                                            phi_1153_ = (((_e799 & 4u) != 0u) == _e254);
+                                        } else {
+                                            phi_1153_ = true;
+                                        }
+                                        let _e891 = phi_1153_;
+                                        phi_1154_ = _e891;
+                                    } else {
+                                        phi_1154_ = false;
+                                    }
+                                    let _e893 = phi_1154_;
+                                    phi_1155_ = _e893;
+                                } else {
+                                    phi_1155_ = false;
+                                }
+                                let _e895 = phi_1155_;
+                                phi_890_ = (_e678 + 1u);
+                                phi_893_ = lt_mask_Neighbourhood(_e881, _e895);
                             } else {
-                                phi_872_ = u32();
-                                phi_875_ = lt_mask_Neighbourhood();
+                                phi_890_ = u32();
+                                phi_893_ = lt_mask_Neighbourhood();
                             }
-                            let _e881 = phi_872_;
-                            let _e883 = phi_875_;
+                            let _e899 = phi_890_;
+                            let _e901 = phi_893_;
                             continue;
                             continuing {
-                                phi_871_ = _e881;
-                                phi_874_ = _e883;
-                                break if !(_e674);
+                                phi_889_ = _e899;
+                                phi_892_ = _e901;
+                                break if !(_e692);
                             }
                         }
-                        let _e1172 = local_1;
-                        phi_1140_ = _e1172;
+                        let _e1190 = local_1;
+                        phi_1158_ = _e1190;
                     }
-                    let _e886 = phi_1140_;
-                    phi_1141_ = _e886;
+                    let _e904 = phi_1158_;
+                    phi_1159_ = _e904;
                 } else {
-                    phi_1141_ = _e645;
+                    phi_1159_ = _e663;
                 }
-                let _e888 = phi_1141_;
-                phi_1142_ = _e888;
+                let _e906 = phi_1159_;
+                phi_1160_ = _e906;
             } else {
-                phi_1142_ = _e645;
+                phi_1160_ = _e663;
             }
-            let _e890 = phi_1142_;
-            let _e893 = p.member.frame;
-            let _e895 = p.member.refresh;
-            if (_e895 == 0u) {
-                phi_1175_ = false;
+            let _e908 = phi_1160_;
+            let _e911 = p.member.frame;
+            let _e913 = p.member.refresh;
+            if (_e913 == 0u) {
+                phi_1193_ = false;
             } else {
-                if (_e895 == 0u) {
+                if (_e913 == 0u) {
                     return;
                 }
-                let _e904 = ((_e55.x + (_e55.y * (((_e895 * 5u) / 8u) | 1u))) + (_e893 % _e895));
-                if (_e895 == 0u) {
-                    phi_1174_ = (_e904 == 0u);
+                let _e922 = ((_e55.x + (_e55.y * (((_e913 * 5u) / 8u) | 1u))) + (_e911 % _e913));
+                if (_e913 == 0u) {
+                    phi_1192_ = (_e922 == 0u);
                 } else {
-                    if (_e895 == 0u) {
+                    if (_e913 == 0u) {
                         return;
                     }
-                    phi_1174_ = ((_e904 % _e895) == 0u);
+                    phi_1192_ = ((_e922 % _e913) == 0u);
                 }
-                let _e911 = phi_1174_;
-                phi_1175_ = _e911;
+                let _e929 = phi_1192_;
+                phi_1193_ = _e929;
             }
-            let _e913 = phi_1175_;
-            if _e638 {
-                if _e913 {
-                    phi_1197_ = bool();
+            let _e931 = phi_1193_;
+            if _e656 {
+                if _e931 {
+                    phi_1215_ = bool();
                 } else {
-                    phi_1197_ = ((0u & 2u) != 0u);
+                    phi_1215_ = ((0u & 2u) != 0u);
                 }
-                let _e919 = phi_1197_;
-                phi_1198_ = _e919;
-                phi_1199_ = _e913;
+                let _e937 = phi_1215_;
+                phi_1216_ = _e937;
+                phi_1217_ = _e931;
             } else {
-                phi_1198_ = bool();
-                phi_1199_ = true;
+                phi_1216_ = bool();
+                phi_1217_ = true;
             }
-            let _e921 = phi_1198_;
-            let _e923 = phi_1199_;
-            if _e923 {
-                phi_1203_ = false;
+            let _e939 = phi_1216_;
+            let _e941 = phi_1217_;
+            if _e941 {
+                phi_1221_ = false;
             } else {
-                phi_1203_ = _e921;
+                phi_1221_ = _e939;
             }
-            let _e925 = phi_1203_;
-            if _e925 {
-                phi_1254_ = 7u;
+            let _e943 = phi_1221_;
+            if _e943 {
+                phi_1272_ = 7u;
             } else {
                 if (_e96 != 0.5f) {
-                    if _e638 {
-                        if _e913 {
-                            phi_1251_ = 6u;
+                    if _e656 {
+                        if _e931 {
+                            phi_1269_ = 6u;
                         } else {
                             if _e258 {
-                                phi_1226_ = true;
+                                phi_1244_ = true;
                             } else {
-                                if _e890.any_expands {
-                                    phi_1225_ = false;
+                                if _e908.any_expands {
+                                    phi_1243_ = false;
                                 } else {
-                                    phi_1225_ = true;
+                                    phi_1243_ = true;
                                 }
-                                let _e927 = phi_1225_;
-                                phi_1226_ = _e927;
+                                let _e945 = phi_1243_;
+                                phi_1244_ = _e945;
                             }
-                            let _e929 = phi_1226_;
-                            if _e929 {
+                            let _e947 = phi_1244_;
+                            if _e947 {
                                 if _e258 {
                                     if false {
-                                        if _e890.all_remove {
-                                            phi_1239_ = false;
+                                        if _e908.all_remove {
+                                            phi_1257_ = false;
                                         } else {
-                                            phi_1239_ = true;
+                                            phi_1257_ = true;
                                         }
-                                        let _e931 = phi_1239_;
-                                        phi_1240_ = _e931;
+                                        let _e949 = phi_1257_;
+                                        phi_1258_ = _e949;
                                     } else {
-                                        phi_1240_ = true;
+                                        phi_1258_ = true;
                                     }
-                                    let _e933 = phi_1240_;
-                                    phi_1241_ = _e933;
+                                    let _e951 = phi_1258_;
+                                    phi_1259_ = _e951;
                                 } else {
-                                    phi_1241_ = true;
+                                    phi_1259_ = true;
                                 }
-                                let _e935 = phi_1241_;
-                                if _e935 {
+                                let _e953 = phi_1259_;
+                                if _e953 {
                                     if _e258 {
-                                        phi_1248_ = 1u;
+                                        phi_1266_ = 1u;
                                     } else {
-                                        phi_1248_ = 0u;
+                                        phi_1266_ = 0u;
                                     }
-                                    let _e937 = phi_1248_;
-                                    phi_1249_ = _e937;
+                                    let _e955 = phi_1266_;
+                                    phi_1267_ = _e955;
                                 } else {
-                                    phi_1249_ = 5u;
+                                    phi_1267_ = 5u;
                                 }
-                                let _e939 = phi_1249_;
-                                phi_1250_ = _e939;
+                                let _e957 = phi_1267_;
+                                phi_1268_ = _e957;
                             } else {
-                                phi_1250_ = 4u;
+                                phi_1268_ = 4u;
                             }
-                            let _e941 = phi_1250_;
-                            phi_1251_ = _e941;
+                            let _e959 = phi_1268_;
+                            phi_1269_ = _e959;
                         }
-                        let _e943 = phi_1251_;
-                        phi_1252_ = _e943;
+                        let _e961 = phi_1269_;
+                        phi_1270_ = _e961;
                     } else {
-                        phi_1252_ = 3u;
+                        phi_1270_ = 3u;
                     }
-                    let _e945 = phi_1252_;
-                    phi_1253_ = _e945;
+                    let _e963 = phi_1270_;
+                    phi_1271_ = _e963;
                 } else {
-                    phi_1253_ = 2u;
+                    phi_1271_ = 2u;
                 }
-                let _e947 = phi_1253_;
-                phi_1254_ = _e947;
+                let _e965 = phi_1271_;
+                phi_1272_ = _e965;
             }
-            let _e949 = phi_1254_;
-            if !((_e949 == 0u)) {
-                if !((_e949 == 5u)) {
-                    phi_1266_ = !(_e925);
-                    phi_1267_ = false;
+            let _e967 = phi_1272_;
+            if !((_e967 == 0u)) {
+                if !((_e967 == 5u)) {
+                    phi_1284_ = !(_e943);
+                    phi_1285_ = false;
                 } else {
-                    phi_1266_ = bool();
-                    phi_1267_ = true;
+                    phi_1284_ = bool();
+                    phi_1285_ = true;
                 }
-                let _e956 = phi_1266_;
-                let _e958 = phi_1267_;
-                phi_1268_ = _e956;
-                phi_1269_ = _e958;
+                let _e974 = phi_1284_;
+                let _e976 = phi_1285_;
+                phi_1286_ = _e974;
+                phi_1287_ = _e976;
             } else {
-                phi_1268_ = bool();
-                phi_1269_ = true;
+                phi_1286_ = bool();
+                phi_1287_ = true;
             }
-            let _e960 = phi_1268_;
-            let _e962 = phi_1269_;
-            if _e962 {
-                phi_1273_ = false;
+            let _e978 = phi_1286_;
+            let _e980 = phi_1287_;
+            if _e980 {
+                phi_1291_ = false;
             } else {
-                phi_1273_ = _e960;
+                phi_1291_ = _e978;
             }
-            let _e964 = phi_1273_;
-            if _e925 {
-                phi_1279_ = ((0u & 4u) != 0u);
+            let _e982 = phi_1291_;
+            if _e943 {
+                phi_1297_ = ((0u & 4u) != 0u);
             } else {
-                phi_1279_ = _e254;
+                phi_1297_ = _e254;
             }
-            let _e968 = phi_1279_;
-            if _e964 {
+            let _e986 = phi_1297_;
+            if _e982 {
                 if _e254 {
-                    phi_1287_ = (2u | 1u);
+                    phi_1305_ = (2u | 1u);
                 } else {
-                    phi_1287_ = 2u;
+                    phi_1305_ = 2u;
                 }
-                let _e971 = phi_1287_;
+                let _e989 = phi_1305_;
                 if false {
-                    phi_1292_ = (_e971 | 4u);
+                    phi_1310_ = (_e989 | 4u);
                 } else {
-                    phi_1292_ = _e971;
+                    phi_1310_ = _e989;
                 }
-                let _e974 = phi_1292_;
-                phi_1312_ = _e974;
+                let _e992 = phi_1310_;
+                phi_1330_ = _e992;
             } else {
-                if (_e949 == 7u) {
+                if (_e967 == 7u) {
                     if _e254 {
-                        phi_1301_ = (2u | 1u);
+                        phi_1319_ = (2u | 1u);
                     } else {
-                        phi_1301_ = 2u;
+                        phi_1319_ = 2u;
                     }
-                    let _e978 = phi_1301_;
-                    if _e968 {
-                        phi_1306_ = (_e978 | 4u);
+                    let _e996 = phi_1319_;
+                    if _e986 {
+                        phi_1324_ = (_e996 | 4u);
                     } else {
-                        phi_1306_ = _e978;
+                        phi_1324_ = _e996;
                     }
-                    let _e981 = phi_1306_;
-                    phi_1311_ = _e981;
+                    let _e999 = phi_1324_;
+                    phi_1329_ = _e999;
                 } else {
                     if _e254 {
-                        phi_1310_ = 1u;
+                        phi_1328_ = 1u;
                     } else {
-                        phi_1310_ = 0u;
+                        phi_1328_ = 0u;
                     }
-                    let _e983 = phi_1310_;
-                    phi_1311_ = _e983;
+                    let _e1001 = phi_1328_;
+                    phi_1329_ = _e1001;
                 }
-                let _e985 = phi_1311_;
-                phi_1312_ = _e985;
+                let _e1003 = phi_1329_;
+                phi_1330_ = _e1003;
             }
-            let _e987 = phi_1312_;
-            if _e968 {
-                phi_1316_ = 0f;
+            let _e1005 = phi_1330_;
+            if _e986 {
+                phi_1334_ = 0f;
             } else {
-                phi_1316_ = 1f;
+                phi_1334_ = 1f;
             }
-            let _e989 = phi_1316_;
-            phi_1318_ = mask_Masked(_e989, _e987, _e964);
+            let _e1007 = phi_1334_;
+            phi_1336_ = mask_Masked(_e1007, _e1005, _e982);
         }
-        let _e992 = phi_1318_;
-        visibility.member[_e72.shift] = _e992.visibility;
-        let _e997 = p.member.light.number;
-        let _e998 = (_e997 * 3u);
-        let _e1000 = (_e998 % 32u);
-        let _e1002 = p.member.light.mask_words;
-        let _e1004 = ((_e72.shift * _e1002) + (_e998 / 32u));
-        let _e1006 = bits.member[_e1004];
-        bits.member[_e1004] = ((_e1006 & ~((7u << bitcast<u32>((_e1000 & 31u))))) | (_e992.bits << bitcast<u32>((_e1000 & 31u))));
-        if (_e1000 > 29u) {
-            let _e1021 = bits.member[(_e1004 + 1u)];
-            let _e1023 = (32u - _e1000);
-            bits.member[(_e1004 + 1u)] = ((_e1021 & ~((7u >> bitcast<u32>((_e1023 & 31u))))) | (_e992.bits >> bitcast<u32>((_e1023 & 31u))));
+        let _e1010 = phi_1336_;
+        visibility.member[_e72.shift] = _e1010.visibility;
+        let _e1015 = p.member.light.number;
+        let _e1016 = (_e1015 * 3u);
+        let _e1018 = (_e1016 % 32u);
+        let _e1020 = p.member.light.mask_words;
+        let _e1022 = ((_e72.shift * _e1020) + (_e1016 / 32u));
+        let _e1024 = bits.member[_e1022];
+        bits.member[_e1022] = ((_e1024 & ~((7u << bitcast<u32>((_e1018 & 31u))))) | (_e1010.bits << bitcast<u32>((_e1018 & 31u))));
+        if (_e1018 > 29u) {
+            let _e1039 = bits.member[(_e1022 + 1u)];
+            let _e1041 = (32u - _e1018);
+            bits.member[(_e1022 + 1u)] = ((_e1039 & ~((7u >> bitcast<u32>((_e1041 & 31u))))) | (_e1010.bits >> bitcast<u32>((_e1041 & 31u))));
         }
-        phi_1368_ = _e992.needs_ray;
-        phi_1369_ = _e72.shift;
+        phi_1386_ = _e1010.needs_ray;
+        phi_1387_ = _e72.shift;
     } else {
-        phi_1368_ = false;
-        phi_1369_ = 0u;
+        phi_1386_ = false;
+        phi_1387_ = 0u;
     }
-    let _e1037 = phi_1368_;
-    let _e1039 = phi_1369_;
+    let _e1055 = phi_1386_;
+    let _e1057 = phi_1387_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1037 {
-        let _e1043 = atomicAdd((&shared_[0u]), 1u);
-        phi_1380_ = _e1043;
+    if _e1055 {
+        let _e1061 = atomicAdd((&shared_[0u]), 1u);
+        phi_1398_ = _e1061;
     } else {
-        phi_1380_ = 0u;
+        phi_1398_ = 0u;
     }
-    let _e1045 = phi_1380_;
+    let _e1063 = phi_1398_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e1049 = atomicLoad((&shared_[0u]));
-        let _e1050 = atomicAdd((&list.member[3u]), _e1049);
-        atomicStore((&shared_[1u]), _e1050);
+        let _e1067 = atomicLoad((&shared_[0u]));
+        let _e1068 = atomicAdd((&list.member[3u]), _e1067);
+        atomicStore((&shared_[1u]), _e1068);
     }
     workgroupBarrier();
-    if _e1037 {
-        let _e1053 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1053) + _e1045)]), _e1039);
+    if _e1055 {
+        let _e1071 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1071) + _e1063)]), _e1057);
     }
     return;
 }

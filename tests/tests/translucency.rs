@@ -52,7 +52,7 @@ fn blended(color: Vec4) -> Material {
 fn setup(scene: &Scene) -> Setup {
     Setup {
         map_size: 512,
-        packing: Packing { traces_translucency: true, bakes_copies: true },
+        packing: Packing { traces_translucency: true, bakes_copies: true, layers_behind: 0 },
         ..Setup::for_scene(scene, 160, 100)
     }
 }

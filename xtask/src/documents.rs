@@ -22,7 +22,8 @@ pub fn renew(page: &Path, part: &Path, marks: [&str; 2]) -> Result<()> {
 /// # Errors
 /// A file that cannot be read or written.
 pub fn copy(from: &Path, to: &Path) -> Result<()> {
-    files::replace(to, read(from)?.as_bytes()).map(drop)
+    let content = fs::read(from).with_context(|| format!("cannot read {}", from.display()))?;
+    files::replace(to, &content).map(drop)
 }
 
 fn read(path: &Path) -> Result<String> {

@@ -9,7 +9,7 @@ use crate::{documents, leak_tracing, workspace};
 /// Whose tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Paper {
-    /// Aila and Laine 2004: Table 1, close-ups, the hair ball
+    /// Aila and Laine 2004: Table 1, close-ups, the hair ball, samples per pixel, Figures 3 and 4
     AliasFree,
     /// Kern, Brüll and Grosch 2024: Tables 2 and 3, Figures 8 and 10, the scale test
     LeakTracing,
@@ -21,6 +21,14 @@ impl Paper {
         match self {
             Paper::AliasFree => "alias-free",
             Paper::LeakTracing => "leak-tracing",
+        }
+    }
+
+    /// Pictures of the page.
+    fn pictures(self) -> &'static [&'static str] {
+        match self {
+            Paper::AliasFree => &["alias-free.svg", "alias-free-zoom.png", "alias-free-tree.png"],
+            Paper::LeakTracing => &["leak-tracing.svg"],
         }
     }
 }
@@ -70,6 +78,8 @@ pub fn run(args: &Args) -> Result<()> {
                     "8",
                     "--hairs",
                     "50",
+                    "--sampled",
+                    "random:10000",
                     "--repeats",
                     "1",
                 ]);
@@ -83,13 +93,15 @@ pub fn run(args: &Args) -> Result<()> {
     }
     let results = workspace::root().join("docs/results");
     let name = args.paper.page();
-    let (text, plot) = (format!("{name}.md"), format!("{name}.svg"));
+    let (text, pictures) = (format!("{name}.md"), args.paper.pictures());
     if args.docs {
         documents::renew(&results.join(&text), &out.join(&text), MARKS)?;
-        documents::copy(&out.join(&plot), &results.join(&plot))?;
-        println!("renewed: {}, {plot}", results.join(&text).display());
+        for picture in pictures {
+            documents::copy(&out.join(picture), &results.join(picture))?;
+        }
+        println!("renewed: {}, {}", results.join(&text).display(), pictures.join(", "));
     } else {
-        println!("written: {}, {plot}", out.join(&text).display());
+        println!("written: {}, {}", out.join(&text).display(), pictures.join(", "));
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use std::{
     sync::atomic::AtomicBool,
 };
 
-use lt_render::{CompareOptions, Comparison, LightStats, Row, Session, Technique};
+use lt_render::{CompareOptions, Comparison, LightStats, Row, SampleGrid, Session, Technique};
 use rayon::prelude::*;
 
 use crate::{
@@ -49,7 +49,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
         false => flips(session, &comparison)?,
     };
     let summary = Summary::of(&opened.name, session);
-    let is_valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
+    let is_valid = session.valid_samples();
 
     let mut out = std::io::stdout().lock();
     writeln!(out, "{}\n\n{}", summary.headline(), text_table(&comparison))?;
@@ -138,12 +138,13 @@ fn flips(session: &mut Session, comparison: &Comparison) -> anyhow::Result<Vec<u
 const SETTLED: &str = "techniques with a mask (lt-…) as they have settled: their first frame traces every pixel; --frames N shows a path\n";
 
 fn text_table(comparison: &Comparison) -> String {
+    let [rays, cluster] = per_unit_headings(comparison.samples);
     let columns = [
         ("technique", Align::Left),
-        ("rays\n/pixel", Align::Right),
+        (&rays[..], Align::Right),
         ("false-lit\nppm", Align::Right),
         ("false-shadowed\nppm", Align::Right),
-        ("largest wrong\ncluster px", Align::Right),
+        (&cluster[..], Align::Right),
         ("FLIP", Align::Right),
         ("map\nms", Align::Right),
         ("shadow\nms", Align::Right),
@@ -167,22 +168,30 @@ fn text_table(comparison: &Comparison) -> String {
     let rows: Vec<_> = comparison.rows.iter().zip(frontier_of(comparison)).map(row).collect();
     let is_settled = comparison.rows.iter().any(|row| row.technique.mask.is_some() && row.frames.is_empty());
     format!(
-        "{}\n* no other row is both faster and more right; ppm of {} pixels with geometry; medians\n{}",
+        "{}\n* no other row is both faster and more right; ppm of {} {}s with geometry; medians\n{}",
         table::render(&columns, &rows),
         grouped(comparison.valid_pixels),
+        comparison.samples.unit(),
         if is_settled { SETTLED } else { "" }
     )
 }
 
+/// Headings of what counts pixels, or samples.
+fn per_unit_headings(samples: SampleGrid) -> [String; 2] {
+    let px = if samples == SampleGrid::ONE { " px" } else { "" };
+    [format!("rays\n/{}", samples.unit()), format!("largest wrong\ncluster{px}")]
+}
+
 /// Each light's share of every technique. Lights count from 0 in the order asked for.
 fn light_table(comparison: &Comparison) -> String {
+    let [rays, cluster] = per_unit_headings(comparison.samples);
     let columns = [
         ("technique", Align::Left),
         ("light", Align::Right),
-        ("rays\n/pixel", Align::Right),
+        (&rays[..], Align::Right),
         ("false-lit\nppm", Align::Right),
         ("false-shadowed\nppm", Align::Right),
-        ("largest wrong\ncluster px", Align::Right),
+        (&cluster[..], Align::Right),
     ];
     let row = |row: &Row| {
         let id = row.technique.to_string();
@@ -200,13 +209,15 @@ fn light_table(comparison: &Comparison) -> String {
     };
     let rows: Vec<_> = comparison.rows.iter().flat_map(row).collect();
     format!(
-        "{}\nabove: rays of all lights; rates count every pixel once for each light\n",
-        table::render(&columns, &rows)
+        "{}\nabove: rays of all lights; rates count every {} once for each light\n",
+        table::render(&columns, &rows),
+        comparison.samples.unit()
     )
 }
 
-/// Per technique: picture, signed errors and rays as PNG, visibility and doubt as EXR; and the reference.
-fn write_images(dir: &Path, comparison: &Comparison, is_valid: &[bool]) -> anyhow::Result<()> {
+/// Per technique: picture, signed errors and rays as PNG, visibility and doubt of the first layer as EXR, sample by sample; and the
+/// reference.
+fn write_images(dir: &Path, comparison: &Comparison, is_valid: &[Vec<bool>]) -> anyhow::Result<()> {
     let reference = Picture::new(comparison.size, comparison.reference_picture.clone());
     write_png(dir.join("reference.png"), &reference)?;
     comparison.rows.par_iter().try_for_each(|row| {
@@ -219,7 +230,8 @@ fn write_images(dir: &Path, comparison: &Comparison, is_valid: &[bool]) -> anyho
         write_png(dir.join(format!("{name}.rays.png")), &error_map::over_dimmed(&rays, under))?;
         let channels =
             vec![("visibility.Y", row.frame.visibility.clone()), ("doubt.Y", as_floats(&row.frame.doubt))];
-        files::write(&dir.join(format!("{name}.exr")), |to| exr_file::write(to, comparison.size, channels))
+        let size = comparison.size_in_samples();
+        files::write(&dir.join(format!("{name}.exr")), |to| exr_file::write(to, size, channels))
     })
 }
 

@@ -16,28 +16,41 @@ pub const RAY: [u8; 4] = [40, 200, 120, 255];
 /// No mark.
 pub const CLEAR: [u8; 4] = [0; 4];
 
-/// Marks of wrong pixels over nothing: transparent where the technique is right or nothing is visible. Where several lights are
-/// wrong, the first one's mark.
-pub fn error_marks(comparison: &Comparison, row: &Row, is_valid: &[bool]) -> Picture {
-    let mut pixels = vec![CLEAR; is_valid.len()];
-    for (truth, frame) in comparison.reference.each_light().iter().zip(row.frame.each_light()) {
-        let visibilities = truth.visibility.iter().zip(&frame.visibility);
-        for ((pixel, &valid), (&truth, &visibility)) in pixels.iter_mut().zip(is_valid).zip(visibilities) {
-            *pixel = match verdict(truth, visibility) {
-                Verdict::FalseLit if valid && *pixel == CLEAR => FALSE_LIT,
-                Verdict::FalseShadowed if valid && *pixel == CLEAR => FALSE_SHADOWED,
-                _ => *pixel,
-            };
+/// Marks of wrong pixels over nothing: transparent where the technique is right or nothing is visible. Where several samples,
+/// layers or lights are wrong, the first one's mark. `is_valid` has a picture for each layer.
+pub fn error_marks(comparison: &Comparison, row: &Row, is_valid: &[Vec<bool>]) -> Picture {
+    let mut pixels = clear_pixels(comparison);
+    let layers = comparison.reference.each_layer().iter().zip(row.frame.each_layer());
+    for (is_valid, (truth, frame)) in is_valid.iter().zip(layers) {
+        for (truth, frame) in truth.each_light().iter().zip(frame.each_light()) {
+            let visibilities = truth.visibility.iter().zip(&frame.visibility);
+            for (i, (&valid, (&truth, &visibility))) in is_valid.iter().zip(visibilities).enumerate() {
+                let pixel = &mut pixels[comparison.samples.pixel_of(i, comparison.size[0])];
+                *pixel = match verdict(truth, visibility) {
+                    Verdict::FalseLit if valid && *pixel == CLEAR => FALSE_LIT,
+                    Verdict::FalseShadowed if valid && *pixel == CLEAR => FALSE_SHADOWED,
+                    _ => *pixel,
+                };
+            }
         }
     }
     Picture::new(comparison.size, pixels)
 }
 
-/// Marks of doubted pixels over nothing.
+/// Marks over nothing of pixels with a doubted sample, in any layer.
 pub fn ray_marks(comparison: &Comparison, row: &Row) -> Picture {
     let traces = row.technique.resolve.is_exact();
-    let pixels = row.frame.doubt.iter().map(|&d| if d && traces { RAY } else { CLEAR }).collect();
+    let mut pixels = clear_pixels(comparison);
+    for layer in row.frame.each_layer() {
+        for (i, _) in layer.doubt.iter().enumerate().filter(|(_, is_doubted)| **is_doubted && traces) {
+            pixels[comparison.samples.pixel_of(i, comparison.size[0])] = RAY;
+        }
+    }
     Picture::new(comparison.size, pixels)
+}
+
+fn clear_pixels(comparison: &Comparison) -> Vec<[u8; 4]> {
+    vec![CLEAR; comparison.size[0] as usize * comparison.size[1] as usize]
 }
 
 /// The picture in grey at less than half its brightness, under the marks.
@@ -96,6 +109,15 @@ mod tests {
         };
         let pixels = rows.iter().flat_map(|r| r.bytes().map(color)).collect();
         Picture::new([rows[0].len() as u32, rows.len() as u32], pixels)
+    }
+
+    #[test]
+    fn a_pixel_shows_what_any_of_its_samples_is() {
+        // Four by two samples are two pixels; the one sample that `sm` gets wrong lies in the second.
+        let samples = lt_render::SampleGrid::of(4).unwrap();
+        let comparison = Comparison { size: [2, 1], samples, ..crate::fixture::comparison() };
+        assert_eq!(error_marks(&comparison, &comparison.rows[1], &[vec![true; 8]]), marks(&[".o"]));
+        assert_eq!(ray_marks(&comparison, &comparison.rows[0]).pixels, [RAY; 2]);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use lt_math::glam::Vec3;
 use lt_render::{
     Comparison, Effect, EffectPlan, Frame, FrameStats, LightStats, MaskBits, PassKind, PassTime, Row,
-    Technique, metrics,
+    SampleGrid, Technique, metrics,
 };
 
 use crate::{
@@ -18,6 +18,7 @@ pub fn summary() -> Summary {
         triangles: 12,
         instances: 1,
         size: [4, 2],
+        samples_per_pixel: 1,
         backend: "cpu",
         device: "test".into(),
         threads: 2,
@@ -48,7 +49,14 @@ pub fn comparison() -> Comparison {
     leaking[2] = 1.0;
     let reference = frame(truth, true);
     let rows = vec![row("ray", &reference, 8.0, 8), row("sm", &frame(leaking, false), 2.0, 0)];
-    Comparison { size: [4, 2], valid_pixels: 8, reference_picture: picture(&reference), reference, rows }
+    Comparison {
+        size: [4, 2],
+        samples: SampleGrid::ONE,
+        valid_pixels: 8,
+        reference_picture: picture(&reference),
+        reference,
+        rows,
+    }
 }
 
 /// The same over two frames; `sm` stands in for a technique with a mask, pictured in the second.
@@ -91,6 +99,7 @@ fn frame(visibility: Vec<f32>, doubt: bool) -> Frame {
         mask: Vec::new(),
         map_draws: 0,
         lights: Vec::new(),
+        layers: Vec::new(),
     }
 }
 
@@ -120,6 +129,7 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
             object_motion: false,
             reuse: false,
             tint: false,
+            layers: 1,
             effects: vec![effect],
         },
         rays_per_pixel: rays as f64 / 8.0,

@@ -240,9 +240,11 @@ fn pictured(frames: usize) -> Vec<usize> {
     all
 }
 
-/// A table of what every technique did along the path; with nothing moving, also how many frames it took until as many pixels
-/// were wrong as in the last one, and how many those are.
+/// A table of what every technique did along the path; with nothing moving, also how many frames it took until as many pixels (or
+/// samples) were wrong as in the last one, and how many those are.
 pub fn text_table(comparison: &Comparison, flips: &[u64], is_still: bool) -> String {
+    let unit = comparison.samples.unit();
+    let (rays, left) = (format!("rays /{unit}\nmedian"), format!("wrong {unit}s\nleft"));
     let mut columns = vec![
         ("technique", Align::Left),
         ("false-lit ppm\nmedian", Align::Right),
@@ -251,7 +253,7 @@ pub fn text_table(comparison: &Comparison, flips: &[u64], is_still: bool) -> Str
         ("false-shadowed ppm\nmedian", Align::Right),
         ("\np95", Align::Right),
         ("\nmax", Align::Right),
-        ("rays /pixel\nmedian", Align::Right),
+        (&rays[..], Align::Right),
         ("\nmax", Align::Right),
         ("map\ndraws", Align::Right),
         ("flips\nstill", Align::Right),
@@ -259,7 +261,7 @@ pub fn text_table(comparison: &Comparison, flips: &[u64], is_still: bool) -> Str
         ("\nmax", Align::Right),
     ];
     if is_still {
-        columns.extend([("settled\nafter", Align::Right), ("wrong px\nleft", Align::Right)]);
+        columns.extend([("settled\nafter", Align::Right), (&left[..], Align::Right)]);
     }
     let row = |(row, &flips): (&Row, &u64)| {
         let mut cells = text_row(row, flips);

@@ -77,7 +77,8 @@ fn dump(dir: &Path, session: &mut Session, frame: &Frame) -> anyhow::Result<()> 
         channels.extend([("tint.R", tint(|t| t.x)), ("tint.G", tint(|t| t.y)), ("tint.B", tint(|t| t.z))]);
     }
     let setup = session.setup();
-    files::write(&dir.join("frame.exr"), |to| exr_file::write(to, setup.size.to_array(), channels))?;
+    let size = setup.size_in_samples().to_array();
+    files::write(&dir.join("frame.exr"), |to| exr_file::write(to, size, channels))?;
     files::write(&dir.join("camera.json"), |to| {
         serde_json::to_writer_pretty(&mut *to, &View::of(setup))?;
         Ok(to.write_all(b"\n")?)

@@ -3,7 +3,7 @@
 use anyhow::Context;
 use clap::{Args, value_parser};
 use lt_math::glam::{UVec2, Vec3};
-use lt_render::{BackendKind, RenderError, Session, Setup, Technique, Upkeep};
+use lt_render::{BackendKind, RenderError, SampleGrid, Session, Setup, Technique, Upkeep};
 use lt_scene::{Camera, Light, LightKind, Scene, Source};
 
 use crate::{
@@ -22,6 +22,10 @@ pub struct SceneArgs {
     /// Picture size in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = values::size, help_heading = "View and light")]
     pub size: UVec2,
+    /// Samples per pixel: 1, 2, 4, 8, 16 or 32. Shadows are found, and errors and rays counted, sample by sample; pictures are their
+    /// mean
+    #[arg(long, value_name = "N", default_value = "1", value_parser = values::samples, help_heading = "View and light")]
+    pub samples: SampleGrid,
     /// Where to run: auto takes a GPU unless it is a software one, else the CPU
     #[arg(long, value_name = "cpu|gpu|auto", default_value = "auto", help_heading = "Machine")]
     pub backend: BackendKind,
@@ -70,6 +74,10 @@ pub struct SceneArgs {
     /// Let translucent surfaces (blended, or with KHR_materials_transmission) tint the light; else they block it or not
     #[arg(long, help_heading = "Scene")]
     pub translucent: bool,
+    /// See through translucent surfaces: so many layers of what lies behind one another, each with shadows of its own; the last one
+    /// hides the rest [default: 1]
+    #[arg(long, value_name = "N", requires = "translucent", value_parser = value_parser!(u32).range(1..=16), help_heading = "Scene")]
+    pub layers: Option<u32>,
     /// Shadow map resolution, a multiple of 64 [default: 2048]
     #[arg(long, value_name = "N", value_parser = values::map_size, help_heading = "Techniques")]
     pub map_size: Option<u32>,
@@ -158,6 +166,7 @@ impl SceneArgs {
 
     fn setup(&self, scene: &Scene) -> Result<Setup, Usage> {
         let mut setup = Setup::for_scene(scene, self.size.x, self.size.y);
+        setup.samples = self.samples;
         if let Some(index) = self.camera {
             setup.camera = pick("--camera", index, &scene.cameras)?;
         }
@@ -166,6 +175,7 @@ impl SceneArgs {
         setup.more_lights = lights.collect();
         self.aim(&mut setup.camera)?;
         setup.packing.traces_translucency = self.translucent;
+        setup.packing.layers_behind = self.layers.map_or(0, |layers| layers - 1);
         setup.map_size = self.map_size.unwrap_or(setup.map_size);
         Ok(setup)
     }
@@ -289,9 +299,12 @@ mod tests {
             ["--epsilon", "0.5"],
             ["--time", "inf"],
             ["--light-dir", "0,0,0"],
+            ["--samples", "3"],
+            ["--samples", "64"],
         ] {
             assert!(parse(&words).is_err(), "{words:?}");
         }
+        assert!(parse(&["--layers", "2"]).is_err() && parse(&["--layers", "17", "--translucent"]).is_err());
         assert!(parse(&["--light", "0", "--light-dir", "0,-1,0"]).is_err());
         assert!(parse(&["--light", "0", "--lights", "all"]).is_err());
         assert!(parse(&["--light", "0", "--light-pos", "0,-1,0"]).is_err());

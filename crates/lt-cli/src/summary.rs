@@ -71,6 +71,8 @@ pub struct Summary {
     pub instances: u64,
     /// Width and height, pixels.
     pub size: [u32; 2],
+    /// Samples of each pixel, which is what rates and rays count.
+    pub samples_per_pixel: u32,
     /// `cpu` or `gpu`.
     pub backend: &'static str,
     /// Name of the processor or adapter.
@@ -104,6 +106,7 @@ impl Summary {
             triangles: info.stats.triangles,
             instances: info.stats.instances,
             size: setup.size.to_array(),
+            samples_per_pixel: setup.samples.count(),
             backend: session.backend_name(),
             device: session.device_name(),
             threads: rayon::current_num_threads(),
@@ -118,15 +121,23 @@ impl Summary {
         }
     }
 
+    /// Size and samples of the picture.
+    pub fn picture(&self) -> String {
+        let [width, height] = self.size;
+        match self.samples_per_pixel {
+            1 => format!("{width}×{height}"),
+            n => format!("{width}×{height}, {n} samples per pixel"),
+        }
+    }
+
     /// One line about scene, size, device and BVH.
     pub fn headline(&self) -> String {
         let plural = if self.threads == 1 { "" } else { "s" };
         format!(
-            "{} · {} triangles · {}×{} · {} ({}) · {} thread{plural} · BVH {} ms",
+            "{} · {} triangles · {} · {} ({}) · {} thread{plural} · BVH {} ms",
             self.scene,
             grouped(self.triangles),
-            self.size[0],
-            self.size[1],
+            self.picture(),
             self.backend,
             self.device,
             self.threads,

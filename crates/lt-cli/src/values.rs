@@ -1,7 +1,7 @@
 //! Parsers for the values of options: every one refuses what is not finite or out of range, and says what is right.
 
 use lt_math::glam::{UVec2, Vec3};
-use lt_render::Technique;
+use lt_render::{SampleGrid, Technique};
 
 /// Most pixels of a picture: 8K.
 const MAX_PIXELS: u64 = 7680 * 4320;
@@ -75,6 +75,12 @@ pub fn size(text: &str) -> Result<UVec2, String> {
         return Err(format!("more than {MAX_PIXELS} pixels (7680x4320)"));
     }
     Ok(UVec2::new(width, height))
+}
+
+/// A number of samples per pixel.
+pub fn samples(text: &str) -> Result<SampleGrid, String> {
+    let count = text.parse().map_err(|_| "not a number of samples; write 1, 2, 4, 8, 16 or 32".to_owned())?;
+    SampleGrid::of(count).map_err(|e| e.to_string())
 }
 
 /// A shadow map resolution.

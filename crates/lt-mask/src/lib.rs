@@ -44,7 +44,7 @@
 //!
 //! // Now the map calls pixel (2, 1) lit; it has not moved.
 //! let (pixel, visibility, frame) = (UVec2::new(2, 1), 1.0, 0);
-//! let place = reproject(pixel, Vec2::ZERO, size);
+//! let place = reproject(pixel, pixel.as_vec2() + 0.5, Vec2::ZERO, size);
 //! let mut neighbourhood = Neighbourhood::EMPTY;
 //! for i in 0..Pattern::FULL_3X3.neighbour_count() {
 //!     let n = Pattern::FULL_3X3.neighbour(i, place.pixel, frame, size);

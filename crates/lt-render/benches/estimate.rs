@@ -1,19 +1,19 @@
 //! Map evaluation: nanoseconds per pixel of the batched evaluator beside the shared per-pixel function.
 //!
-//! `street` at 1920×1080, one 2048² map, samples in 32×32 tiles, Morton order inside. Before every pass 256 MB are read
-//! and written, so that neither map nor samples are in a cache. One thread, by its own CPU time; interleaved repeats, medians. Per pixel of the picture, settled ones included, and per pixel that the map
-//! answers. Run: `cargo bench -p lt-render --bench estimate`.
+//! `street` at 1920×1080, one 2048² map or the three of the default, samples in 32×32 tiles, Morton order inside. Before every pass 256 MB are read
+//! and written, so that neither map nor samples are in a cache. One thread, by its own CPU time; interleaved repeats, medians.
+//! Per pixel of the picture, settled ones included, and per pixel that faces the light. Run: `cargo bench -p lt-render --bench estimate`.
 
 use std::hint::black_box;
 use std::time::Duration;
 
 use lt_math::glam::UVec2;
-use lt_math::{Evsm, Vsm};
-use lt_render::cpu::{BatchTest, CpuBackend, evaluate_batch};
+use lt_math::{Evsm, Levels, LightProjection, Vsm};
+use lt_render::cpu::{BatchTest, CpuBackend, evaluate_batch, evaluate_batch_levels};
 use lt_render::{Backend, BackendKind, PackedScene, PassKind, Session, Setup};
 use lt_scene::Source;
 use lt_shaders::abi::{Sample, ShadowParams};
-use lt_shaders::evaluate::{GatheredDepths, evaluate, settle};
+use lt_shaders::evaluate::{GatheredDepths, evaluate, evaluate_levels, settle};
 
 const REPEATS: usize = 15;
 const SIZE: UVec2 = UVec2::new(1920, 1080);
@@ -25,22 +25,33 @@ fn main() {
     let session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
     let samples = in_tiles(session.samples());
     let mut backend = CpuBackend::new(PackedScene::new(&scene).expect("packs"));
-    println!("technique    pixels   by map |  batch ns/px  (by map)  shared ns/px  (by map) | ratio");
-    for id in ["vsm", "ltt-vsm", "evsm", "ltt-evsm"] {
+    println!("technique           pixels   facing |  batch ns/px  (facing)  shared ns/px  (facing) | ratio");
+    for id in ["vsm", "ltt-vsm:cascades=1", "evsm", "ltt-evsm:cascades=1", "ltt-evsm"] {
         let job = session.job(&id.parse().expect("id"));
         backend.begin(&job).expect("begins");
         backend.pass(PassKind::DepthMap, &job).expect("draws");
-        let (p, depths) = (&job.shadow, backend.depth_map());
-        match id {
-            "vsm" => row::<Vsm, false>(id, &samples, p, depths),
-            "ltt-vsm" => row::<Vsm, true>(id, &samples, p, depths),
-            "evsm" => row::<Evsm, false>(id, &samples, p, depths),
-            _ => row::<Evsm, true>(id, &samples, p, depths),
+        let levels = job.searched_levels();
+        let maps = Maps { p: &job.shadow, levels: levels.as_deref(), depths: backend.depth_map() };
+        match (id.contains("evsm"), id.starts_with("ltt-")) {
+            (false, false) => row::<Vsm, false>(id, &samples, maps),
+            (false, true) => row::<Vsm, true>(id, &samples, maps),
+            (true, false) => row::<Evsm, false>(id, &samples, maps),
+            (true, true) => row::<Evsm, true>(id, &samples, maps),
         }
     }
 }
 
-fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], p: &ShadowParams, depths: &[f32]) {
+/// What is looked up.
+#[derive(Clone, Copy)]
+struct Maps<'a> {
+    p: &'a ShadowParams,
+    /// Several maps, or one by `p`.
+    levels: Option<&'a [LightProjection]>,
+    depths: &'a [f32],
+}
+
+fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], maps: Maps<'_>) {
+    let Maps { p, levels, depths } = maps;
     let mut cache = vec![1u64; 32 << 20];
     let new = || (vec![0.0f32; samples.len()], vec![false; samples.len()]);
     let mut answers = [new(), new()];
@@ -50,10 +61,12 @@ fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], p: &ShadowPa
             cache.iter_mut().for_each(|x| *x = x.wrapping_mul(3));
             black_box(&cache);
             let start = thread_time();
-            if way == 0 {
-                evaluate_batch::<T, LTT>(samples, p, depths, lit, doubted);
-            } else {
-                one_by_one::<T, LTT>(samples, p, depths, lit, doubted);
+            match (way, levels) {
+                (0, None) => evaluate_batch::<T, LTT>(samples, p, depths, lit, doubted),
+                (0, Some(levels)) => {
+                    evaluate_batch_levels::<T, LTT>(samples, p, levels, depths, lit, doubted);
+                }
+                _ => one_by_one::<T, LTT>(samples, maps, lit, doubted),
             }
             if round > 0 {
                 times[way].push(thread_time() - start);
@@ -68,7 +81,7 @@ fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], p: &ShadowPa
     });
     let (all, mapped) = (samples.len() as f64, by_map as f64);
     println!(
-        "{id:<10} {all:>8} {mapped:>8} | {:>12.2} {:>9.2} {:>13.2} {:>9.2} | {:>5.2}",
+        "{id:<20} {all:>8} {mapped:>8} | {:>12.2} {:>9.2} {:>13.2} {:>9.2} | {:>5.2}",
         batch / all,
         batch / mapped,
         shared / all,
@@ -79,14 +92,19 @@ fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], p: &ShadowPa
 
 fn one_by_one<T: BatchTest, const LTT: bool>(
     samples: &[Sample],
-    p: &ShadowParams,
-    depths: &[f32],
+    Maps { p, levels, depths }: Maps<'_>,
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
     let map = GatheredDepths { depths };
     for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
-        let verdict = evaluate::<T, _, LTT>(sample, p, map);
+        let verdict = match levels {
+            None => evaluate::<T, _, LTT>(sample, p, map),
+            Some(all) => {
+                let levels = Levels { projections: all, count: all.len() as u32 };
+                evaluate_levels::<T, _, _, LTT>(sample, p, map, levels)
+            }
+        };
         *visibility = verdict.visibility;
         *is_doubted = verdict.is_doubted;
     }

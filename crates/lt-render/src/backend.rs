@@ -98,6 +98,8 @@ pub struct FrameJob {
     /// The slot of the technique's first light. A backend that packs the histories of all lights into one keeps it there, and
     /// turns it over when the first light ([`lt_shaders::abi::LightParams::number`] 0) begins a frame.
     pub history_slot: usize,
+    /// Which layer of what the camera sees the passes run on, from the front.
+    pub layer: u32,
 }
 
 impl FrameJob {
@@ -143,11 +145,11 @@ pub trait Backend {
     /// [`RenderError::Gpu`] when the device fails.
     fn camera(&mut self, params: &CameraParams, plan: &EffectPlan) -> Result<Option<f64>, RenderError>;
 
-    /// The samples of the last camera pass, row by row from the top.
+    /// The samples of the last camera pass, layer by layer from the front, row by row from the top.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails.
-    fn samples(&mut self) -> Result<Vec<Sample>, RenderError>;
+    fn samples(&mut self) -> Result<Vec<Vec<Sample>>, RenderError>;
 
     /// Starts a frame.
     ///
@@ -167,11 +169,11 @@ pub trait Backend {
     /// [`RenderError::Gpu`] when the device fails.
     fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError>;
 
-    /// Shades the samples under these lights, at least one, sRGB.
+    /// Shades the samples of all layers, each under its lights, at least one, and gives the pixels' means, sRGB.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails.
-    fn shade(&mut self, lights: &[ShadedLight<'_>]) -> Result<Vec<[u8; 4]>, RenderError>;
+    fn shade(&mut self, layers: &[Vec<ShadedLight<'_>>]) -> Result<Vec<[u8; 4]>, RenderError>;
 }
 
 /// A light and how much of it reaches each pixel.
@@ -179,9 +181,9 @@ pub trait Backend {
 pub struct ShadedLight<'a> {
     /// Camera and haze, the same for all lights of a picture, and the light.
     pub params: ShadeParams,
-    /// Row by row.
+    /// Sample by sample, row by row.
     pub visibility: &'a [f32],
-    /// Row by row; empty for white.
+    /// Likewise; empty for white.
     pub tint: &'a [Vec3],
 }
 

@@ -1,10 +1,13 @@
 //! Techniques side by side: the same scene, the same samples, interleaved repeats, judged against full ray tracing.
+//!
+//! Where pixels have several samples, or the camera sees several layers, whatever is counted is counted sample by sample, in all
+//! layers: wrong ones, those with geometry, rays.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use crate::{EffectPlan, Frame, MaskBits, PassKind, RenderError, Session, Technique, metrics};
+use crate::{EffectPlan, Frame, MaskBits, PassKind, RenderError, SampleGrid, Session, Technique, metrics};
 
 /// How to measure.
 #[derive(Clone, Debug)]
@@ -77,7 +80,7 @@ impl LightStats {
     }
 
     /// Of every light, in a frame and against the truth.
-    fn each(size: [u32; 2], valid: &[bool], truth: &Frame, frame: &Frame) -> Vec<Self> {
+    fn each(size: [u32; 2], valid: &[Vec<bool>], truth: &Frame, frame: &Frame) -> Vec<Self> {
         let errors = metrics::errors_by_light(size, valid, truth, frame);
         errors.into_iter().zip(frame.each_light()).map(|(errors, f)| Self { errors, rays: f.rays }).collect()
     }
@@ -132,7 +135,9 @@ pub struct PlayOptions {
 pub struct Comparison {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Pixels with geometry.
+    /// Samples of a pixel.
+    pub samples: SampleGrid,
+    /// Pixels, or samples, with geometry.
     pub valid_pixels: u64,
     /// Full ray tracing.
     pub reference: Frame,
@@ -140,6 +145,14 @@ pub struct Comparison {
     pub reference_picture: Vec<[u8; 4]>,
     /// In the order asked for.
     pub rows: Vec<Row>,
+}
+
+impl Comparison {
+    /// Width and height in samples: of visibilities, doubts and masks.
+    pub fn size_in_samples(&self) -> [u32; 2] {
+        let grid = self.samples.size();
+        [self.size[0] * grid.x, self.size[1] * grid.y]
+    }
 }
 
 /// Runs every technique and judges it. `progress(done, total, what)` is called before each step.
@@ -210,8 +223,8 @@ pub fn compare_frames(
         if frame_index > 0 {
             step(session, frame_index)?;
         }
-        let size = session.setup().size.to_array();
-        let valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
+        let size = session.setup().size_in_samples().to_array();
+        let valid = session.valid_samples();
         let mut frames: Vec<Frame> = Vec::new();
         for (i, job) in jobs.iter().enumerate() {
             if is_cancelled.load(Ordering::Relaxed) {
@@ -263,10 +276,11 @@ pub fn frames_to_settle(frames: &[FrameStats]) -> usize {
     frames.iter().rposition(|f| wrong(f) != wrong(last)).map_or(0, |i| i + 1)
 }
 
-/// Pixels whose visibility differs, bit by bit; those of several lights together.
+/// Pixels whose visibility differs, bit by bit; those of several lights and layers together.
 pub fn flips(a: &Frame, b: &Frame) -> u64 {
     let differs = |(a, b): &(&f32, &f32)| a.to_bits() != b.to_bits();
-    let lights = a.each_light().iter().zip(b.each_light());
+    let layers = a.each_layer().iter().zip(b.each_layer());
+    let lights = layers.flat_map(|(a, b)| a.each_light().iter().zip(b.each_light()));
     lights.map(|(a, b)| a.visibility.iter().zip(&b.visibility).filter(differs).count() as u64).sum()
 }
 
@@ -294,9 +308,10 @@ fn judge(
     runs: &[Vec<Vec<crate::Pass>>],
     options: &CompareOptions,
 ) -> Result<Comparison, RenderError> {
-    let size = session.setup().size;
-    let valid: Vec<bool> = session.samples().iter().map(|s| s.is_valid()).collect();
-    let valid_pixels = valid.iter().filter(|v| **v).count() as u64;
+    let (size, samples) = (session.setup().size, session.setup().samples);
+    let in_samples = session.setup().size_in_samples().to_array();
+    let valid = session.valid_samples();
+    let valid_pixels = valid.iter().flatten().filter(|v| **v).count() as u64;
     let mut pictures = Vec::with_capacity(jobs.len());
     for frame in &frames {
         pictures.push(session.shade(frame)?);
@@ -314,7 +329,7 @@ fn judge(
             continue;
         }
         let total_ms = median_of(&runs[i], |_| true);
-        let lights = LightStats::each([size.x, size.y], &valid, &reference, &frame);
+        let lights = LightStats::each(in_samples, &valid, &reference, &frame);
         rows.push(Row {
             technique: jobs[i],
             plan: session.plan(&jobs[i]),
@@ -334,7 +349,7 @@ fn judge(
         });
     }
     rows.sort_by_key(|r| wanted.iter().position(|t| *t == r.technique));
-    Ok(Comparison { size: [size.x, size.y], valid_pixels, reference, reference_picture, rows })
+    Ok(Comparison { size: [size.x, size.y], samples, valid_pixels, reference, reference_picture, rows })
 }
 
 /// Median over the repeats of the summed time of the passes that `wanted` names; `None` if any lacks a timestamp.

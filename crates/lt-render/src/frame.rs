@@ -62,6 +62,9 @@ pub struct Pass {
 
 /// The shadows of one frame, read back.
 ///
+/// What is said of a pixel here is said of a sample where pixels have several ([`Setup::samples`](crate::Setup::samples)): the
+/// picture of all samples, row by row.
+///
 /// Of several lights, [`Frame::lights`] holds each one's own, and the rest sums them up.
 #[derive(Clone, Debug)]
 pub struct Frame {
@@ -87,6 +90,8 @@ pub struct Frame {
     pub map_draws: u32,
     /// Each light's shadows, where several shine; empty for one.
     pub lights: Vec<Frame>,
+    /// Each layer's shadows, front to back, where the camera sees several; empty for one.
+    pub layers: Vec<Frame>,
 }
 
 impl Frame {
@@ -95,27 +100,49 @@ impl Frame {
         let pixels = lights.iter().map(|l| l.visibility.len()).max().unwrap_or(0);
         let share = 1.0 / lights.len().max(1) as f32;
         let mean = |i: usize| lights.iter().map(|l| l.visibility[i]).sum::<f32>() * share;
-        let mut kinds: Vec<PassKind> = lights.iter().flat_map(|l| &l.passes).map(|p| p.kind).collect();
-        kinds.sort_unstable();
-        kinds.dedup();
-        let pass = |kind| {
-            let all = lights.iter().flat_map(|l| &l.passes).filter(|p| p.kind == kind);
-            Pass { kind, ms: all.map(|p| p.ms).sum() }
-        };
         Self {
             visibility: (0..pixels).map(mean).collect(),
             tint: Vec::new(),
             doubt: (0..pixels).map(|i| lights.iter().any(|l| l.doubt[i])).collect(),
             rays: lights.iter().map(|l| l.rays).sum(),
-            passes: kinds.into_iter().map(pass).collect(),
+            passes: summed_passes(&lights),
             map_bytes: lights.iter().map(|l| l.map_bytes).sum(),
             mask: lights.first().map_or(Vec::new(), |l| l.mask.clone()),
             map_draws: lights.iter().map(|l| l.map_draws).sum(),
             lights,
+            layers: Vec::new(),
         }
     }
 
-    /// Each light's shadows: its own if there is one light.
+    /// Sums up the shadows of several layers, front to back, of the same view under the same lights. What is said of samples, and
+    /// of several lights, is said of the first layer's. One layer alone is its own sum; none give `None`.
+    pub fn of_layers(layers: Vec<Frame>) -> Option<Self> {
+        if layers.len() <= 1 {
+            return layers.into_iter().next();
+        }
+        let first = layers[0].clone();
+        let lights = first
+            .lights
+            .iter()
+            .enumerate()
+            .map(|(i, light)| Frame { rays: layers.iter().map(|l| l.lights[i].rays).sum(), ..light.clone() });
+        Some(Self {
+            lights: lights.collect(),
+            rays: layers.iter().map(|l| l.rays).sum(),
+            passes: summed_passes(&layers),
+            map_bytes: layers.iter().map(|l| l.map_bytes).sum(),
+            map_draws: layers.iter().map(|l| l.map_draws).sum(),
+            layers,
+            ..first
+        })
+    }
+
+    /// Each layer's shadows, front to back: its own if there is one layer.
+    pub fn each_layer(&self) -> &[Frame] {
+        if self.layers.is_empty() { std::slice::from_ref(self) } else { &self.layers }
+    }
+
+    /// Each light's shadows, in the first layer: its own if there is one light.
     pub fn each_light(&self) -> &[Frame] {
         if self.lights.is_empty() { std::slice::from_ref(self) } else { &self.lights }
     }
@@ -130,4 +157,16 @@ impl Frame {
         }
         packed
     }
+}
+
+/// The passes of all frames, each kind once, times added up.
+fn summed_passes(frames: &[Frame]) -> Vec<Pass> {
+    let mut kinds: Vec<PassKind> = frames.iter().flat_map(|f| &f.passes).map(|p| p.kind).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    let pass = |kind| {
+        let all = frames.iter().flat_map(|f| &f.passes).filter(|p| p.kind == kind);
+        Pass { kind, ms: all.map(|p| p.ms).sum() }
+    };
+    kinds.into_iter().map(pass).collect()
 }

@@ -155,6 +155,7 @@ mod tests {
             right: right * 0.8,
             up: right.cross(forward) * 0.5,
             size: UVec2::new(16, 10),
+            grid: UVec2::ONE,
             ..bytemuck::Zeroable::zeroed()
         }
     }

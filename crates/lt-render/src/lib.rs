@@ -38,6 +38,7 @@ pub mod metrics;
 mod pace;
 mod packed;
 mod plan;
+mod sample_grid;
 mod session;
 mod setup;
 mod technique;
@@ -57,8 +58,9 @@ pub use lt_shaders::abi::Sample;
 pub use pace::{median_motion_px, way_per_frame};
 pub use packed::{DrawRange, MappedCoverage, OpacityMaps, PackStats, PackedScene, Packing, Trees, Upkeep};
 pub use plan::{Effect, EffectPlan, MaskEffects, Sequence};
+pub use sample_grid::SampleGrid;
 pub use session::{SceneInfo, Session};
-pub use setup::Setup;
+pub use setup::{MAX_SAMPLES, Setup};
 pub use technique::{
     Doubt, Estimate, MapSource, MapTest, Removal, Resolve, Technique, TechniqueError, TemporalMask,
 };

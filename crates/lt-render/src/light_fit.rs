@@ -249,13 +249,13 @@ mod tests {
             eye,
             root: 0,
             right,
-            pad0: 0,
+            layers_behind: 0,
             up,
             pad1: 0,
             forward,
             pad2: 0,
             size: UVec2::ONE,
-            pad3: UVec2::ZERO,
+            grid: UVec2::ONE,
         }
     }
 

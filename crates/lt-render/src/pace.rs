@@ -4,7 +4,7 @@ use lt_math::glam::Vec2;
 use lt_scene::{Camera, CameraPath};
 use lt_shaders::mask::{motion_px, view_depth};
 
-use crate::{Session, Setup, quantile, session::camera_params};
+use crate::{SampleGrid, Session, Setup, quantile, session::camera_params};
 
 /// Samples looked at: enough for a median, few enough to ask many cameras.
 const SAMPLES: usize = 20_000;
@@ -14,8 +14,9 @@ const HALVINGS: usize = 40;
 /// Median way in pixels, over the pixels with geometry, that the picture moves if `camera` looks next; 0 if nothing is
 /// visible. Things at rest are assumed.
 pub fn median_motion_px(session: &Session, camera: &Camera) -> f64 {
-    let now = camera_params(session.setup(), 0);
-    let next = camera_params(&Setup { camera: camera.clone(), ..session.setup().clone() }, 0);
+    let in_pixels = Setup { samples: SampleGrid::ONE, ..session.setup().clone() };
+    let now = camera_params(&in_pixels, 0);
+    let next = camera_params(&Setup { camera: camera.clone(), ..in_pixels }, 0);
     let stride = (session.samples().len() / SAMPLES).max(1);
     let seen = session.samples().iter().step_by(stride).filter(|s| s.is_valid());
     let motions = seen.filter(|s| view_depth(s.position, &next) > 0.0).map(|s| {

@@ -80,6 +80,8 @@ pub struct EffectPlan {
     pub reuse: bool,
     /// Light is tinted by translucent casters.
     pub tint: bool,
+    /// Layers of what the camera sees, each with shadows of its own; 1 for what is nearest alone.
+    pub layers: u32,
     /// The same, listed for people.
     pub effects: Vec<Effect>,
 }
@@ -124,6 +126,7 @@ impl EffectPlan {
             object_motion: technique.mask.is_some() && sequence.objects_move,
             reuse: map.is_some() && technique.reuse && sequence.is_played,
             tint: s.is_translucency_traced && s.translucent_triangles > 0,
+            layers: 1 + s.layers_behind,
             effects: Vec::new(),
         };
         let (mask, reuse, object_motion) = (plan.mask, plan.reuse, plan.object_motion);
@@ -233,6 +236,16 @@ impl EffectPlan {
                 }
             },
             "1 pass, 16 bytes a pixel, a BVH of translucent casters alone, a ray per lit pixel".to_owned(),
+        );
+        list(
+            "layers",
+            s.layers_behind > 0,
+            match (s.layers_behind, s.translucent_triangles) {
+                (_, 0) => "nothing lets light through in part".to_owned(),
+                (0, _) => "the camera sees what is nearest alone: see --layers".to_owned(),
+                (n, _) => format!("up to {n} surfaces are seen behind the first"),
+            },
+            "all passes once more a layer, 64 bytes a sample and layer".to_owned(),
         );
         let no_mask = || "the technique has no temporal mask".to_owned();
         list(

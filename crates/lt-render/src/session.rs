@@ -53,9 +53,10 @@ pub struct Session {
     /// Counts poses: what casters stood still since.
     pose: u64,
     sequence: Sequence,
-    /// What techniques that keep something kept, by id and light.
-    slots: HashMap<(String, u32), Slot>,
-    samples: Vec<Sample>,
+    /// What techniques that keep something kept, by id, light and layer.
+    slots: HashMap<(String, u32, u32), Slot>,
+    /// Layer by layer, at least one.
+    samples: Vec<Vec<Sample>>,
     info: SceneInfo,
     backend: Box<dyn Backend>,
 }
@@ -206,9 +207,20 @@ impl Session {
         &self.setup
     }
 
-    /// Visible samples, row by row from the top.
+    /// Visible samples, row by row from the top: those of all pixels as one picture ([`Setup::size_in_samples`]). Of several
+    /// layers, the first.
     pub fn samples(&self) -> &[Sample] {
+        &self.samples[0]
+    }
+
+    /// Visible samples of each layer, front to back: what is seen through what translucent surfaces; at least one.
+    pub fn layers(&self) -> &[Vec<Sample>] {
         &self.samples
+    }
+
+    /// Layer by layer, whether each sample shows anything.
+    pub fn valid_samples(&self) -> Vec<Vec<bool>> {
+        self.samples.iter().map(|layer| layer.iter().map(Sample::is_valid).collect()).collect()
     }
 
     /// What preparing took.
@@ -228,14 +240,14 @@ impl Session {
 
     /// The effects a technique calls for here, under the first light.
     pub fn plan(&self, technique: &Technique) -> EffectPlan {
-        self.plan_under(technique, (0, &self.setup.light))
+        self.plan_under(technique, (0, &self.setup.light), 0)
     }
 
-    fn plan_under(&self, technique: &Technique, (number, light): (u32, &Light)) -> EffectPlan {
+    fn plan_under(&self, technique: &Technique, (number, light): (u32, &Light), layer: u32) -> EffectPlan {
         let map_size = self.setup.map_size;
         let plan = EffectPlan::for_scene(&self.scene.stats, &light.kind, technique, map_size, self.sequence);
-        // Rays to all lights walk one tree.
-        let is_done = number > 0 && technique.resolve == Resolve::Ray;
+        // Rays to all lights walk one tree, and all layers' whatever there is.
+        let is_done = layer > 0 || (number > 0 && technique.resolve == Resolve::Ray);
         EffectPlan { upkeep: if is_done { Upkeep::Kept } else { self.setup.upkeep }, ..plan }
     }
 
@@ -249,25 +261,33 @@ impl Session {
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails or the map does not fit it.
     pub fn render(&mut self, technique: &Technique) -> Result<Frame, RenderError> {
-        if self.setup.more_lights.is_empty() {
-            return self.render_plan(technique, self.plan(technique));
-        }
         let lights: Vec<Light> = self.setup.lights().cloned().collect();
-        let frames = lights.iter().enumerate().map(|(number, light)| {
+        let mut layers = vec![Vec::new(); self.samples.len()];
+        for (number, light) in lights.iter().enumerate() {
             let light = (number as u32, light);
-            self.render_light(technique, self.plan_under(technique, light), light)
-        });
-        Ok(Frame::of_lights(frames.collect::<Result<_, _>>()?))
+            for (layer, frames) in layers.iter_mut().enumerate() {
+                let layer = layer as u32;
+                let plan = self.plan_under(technique, light, layer);
+                frames.push(self.render_light(technique, plan, light, layer)?);
+            }
+        }
+        let of_lights = |mut frames: Vec<Frame>| match frames.len() {
+            1 => frames.remove(0),
+            _ => Frame::of_lights(frames),
+        };
+        let layers = layers.into_iter().map(of_lights).collect();
+        Frame::of_layers(layers).ok_or_else(|| RenderError::BadSetup("a view without layers".to_owned()))
     }
 
-    /// Runs a plan that differs from the technique's own, under the first light alone, to show what an effect is worth.
+    /// Runs a plan that differs from the technique's own, under the first light and on the first layer alone, to show what an effect is
+    /// worth.
     /// Effects that the scene needs must stay on.
     ///
     /// # Errors
     /// As [`Session::render`].
     pub fn render_plan(&mut self, technique: &Technique, plan: EffectPlan) -> Result<Frame, RenderError> {
         let light = self.setup.light.clone();
-        self.render_light(technique, plan, (0, &light))
+        self.render_light(technique, plan, (0, &light), 0)
     }
 
     fn render_light(
@@ -275,8 +295,9 @@ impl Session {
         technique: &Technique,
         plan: EffectPlan,
         light: (u32, &Light),
+        layer: u32,
     ) -> Result<Frame, RenderError> {
-        let (job, slot) = self.next_job(technique, plan, light);
+        let (job, slot) = self.next_job(technique, plan, light, layer);
         self.backend.begin(&job)?;
         for kind in job.passes() {
             self.backend.pass(kind, &job)?;
@@ -284,35 +305,35 @@ impl Session {
         let frame = self.backend.finish(&job)?;
         // Only a frame that was drawn is a last frame.
         if slot.index > 0 {
-            self.slots.insert((technique.to_string(), light.0), slot);
+            self.slots.insert((technique.to_string(), light.0, layer), slot);
         }
         Ok(frame)
     }
 
-    /// The picture with the frame's visibility and tint, row by row, sRGB.
+    /// The picture with the frame's visibility and tint, pixels row by row, sRGB; the mean over a pixel's samples, all layers together.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails.
-    pub fn shade(&mut self, frame: &Frame) -> Result<Vec<[u8; 4]>, RenderError> {
+    pub fn shade<'a>(&mut self, frame: &'a Frame) -> Result<Vec<[u8; 4]>, RenderError> {
         let size = self.scene.bounds.max - self.scene.bounds.min;
         let haze =
             if self.scene.bounds.is_empty() { 0.0 } else { HAZE / size.length().max(f32::MIN_POSITIVE) };
-        let lights: Vec<ShadedLight<'_>> = frame
-            .each_light()
-            .iter()
-            .zip(self.setup.lights())
-            .map(|(of, light)| {
+        let lights = |frame: &'a Frame| -> Vec<ShadedLight<'a>> {
+            let count = frame.each_light().len() as f32;
+            let shaded = |(of, light): (&'a Frame, &Light)| {
                 // Lights share a sun's strength, so that many of them do not blind.
-                let strength = SUN_STRENGTH * self.brightness(&light.kind) / frame.each_light().len() as f32;
+                let strength = SUN_STRENGTH * self.brightness(&light.kind) / count;
                 let params = ShadeParams {
                     camera: self.camera,
                     light: light_params_of(light, 0, 1),
                     light_color: (light.color * strength).extend(haze),
                 };
                 ShadedLight { params, visibility: &of.visibility, tint: &of.tint }
-            })
-            .collect();
-        self.backend.shade(&lights)
+            };
+            frame.each_light().iter().zip(self.setup.lights()).map(shaded).collect()
+        };
+        let layers: Vec<Vec<ShadedLight<'_>>> = frame.each_layer().iter().map(lights).collect();
+        self.backend.shade(&layers)
     }
 
     /// Strength at distance 1 with which a spot or point light brings a sun's light to half of what is seen; 1 for a sun.
@@ -325,15 +346,16 @@ impl Session {
 
     /// The median distance of what is seen from a point.
     fn usual_distance(&self, from: Vec3) -> f32 {
-        let stride = (self.samples.len() / DISTANCE_SAMPLES).max(1);
-        let seen = self.samples.iter().step_by(stride).filter(|s| s.is_valid());
+        let stride = (self.samples().len() / DISTANCE_SAMPLES).max(1);
+        let seen = self.samples().iter().step_by(stride).filter(|s| s.is_valid());
         crate::quantile(seen.map(|s| f64::from(s.position.distance(from))).collect(), 0.5) as f32
     }
 
-    /// What the passes of a technique need in its next frame under the first light, for callers that record them themselves.
+    /// What the passes of a technique need in its next frame under the first light, on the first layer, for callers that record them
+    /// themselves.
     /// They keep slots: the job's map and history are those of the last frame that this session itself drew.
     pub fn job(&self, technique: &Technique) -> FrameJob {
-        self.next_job(technique, self.plan(technique), (0, &self.setup.light)).0
+        self.next_job(technique, self.plan(technique), (0, &self.setup.light), 0).0
     }
 
     /// The next frame of a technique under one light, and what it keeps once that is drawn.
@@ -342,8 +364,9 @@ impl Session {
         technique: &Technique,
         mut plan: EffectPlan,
         (number, light): (u32, &Light),
+        layer: u32,
     ) -> (FrameJob, Slot) {
-        let mut slot = self.slot(technique, &plan, number);
+        let mut slot = self.slot(technique, &plan, (number, layer));
         let count = 1 + self.setup.more_lights.len() as u32;
         let for_kernels = light_params_of(light, number, count);
         // Drawn once more, the same view is its own past: nothing has moved since.
@@ -354,7 +377,11 @@ impl Session {
         // A caster outside the box that the kept maps were drawn of may lie before their near planes.
         let kept = last.filter(|l| encloses(l.casters, self.scene.bounds)).map_or(&[][..], |l| &l.levels.0);
         let casters = if plan.reuse { self.scene.reach } else { self.scene.bounds };
-        let levels = self.levels((technique, &plan), &light.kind, casters, (map_size, kept));
+        let mut levels = self.levels((technique, &plan), &light.kind, casters, (map_size, kept));
+        // Where maps are not kept, the first layer's are still there.
+        if layer > 0 && slot.index == 0 {
+            levels.draws.clear();
+        }
         let casters = match last {
             Some(last) if levels.draws.is_empty() => last.casters,
             _ => casters,
@@ -370,7 +397,7 @@ impl Session {
             projection,
             light: for_kernels,
             test,
-            size: self.setup.size,
+            size: self.setup.size_in_samples(),
             map_size,
             epsilon: technique.epsilon,
             root: self.scene.root,
@@ -397,9 +424,10 @@ impl Session {
         });
         let maps = (&levels.fits[..], map_size);
         let mask = technique.mask.map(|m| self.mask_params(&m, &slot, maps, (for_kernels, change)));
-        let first = self.slots.get(&(technique.to_string(), 0)).map_or(slot.index, |first| first.index);
+        let first =
+            self.slots.get(&(technique.to_string(), 0, layer)).map_or(slot.index, |first| first.index);
         let history_slot = if slot.index == 0 { 0 } else { first };
-        let job = FrameJob { plan, shadow, map, mask, slot: slot.index, history_slot };
+        let job = FrameJob { plan, shadow, map, mask, slot: slot.index, history_slot, layer };
         slot.frame = slot.frame.wrapping_add(1);
         slot.last = Some(LastFrame {
             view: self.view,
@@ -446,11 +474,11 @@ impl Session {
     }
 
     /// What a technique kept, less what this view cannot follow.
-    fn slot(&self, technique: &Technique, plan: &EffectPlan, light: u32) -> Slot {
+    fn slot(&self, technique: &Technique, plan: &EffectPlan, (light, layer): (u32, u32)) -> Slot {
         if plan.mask.is_none() && !plan.reuse {
             return Slot { index: 0, last: None, frame: 0 };
         }
-        let mut slot = self.slots.get(&(technique.to_string(), light)).cloned().unwrap_or(Slot {
+        let mut slot = self.slots.get(&(technique.to_string(), light, layer)).cloned().unwrap_or(Slot {
             index: self.slots.len() + 1,
             last: None,
             frame: 0,
@@ -560,13 +588,13 @@ pub(crate) fn camera_params(setup: &Setup, root: u32) -> CameraParams {
         eye: c.eye,
         root,
         right: right * half_width,
-        pad0: 0,
+        layers_behind: 0,
         up: up * half_height,
         pad1: 0,
         forward,
         pad2: 0,
-        size: setup.size,
-        pad3: UVec2::ZERO,
+        size: setup.size_in_samples(),
+        grid: setup.samples.size(),
     }
 }
 
@@ -604,7 +632,7 @@ mod tests {
     /// The next frame, in which one level is fitted half a texel off where it was.
     fn render_shifted(session: &mut Session, technique: &Technique, level: usize) -> Frame {
         let (mut job, mut slot) =
-            session.next_job(technique, session.plan(technique), (0, &session.setup.light));
+            session.next_job(technique, session.plan(technique), (0, &session.setup.light), 0);
         let shift = |projection: &mut lt_math::LightProjection| {
             projection.row_x.w += 0.5 / 256.0;
             projection.row_y.w -= 0.5 / 256.0;
@@ -621,7 +649,7 @@ mod tests {
         for kind in job.passes() {
             session.backend.pass(kind, &job).expect("pass");
         }
-        session.slots.insert((technique.to_string(), 0), slot);
+        session.slots.insert((technique.to_string(), 0, 0), slot);
         session.backend.finish(&job).expect("frame")
     }
 }

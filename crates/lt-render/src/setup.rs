@@ -3,14 +3,17 @@
 use lt_mask::MAX_LIGHTS;
 use lt_math::glam::{UVec2, Vec3};
 use lt_scene::{Camera, Light, LightKind, Scene};
+use lt_shaders::abi::Sample;
 
-use crate::{Packing, RenderError, Upkeep, technique::MAX_MAP_SIZE};
+use crate::{Packing, RenderError, SampleGrid, Upkeep, technique::MAX_MAP_SIZE};
 
 /// View, light and map resolution of a session.
 #[derive(Clone, Debug)]
 pub struct Setup {
     /// Picture size in pixels, each side 1 to 16384.
     pub size: UVec2,
+    /// Samples of a pixel; those of all pixels and layers are [`MAX_SAMPLES`] at most.
+    pub samples: SampleGrid,
     /// Who looks.
     pub camera: Camera,
     /// What shines.
@@ -24,6 +27,14 @@ pub struct Setup {
     /// What every frame does to the structures that it traces with, as part of its time.
     pub upkeep: Upkeep,
 }
+
+/// Most samples of a picture: 1920 × 1080 pixels of 32, and a little more, which take about 8 GiB on the CPU.
+pub const MAX_SAMPLES: u64 = 1 << 26;
+/// Most layers of what the camera sees.
+const MAX_LAYERS: u64 = 16;
+/// What a sample takes at least on the CPU: twice the visible sample (in tiles and in rows), and twice its shadow.
+const BYTES_PER_SAMPLE: u64 =
+    2 * size_of::<Sample>() as u64 + 2 * (size_of::<f32>() + size_of::<bool>()) as u64;
 
 /// Map resolution unless told otherwise (the leak tracing paper's).
 const DEFAULT_MAP_SIZE: u32 = 2048;
@@ -40,6 +51,7 @@ impl Setup {
         let light = light.cloned().unwrap_or_else(|| Light::sun(DEFAULT_SUN));
         Self {
             size: UVec2::new(width, height),
+            samples: SampleGrid::ONE,
             camera,
             light,
             more_lights: Vec::new(),
@@ -61,6 +73,23 @@ impl Setup {
                 self.size.x, self.size.y
             ));
         }
+        let layers = 1 + u64::from(self.packing.layers_behind);
+        if layers > MAX_LAYERS || (layers > 1 && !self.packing.traces_translucency) {
+            return bad(format!(
+                "{layers} layers: must be 1 to {MAX_LAYERS}, and more than 1 only where translucency is traced (--translucent)"
+            ));
+        }
+        let (pixels, each) =
+            (u64::from(self.size.x) * u64::from(self.size.y), u64::from(self.samples.count()) * layers);
+        let most = MAX_SAMPLES / each;
+        if pixels > most {
+            let gib = (pixels * each * BYTES_PER_SAMPLE) as f64 / f64::from(1 << 30);
+            return bad(format!(
+                "picture size {}×{} at {} samples per pixel in {layers} layers needs {gib:.1} GiB for its samples: with so many, a \
+                 picture may have up to {most} pixels; make it smaller or take fewer samples",
+                self.size.x, self.size.y, self.samples
+            ));
+        }
         let c = &self.camera;
         if !(c.eye.is_finite() && c.target.is_finite() && (c.target - c.eye).length() > 0.0) {
             return bad(format!(
@@ -79,6 +108,11 @@ impl Setup {
             return bad(format!("{count} lights: at most {MAX_LIGHTS}"));
         }
         self.lights().try_for_each(|light| check_light(&light.kind))
+    }
+
+    /// The picture's size in samples.
+    pub fn size_in_samples(&self) -> UVec2 {
+        self.size * self.samples.size()
     }
 
     /// All lights, the first one first.

@@ -7,7 +7,7 @@ use bytemuck::{Pod, Zeroable};
 use lt_math::LightProjection;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 
-/// What the camera sees through the centre of one pixel.
+/// What the camera sees through one sample of a pixel.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Sample {
@@ -17,7 +17,7 @@ pub struct Sample {
     pub magnitude: f32,
     /// Unit geometric normal, facing the camera; zero where nothing is visible.
     pub normal: Vec3,
-    /// Surface flags: see [`Sample::RECEIVES`].
+    /// Surface flags: see [`Sample::RECEIVES`]. The upper half is [`Sample::scattered`].
     pub flags: u32,
     /// Unit shading normal, on the same side as `normal`.
     pub shading_normal: Vec3,
@@ -29,9 +29,50 @@ impl Sample {
     /// Flag: shadows fall on this surface.
     pub const RECEIVES: u32 = 1;
 
+    /// Bit of `flags` where the share of light that a layer scatters begins, as a 16-bit fraction.
+    const SCATTERED_SHIFT: u32 = 16;
+
     /// Whether anything is visible in this pixel.
     pub fn is_valid(&self) -> bool {
         self.normal != Vec3::ZERO
+    }
+
+    /// The same surface as a layer that scatters this share of the light, in [0, 1]; it lets the rest pass or swallows it.
+    #[inline]
+    pub fn scattering(self, share: f32) -> Self {
+        let fraction = (share * 65535.0 + 0.5) as u32;
+        Self { flags: self.flags & 0xffff | fraction << Self::SCATTERED_SHIFT, ..self }
+    }
+
+    /// The share of the light that a layer scatters, in [0, 1] within 1e-5: see [`Sample::scattering`]. Of no meaning where the
+    /// camera sees no layers.
+    #[inline]
+    pub fn scattered(&self) -> f32 {
+        (self.flags >> Self::SCATTERED_SHIFT) as f32 / 65535.0
+    }
+}
+
+/// How far a primary ray has come through layers. All zero before the first.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct Sight {
+    /// Share of the light from farther on that the layers before keep from the eye, linear RGB; 1 where nothing more is seen.
+    pub kept: Vec3,
+    /// Where the next layer's ray starts, in lengths of its direction: surfaces at or before it do not count.
+    pub t: f32,
+}
+
+impl Sight {
+    /// Share of the light from farther on that reaches the eye, linear RGB.
+    #[inline]
+    pub fn passes(&self) -> Vec3 {
+        Vec3::ONE - self.kept
+    }
+
+    /// Whether any does.
+    #[inline]
+    pub fn is_open(&self) -> bool {
+        self.kept.x < 1.0 || self.kept.y < 1.0 || self.kept.z < 1.0
     }
 }
 
@@ -45,8 +86,8 @@ pub struct CameraParams {
     pub root: u32,
     /// Half the picture's width at distance 1, along the camera's right.
     pub right: Vec3,
-    /// Explicit padding.
-    pub pad0: u32,
+    /// Layers that may follow the one that a layer pass looks for; 0 for the last. Read by that pass alone.
+    pub layers_behind: u32,
     /// Half the picture's height at distance 1, along the camera's up.
     pub up: Vec3,
     /// Explicit padding.
@@ -55,10 +96,10 @@ pub struct CameraParams {
     pub forward: Vec3,
     /// Explicit padding.
     pub pad2: u32,
-    /// Picture size in pixels.
+    /// Picture size in samples: columns and rows of the grid that passes run on.
     pub size: UVec2,
-    /// Explicit padding.
-    pub pad3: UVec2,
+    /// A pixel's columns and rows of samples, powers of two ([`crate::sampling`]); 1 × 1 for one sample a pixel.
+    pub grid: UVec2,
 }
 
 /// A light as kernels see it.
@@ -109,7 +150,7 @@ pub struct ShadowParams {
     pub light: LightParams,
     /// Parameters of the shadow test, in the order its kernel documents.
     pub test: Vec4,
-    /// Picture size in pixels.
+    /// Picture size in samples.
     pub size: UVec2,
     /// Map size in texels (square).
     pub map_size: u32,
@@ -274,6 +315,7 @@ pub struct FilterParams {
 
 const _: () = {
     assert!(size_of::<Sample>() == 48);
+    assert!(size_of::<Sight>() == 16);
     assert!(size_of::<CameraParams>() == 80);
     assert!(size_of::<LightParams>() == 48);
     assert!(size_of::<ShadowParams>() == 160);

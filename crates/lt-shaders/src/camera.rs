@@ -1,4 +1,4 @@
-//! The camera pass: one primary ray per pixel centre becomes a visible sample.
+//! The camera pass: one primary ray per sample of a pixel becomes a visible sample.
 
 use lt_bvh::{AnyHit, Hit, Ray};
 use lt_math::glam::{UVec2, Vec3, Vec4};
@@ -6,6 +6,7 @@ use lt_math::glam::{UVec2, Vec3, Vec4};
 use crate::{
     abi::{CameraParams, Material, Sample, Vertex},
     geometry::Geometry,
+    sampling::sample_place,
     shade::pack_albedo,
     surface::{barycentric_weights, corners_of, octahedral_decode, plain_color, texture_color},
 };
@@ -39,29 +40,30 @@ impl ColorSource for ColorTextures<'_> {
     }
 }
 
-/// Direction of the primary ray through the centre of `px`, not normalised: length 1 along the view axis.
+/// Direction of the primary ray of sample `at`, not normalised: length 1 along the view axis.
 #[inline]
-pub fn primary_direction(px: UVec2, p: &CameraParams) -> Vec3 {
-    let x = (px.x as f32 + 0.5) / p.size.x as f32 * 2.0 - 1.0;
-    let y = 1.0 - (px.y as f32 + 0.5) / p.size.y as f32 * 2.0;
+pub fn primary_direction(at: UVec2, p: &CameraParams) -> Vec3 {
+    let place = sample_place(at, p.grid);
+    let x = place.x / p.size.x as f32 * 2.0 - 1.0;
+    let y = 1.0 - place.y / p.size.y as f32 * 2.0;
     p.forward + p.right * x + p.up * y
 }
 
-/// Unit direction from the eye through the centre of `px`.
+/// Unit direction from the eye through sample `at`.
 #[inline]
-pub fn view_direction(px: UVec2, p: &CameraParams) -> Vec3 {
-    primary_direction(px, p).normalize()
+pub fn view_direction(at: UVec2, p: &CameraParams) -> Vec3 {
+    primary_direction(at, p).normalize()
 }
 
-/// The primary ray through the centre of `px`.
+/// The primary ray of sample `at`.
 #[inline]
-pub fn primary_ray(px: UVec2, p: &CameraParams) -> Ray {
-    Ray::new(p.eye, primary_direction(px, p))
+pub fn primary_ray(at: UVec2, p: &CameraParams) -> Ray {
+    Ray::new(p.eye, primary_direction(at, p))
 }
 
-/// What the primary ray of `px` hits first.
-pub fn closest<G: Geometry, A: AnyHit>(px: UVec2, p: &CameraParams, geometry: G, any_hit: A) -> Hit {
-    geometry.closest(primary_ray(px, p), any_hit)
+/// What the primary ray of sample `at` hits first.
+pub fn closest<G: Geometry, A: AnyHit>(at: UVec2, p: &CameraParams, geometry: G, any_hit: A) -> Hit {
+    geometry.closest(primary_ray(at, p), any_hit)
 }
 
 /// Describes what a primary ray hit; [`Sample::default`] on a miss.

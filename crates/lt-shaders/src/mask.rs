@@ -13,6 +13,7 @@ use lt_math::glam::{UVec2, Vec2, Vec3};
 use crate::{
     abi::{CameraParams, LightParams, MaskParams, Sample},
     evaluate::{Verdict, settle},
+    sampling::sample_place,
 };
 
 /// What the last frame left behind.
@@ -180,7 +181,7 @@ fn find<H: HistorySource, const MOTION: bool, const DEPTH: bool>(
     let mut place = Reprojection { pixel: px, is_valid: true, has_moved: false };
     if MOTION {
         let motion = motion_px(sample.position, previous_position, &p.current, &p.previous);
-        place = reproject(px, motion, p.current.size);
+        place = reproject(px, sample_place(px, p.current.grid), motion, p.current.size);
         // Behind the last camera a projection is mirrored, and may fall on the screen.
         place.is_valid = place.is_valid && view_depth(previous_position, &p.previous) > 0.0;
     }
@@ -261,13 +262,13 @@ mod tests {
             eye,
             root: 0,
             right: Vec3::X * 4.0 / 3.0,
-            pad0: 0,
+            layers_behind: 0,
             up: Vec3::Y,
             pad1: 0,
             forward: Vec3::NEG_Z,
             pad2: 0,
             size: SIZE,
-            pad3: UVec2::ZERO,
+            grid: UVec2::ONE,
         }
     }
 

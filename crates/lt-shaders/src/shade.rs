@@ -1,9 +1,9 @@
 //! Shading good enough to look at: lights times visibility, sky from above, haze with distance.
 
-use lt_math::glam::{UVec2, Vec3};
+use lt_math::glam::{UVec2, Vec3, Vec4};
 
 use crate::{
-    abi::{LightParams, Sample, ShadeParams},
+    abi::{LightParams, Sample, ShadeParams, Sight},
     camera::view_direction,
     evaluate::to_light,
 };
@@ -26,13 +26,79 @@ pub fn light_on(sample: &Sample, reaching: Vec3, p: &ShadeParams) -> Vec3 {
     if strength > 0.0 { p.light_color.truncate() * (reaching * strength) } else { Vec3::ZERO }
 }
 
-/// Colour of one pixel, sRGB in three bytes from the lowest, alpha 255. `light` is what all lights give: see [`light_on`]. Of
-/// the parameters, camera and haze are read.
+/// Colour of a pixel's only sample, sRGB in three bytes from the lowest, alpha 255. `light` is what all lights give: see
+/// [`light_on`]. Of the parameters, camera and haze are read.
 #[inline]
-pub fn shade(px: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> u32 {
-    let view = view_direction(px, &p.camera);
+pub fn shade(at: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> u32 {
+    pack_srgb(color(at, sample, light, p))
+}
+
+/// A picture's samples in linear light.
+pub trait LinearSource: Copy {
+    /// Linear RGB of sample `at`.
+    fn linear(&self, at: UVec2) -> Vec3;
+}
+
+/// Samples and the light that they receive, row by row.
+#[derive(Clone, Copy)]
+pub struct LitRows<'a> {
+    /// Samples.
+    pub samples: &'a [Sample],
+    /// What all lights give to each: see [`light_on`].
+    pub light: &'a [Vec4],
+    /// As for [`shade`].
+    pub params: &'a ShadeParams,
+}
+
+impl LinearSource for LitRows<'_> {
+    #[inline]
+    fn linear(&self, at: UVec2) -> Vec3 {
+        let i = (at.y * self.params.camera.size.x + at.x) as usize;
+        color(at, &self.samples[i], self.light[i].truncate(), self.params)
+    }
+}
+
+/// Finished colours, row by row.
+#[derive(Clone, Copy)]
+pub struct ColorRows<'a> {
+    /// Linear RGB.
+    pub colors: &'a [Vec4],
+    /// Samples in a row.
+    pub width: u32,
+}
+
+impl LinearSource for ColorRows<'_> {
+    #[inline]
+    fn linear(&self, at: UVec2) -> Vec3 {
+        self.colors[(at.y * self.width + at.x) as usize].truncate()
+    }
+}
+
+/// Colour of pixel `px`, the mean over its `grid` of samples, taken before tone and encoding; as from [`shade`].
+pub fn shade_mean<S: LinearSource>(px: UVec2, grid: UVec2, source: S) -> u32 {
+    let mut sum = Vec3::ZERO;
+    let mut i = 0;
+    while i < grid.x * grid.y {
+        sum += source.linear(px * grid + UVec2::new(i % grid.x, i / grid.x));
+        i += 1;
+    }
+    pack_srgb(sum / (grid.x * grid.y) as f32)
+}
+
+/// What one layer of sample `at` adds to its colour, linear RGB: what it scatters, as far as the layers before let it pass; the
+/// sky where it is the first that shows nothing. Layers add up to the sample. `light` as for [`shade`].
+#[inline]
+pub fn layer_color(at: UVec2, sample: &Sample, sight: &Sight, light: Vec3, p: &ShadeParams) -> Vec3 {
+    let share = if sample.is_valid() { sample.scattered() } else { 1.0 };
+    sight.passes() * (color(at, sample, light, p) * share)
+}
+
+/// Linear RGB of sample `at`; `light` and parameters as for [`shade`].
+#[inline]
+pub fn color(at: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> Vec3 {
+    let view = view_direction(at, &p.camera);
     if !sample.is_valid() {
-        return pack_srgb(sky(view));
+        return sky(view);
     }
     let n = sample.shading_normal;
     let up = 0.5 + 0.5 * n.y;
@@ -42,7 +108,7 @@ pub fn shade(px: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> u32 {
     let lit = unpack_albedo(sample.albedo) * (light + ambient * form);
     let distance = (sample.position - p.camera.eye).length();
     let haze = 1.0 - 1.0 / (1.0 + distance * p.light_color.w);
-    pack_srgb(lit.lerp(HORIZON, haze))
+    lit.lerp(HORIZON, haze)
 }
 
 /// Share of a light's strength that arrives from `to_light` away: 1 from directional lights, 1 / distance² within a spot

@@ -71,6 +71,28 @@ pub fn covers(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_t
     material.cutoff <= 0.0 || alpha(material, corners, weights, alpha_texels) >= material.cutoff
 }
 
+/// Share of a point of a surface that it covers, in [0, 1]: its alpha where it blends, else all or nothing.
+#[inline]
+fn covered_share(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_texels: &[u32]) -> f32 {
+    if material.cutoff <= 0.0 {
+        return 1.0;
+    }
+    let alpha = alpha(material, corners, weights, alpha_texels);
+    if material.flags & Material::BLENDS != 0 {
+        unit(alpha)
+    } else if alpha >= material.cutoff {
+        1.0
+    } else {
+        0.0
+    }
+}
+
+/// Share of the light that a point of a surface scatters, in [0, 1]: of what is covered all but its transmission.
+#[inline]
+pub fn scattering(material: &Material, corners: &[Vertex; 3], weights: Vec3, alpha_texels: &[u32]) -> f32 {
+    unit(covered_share(material, corners, weights, alpha_texels) * (1.0 - material.transmission))
+}
+
 /// Share of the light that passes a point of a surface, linear RGB in [0, 1].
 ///
 /// What is not covered lets all light pass, what is covered its transmission times its base colour
@@ -84,18 +106,7 @@ pub fn transmittance(
     alpha_texels: &[u32],
     color_texels: &[u32],
 ) -> Vec3 {
-    let covered = if material.cutoff <= 0.0 {
-        1.0
-    } else {
-        let alpha = alpha(material, corners, weights, alpha_texels);
-        if material.flags & Material::BLENDS != 0 {
-            unit(alpha)
-        } else if alpha >= material.cutoff {
-            1.0
-        } else {
-            0.0
-        }
-    };
+    let covered = covered_share(material, corners, weights, alpha_texels);
     let color =
         plain_color(material, corners, weights) * texture_color(material, corners, weights, color_texels);
     let passes = color * (covered * material.transmission) + Vec3::splat(1.0 - covered);
@@ -243,6 +254,8 @@ mod tests {
         assert_eq!(through(&masked(0.5)), through(&glass));
         let opaque = Material { transmission: 0.0, ..glass };
         assert_eq!(through(&opaque), Vec3::ZERO);
+        let scattered = |m: &Material| scattering(m, &[corner; 3], Vec3::splat(1.0 / 3.0), &[]);
+        assert_eq!([glass, blended, masked(0.4), opaque].map(|m| scattered(&m)), [0.5, 0.375, 0.0, 1.0]);
         let broken = Material { base_color: Vec4::NAN, ..glass };
         assert_eq!(through(&broken), Vec3::ZERO);
     }

@@ -35,7 +35,7 @@ impl Layers {
     ///
     /// # Errors
     /// A picture that cannot be encoded.
-    pub fn fitting(comparison: &Comparison, is_valid: &[bool], budget: usize) -> anyhow::Result<Self> {
+    pub fn fitting(comparison: &Comparison, is_valid: &[Vec<bool>], budget: usize) -> anyhow::Result<Self> {
         let pixels = u64::from(comparison.size[0]) * u64::from(comparison.size[1]);
         let first = (1..).find(|&s: &u32| pixels / u64::from(s * s) <= MAX_SHOWN_PIXELS).unwrap_or(1);
         let mut layers = Self::encode(comparison, is_valid, first)?;
@@ -46,7 +46,7 @@ impl Layers {
         Ok(layers)
     }
 
-    fn encode(comparison: &Comparison, is_valid: &[bool], stride: u32) -> anyhow::Result<Self> {
+    fn encode(comparison: &Comparison, is_valid: &[Vec<bool>], stride: u32) -> anyhow::Result<Self> {
         let reference = Picture::new(comparison.size, comparison.reference_picture.clone()).thinned(stride);
         let techniques: anyhow::Result<Vec<_>> = comparison
             .rows
@@ -65,7 +65,7 @@ impl Layers {
 fn technique_layers(
     comparison: &Comparison,
     row: &Row,
-    is_valid: &[bool],
+    is_valid: &[Vec<bool>],
     stride: u32,
 ) -> anyhow::Result<TechniqueLayers> {
     let changed = Picture::new(comparison.size, changed_pixels(&comparison.reference_picture, &row.picture));
@@ -129,7 +129,7 @@ mod tests {
             row.frame.doubt = vec![false; 160 * 120];
         }
         comparison.reference.visibility = vec![1.0; 160 * 120];
-        let valid = vec![true; 160 * 120];
+        let valid = [vec![true; 160 * 120]];
         let full = Layers::fitting(&comparison, &valid, BUDGET).unwrap();
         let half = Layers::fitting(&comparison, &valid, full.bytes() / 2).unwrap();
         assert_eq!((full.stride, half.stride), (1, 2));

@@ -32,6 +32,8 @@ pub struct Report {
     facts: Vec<(&'static str, String)>,
     command: String,
     size: [u32; 2],
+    /// What rates count: pixel or sample.
+    unit: &'static str,
     /// Row that the slider shows first: one that differs from the reference, if any.
     shown: usize,
     layers: Layers,
@@ -62,7 +64,7 @@ impl Report {
     pub fn new(
         summary: &Summary,
         comparison: &Comparison,
-        is_valid: &[bool],
+        is_valid: &[Vec<bool>],
         playback: Option<&Playback>,
     ) -> anyhow::Result<Self> {
         let best = frontier_of(comparison);
@@ -71,6 +73,7 @@ impl Report {
             facts: facts(summary, comparison),
             command: summary.command.clone(),
             size: comparison.size,
+            unit: comparison.samples.unit(),
             shown: comparison
                 .rows
                 .iter()
@@ -81,7 +84,12 @@ impl Report {
             path: playback.map(|p| PathReport::new(comparison, p)).transpose()?,
             effects: EffectTable::of(&comparison.rows),
             lights: comparison.rows.iter().flat_map(light_rows).collect(),
-            rows: comparison.rows.iter().zip(best).map(|(row, is_best)| report_row(row, is_best)).collect(),
+            rows: comparison
+                .rows
+                .iter()
+                .zip(best)
+                .map(|(row, is_best)| report_row(row, is_best, comparison.samples.unit()))
+                .collect(),
         })
     }
 
@@ -99,18 +107,13 @@ impl Report {
 }
 
 fn facts(summary: &Summary, comparison: &Comparison) -> Vec<(&'static str, String)> {
-    let view = &summary.view;
+    let (view, unit) = (&summary.view, comparison.samples.unit());
     let mut all = vec![
         ("Scene", summary.scene.clone()),
         ("Triangles", format!("{} in {} instances", grouped(summary.triangles), grouped(summary.instances))),
         (
             "Picture",
-            format!(
-                "{} × {}, {} pixels with geometry",
-                summary.size[0],
-                summary.size[1],
-                grouped(comparison.valid_pixels)
-            ),
+            format!("{}, {} {}s with geometry", summary.picture(), grouped(comparison.valid_pixels), unit),
         ),
         ("Backend", format!("{} · {} · {} threads", summary.backend, summary.device, summary.threads)),
         ("BVH", format!("{} ms, {} KiB", ms(Some(summary.bvh_ms)), grouped(summary.bvh_bytes / 1024))),
@@ -151,7 +154,7 @@ fn light_rows(row: &Row) -> impl Iterator<Item = (String, usize, [String; 3])> {
     })
 }
 
-fn report_row(row: &Row, is_best: bool) -> ReportRow {
+fn report_row(row: &Row, is_best: bool, unit: &str) -> ReportRow {
     let id = row.technique.to_string();
     let (lit, shadowed) = (ppm(row.errors.false_lit_ppm()), ppm(row.errors.false_shadowed_ppm()));
     let rays = decimals(Some(row.rays_per_pixel), 3);
@@ -159,7 +162,7 @@ fn report_row(row: &Row, is_best: bool) -> ReportRow {
         stem: files::stem(&id),
         is_best,
         caption: format!(
-            "{rays} rays per pixel, {lit} ppm false-lit, {shadowed} ppm false-shadowed, {} ms",
+            "{rays} rays per {unit}, {lit} ppm false-lit, {shadowed} ppm false-shadowed, {} ms",
             ms(row.total_ms)
         ),
         cells: [
@@ -184,13 +187,17 @@ mod tests {
     use crate::fixture;
 
     fn page() -> String {
-        Report::new(&fixture::summary(), &fixture::comparison(), &[true; 8], None).unwrap().render().unwrap()
+        Report::new(&fixture::summary(), &fixture::comparison(), &[vec![true; 8]], None)
+            .unwrap()
+            .render()
+            .unwrap()
     }
 
     #[test]
     fn several_frames_get_plots_and_masks() {
         let (comparison, playback) = fixture::played();
-        let report = Report::new(&fixture::summary(), &comparison, &[true; 8], Some(&playback)).unwrap();
+        let report =
+            Report::new(&fixture::summary(), &comparison, &[vec![true; 8]], Some(&playback)).unwrap();
         let played = report.render().unwrap();
         assert!(played.contains("Over the frames") && played.contains("Temporal mask"));
         assert!(!page().contains("Over the frames"));

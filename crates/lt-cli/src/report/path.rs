@@ -53,7 +53,7 @@ impl PathReport {
     /// # Errors
     /// A plot or picture that cannot be drawn.
     pub fn new(comparison: &Comparison, playback: &Playback) -> anyhow::Result<Self> {
-        let rows = &comparison.rows;
+        let (rows, unit) = (&comparison.rows, comparison.samples.unit());
         let wrong = |f: &FrameStats| f.errors.wrong_ppm();
         let legend = rows.iter().enumerate().map(|(i, row)| {
             let RGBColor(r, g, b) = COLOURS[i % COLOURS.len()];
@@ -62,12 +62,12 @@ impl PathReport {
         let strips: anyhow::Result<Vec<MaskStrip>> = rows
             .iter()
             .filter(|r| r.frames.iter().any(|f| f.mask.is_some()))
-            .map(|row| mask_strip(row, comparison.size))
+            .map(|row| mask_strip(row, comparison.size_in_samples()))
             .collect();
         Ok(Self {
             headline: playback.headline(),
-            wrong: plot(rows, "wrong pixels, ppm", wrong)?,
-            rays: plot(rows, "rays per pixel", FrameStats::rays_per_pixel)?,
+            wrong: plot(rows, &format!("wrong {unit}s, ppm"), wrong)?,
+            rays: plot(rows, &format!("rays per {unit}"), FrameStats::rays_per_pixel)?,
             legend: legend.collect(),
             rows: rows.iter().map(table_row).collect(),
             masks: strips?,

@@ -18,6 +18,7 @@ use crate::block::{BLOCK, Block};
 use crate::casters::{Casters, Query};
 use crate::lanes::Level;
 use crate::level::{Chosen, Instructions, Work};
+use crate::rect::Rect;
 use crate::split::Item;
 use crate::tree::items;
 use crate::view::{Bounds, View};
@@ -119,6 +120,12 @@ impl SampleMap {
     /// Nodes of all trees.
     pub fn node_count(&self) -> usize {
         self.parts().map(Part::node_count).sum()
+    }
+
+    /// For every leaf with samples a rectangle around them, in light space ([`View::point`]), with their largest nearness: view
+    /// after view.
+    pub fn leaves(&self) -> impl Iterator<Item = Rect> {
+        self.parts().flat_map(Part::leaves)
     }
 
     fn parts(&self) -> impl Iterator<Item = &Part> {

@@ -117,6 +117,12 @@ impl Part {
         self.nodes.len()
     }
 
+    /// Rectangles around the samples of each leaf that has any.
+    pub fn leaves(&self) -> impl Iterator<Item = Rect> {
+        let rects = self.nodes[self.nodes.len() / 2..].iter().map(|node| node.rect);
+        rects.filter(|rect| rect.x0 <= rect.x1)
+    }
+
     pub fn sources(&self) -> &[u32] {
         &self.sources
     }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use lt_irregular::Instructions;
 
 use super::today::today;
-use super::{hair, random};
+use super::{hair, random, samples};
 
 /// The paper's Table 1: nodes visited, occlusion-culled, samples tested (thousands), then ms of tree, triangles and total.
 const PAPER: [(u32, [f64; 3], [u32; 3]); 4] = [
@@ -16,7 +16,12 @@ const PAPER: [(u32, [f64; 3], [u32; 3]); 4] = [
 ];
 
 /// All tables.
-pub fn markdown(rows: &[random::Row], close: &[random::Row], hair: &[hair::Row]) -> String {
+pub fn markdown(
+    rows: &[random::Row],
+    close: &[random::Row],
+    hair: &[hair::Row],
+    sampled: &[samples::Row],
+) -> String {
     let mut out = String::new();
     let threads = rayon::current_num_threads();
     let _ = writeln!(
@@ -51,7 +56,28 @@ pub fn markdown(rows: &[random::Row], close: &[random::Row], hair: &[hair::Row])
         );
         hairs(&mut out, hair);
     }
+    if !sampled.is_empty() {
+        let size = samples::SIZE;
+        let _ = writeln!(
+            out,
+            "\n### Samples per pixel\n\nMilliseconds of a frame, {}×{} pixels, {threads} threads; in brackets, times what one sample \
+             takes. `ray` and `ray:light` walk trees built before, `ray:dac` and `alias-free` build all of theirs every time:\n",
+            size.x, size.y
+        );
+        sampled.iter().for_each(|row| per_sample(&mut out, row));
+    }
     out
+}
+
+fn per_sample(out: &mut String, row: &samples::Row) {
+    let ids = samples::TECHNIQUES.map(|id| format!("`{id}`")).join(" | ");
+    let _ = writeln!(out, "| {} | {ids} |\n|---|{}", row.name, "---|".repeat(samples::TECHNIQUES.len()));
+    for (count, ms) in samples::COUNTS.iter().zip(&row.ms) {
+        let cells: Vec<String> =
+            ms.iter().zip(&row.ms[0]).map(|(ms, one)| format!("{ms:.1} ({:.1})", ms / one)).collect();
+        let _ = writeln!(out, "| {count} | {} |", cells.join(" | "));
+    }
+    out.push('\n');
 }
 
 fn thousands(n: u64) -> String {

@@ -1,8 +1,8 @@
 //! Map evaluation in batches: VSM and EVSM from gathered depths, many pixels at a time, below the shared function.
 //!
 //! [`lt_shaders::evaluate::evaluate`] answers one pixel; this file answers the same for 64 at once, in stages that each
-//! run over arrays: settle and project, footprint, gather, bound. A batch's texels and the samples after it are fetched while the
-//! batch before is worked on: half of an evaluation was waiting for them. Stages are plain loops without branches over numbers,
+//! run over arrays: settle and project, footprint, gather, bound. A batch's texels are fetched while the batch before is
+//! worked on. Stages are plain loops without branches over numbers,
 //! which the compiler turns into SIMD; [`evaluate_batch`] holds them compiled for several instruction sets and takes the
 //! best that the processor has. No instruction set contracts a product and a sum, so that every one gives the bits of
 //! the shared function. Tests hold that on every built-in scene.
@@ -143,29 +143,24 @@ fn evaluate_all<T: BatchTest, const LTT: bool>(
     let (batches, rest) = samples.as_chunks::<BATCH>();
     let (lit, lit_rest) = visibility.as_chunks_mut::<BATCH>();
     let (doubted, doubted_rest) = is_doubted.as_chunks_mut::<BATCH>();
-    let mut places = [Places::new(), Places::new()];
-    let mut footprints = Footprints::new();
+    // In turns: one is worked on while the other's texels come.
+    let mut both = [Footprints::new(), Footprints::new()];
     if let Some(first) = batches.first() {
-        places[0].find(first, p, maps);
+        both[0].find(first, p, maps);
     }
     for (at, (visibility, is_doubted)) in lit.iter_mut().zip(doubted).enumerate() {
-        if let Some(after) = batches.get(at + 2) {
-            for sample in after {
-                prefetch(sample);
-            }
-        }
         if let Some(next) = batches.get(at + 1) {
-            places[(at + 1) & 1].find(next, p, maps);
+            both[(at + 1) & 1].find(next, p, maps);
         }
-        let place = &places[at & 1];
-        let states = &place.states;
+        let footprints = &mut both[at & 1];
         // Whole batches of sky, or of what faces away, need no map.
-        let answers = if place.is_any_open {
-            footprints.gather(place, maps.depths);
-            test.visibility_of_footprints::<LTT>(&footprints, states, p.epsilon)
+        let answers = if footprints.is_any_open {
+            footprints.gather(maps.depths);
+            test.visibility_of_footprints::<LTT>(footprints, p.epsilon)
         } else {
             [0.0; BATCH]
         };
+        let states = &footprints.states;
         for i in 0..BATCH {
             let v = answers[i];
             let verdict = doubt(v, p.epsilon);
@@ -210,13 +205,6 @@ pub(super) const LIT: u32 = 1;
 const OUTSIDE: u32 = 2;
 /// For the map to say.
 pub(super) const MAPPED: u32 = 3;
-
-/// What the gathers of a batch found, seen from the receivers. Pixels that the map does not answer have numbers, too.
-pub struct Footprints {
-    /// Depths minus the receiver's, each limited to \[0, 1\] before.
-    offsets: [Lanes; 4],
-    weights: [Lanes; 4],
-}
 
 /// The parts of a batch's samples that evaluation reads, each in a row of its own.
 pub(super) struct Rows {
@@ -274,8 +262,9 @@ fn transposed(v: [Vec4; 4]) -> [[f32; 4]; 4] {
     Mat4::from_cols(v[0], v[1], v[2], v[3]).transpose().to_cols_array_2d()
 }
 
-/// Where a batch's pixels lie on the levels that answer for them; the middle of nowhere for those on none.
-struct Places {
+/// A batch's pixels on the levels that answer for them, first where they lie ([`Footprints::find`]), then what is there
+/// ([`Footprints::gather`]). Pixels that no level answers have numbers, too.
+pub struct Footprints {
     states: [u32; BATCH],
     /// Whether any is for the map to say.
     is_any_open: bool,
@@ -285,9 +274,11 @@ struct Places {
     weights: [Lanes; 4],
     /// Numbers of the four texels.
     texels: [[u32; BATCH]; 4],
+    /// Their depths minus the receiver's, each limited to \[0, 1\] before.
+    offsets: [Lanes; 4],
 }
 
-impl Places {
+impl Footprints {
     fn new() -> Self {
         Self {
             states: [BLOCKED; BATCH],
@@ -297,6 +288,7 @@ impl Places {
             receivers: [0.0; BATCH],
             weights: [[0.0; BATCH]; 4],
             texels: [[0; BATCH]; 4],
+            offsets: [[0.0; BATCH]; 4],
         }
     }
 
@@ -311,10 +303,7 @@ impl Places {
         }
         (self.u, self.v, self.receivers) = ([0.0; BATCH], [0.0; BATCH], [0.0; BATCH]);
         let mut first_texels = [0; BATCH];
-        let mut is_sought = [false; BATCH];
-        for i in 0..BATCH {
-            is_sought[i] = self.states[i] == MAPPED;
-        }
+        let mut is_sought = self.states.map(|state| u32::from(state == MAPPED));
         for (level, projection) in maps.projections.iter().enumerate() {
             let first_texel = level as u32 * p.map_size * p.map_size;
             if projection.row_w == Vec4::W {
@@ -336,12 +325,12 @@ impl Places {
                     &mut is_sought,
                 );
             }
-            if !is_sought.iter().fold(false, |any, &sought| any | sought) {
+            if is_sought.iter().fold(0, |any, &sought| any | sought) == 0 {
                 break;
             }
         }
         for i in 0..BATCH {
-            self.states[i] = if is_sought[i] { OUTSIDE } else { self.states[i] };
+            self.states[i] = if is_sought[i] != 0 { OUTSIDE } else { self.states[i] };
         }
         self.find_texels(p.map_size, &first_texels);
         // Pixels of even number begin pairs side by side, whose texels share lines.
@@ -364,7 +353,7 @@ impl Places {
         margin_uv: Option<f32>,
         first_texel: u32,
         first_texels: &mut [u32; BATCH],
-        is_sought: &mut [bool; BATCH],
+        is_sought: &mut [u32; BATCH],
     ) {
         let [x, y, z] = &rows.position;
         let [row_x, row_y, row_z, row_w] =
@@ -378,12 +367,12 @@ impl Places {
             let (at_u, at_v, depth) = (along(row_x) / w, along(row_y) / w, along(row_z));
             let is_between = |x: f32| (x >= low) & (x <= high);
             let is_unit = |x: f32| (0.0..=1.0).contains(&x);
-            let is_inside = is_sought[i] & (w > 0.0) & is_between(at_u) & is_between(at_v) & is_unit(depth);
+            let is_inside = (is_sought[i] != 0) & (w > 0.0) & is_between(at_u) & is_between(at_v) & is_unit(depth);
             self.u[i] = if is_inside { at_u } else { self.u[i] };
             self.v[i] = if is_inside { at_v } else { self.v[i] };
             self.receivers[i] = if is_inside { depth } else { self.receivers[i] };
             first_texels[i] = if is_inside { first_texel } else { first_texels[i] };
-            is_sought[i] &= !is_inside;
+            is_sought[i] = if is_inside { 0 } else { is_sought[i] };
         }
     }
 
@@ -410,26 +399,19 @@ impl Places {
             self.texels[3][i] = lower + right;
         }
     }
-}
-
-impl Footprints {
-    fn new() -> Self {
-        Self { offsets: [[0.0; BATCH]; 4], weights: [[0.0; BATCH]; 4] }
-    }
 
     #[inline(always)]
-    fn gather(&mut self, places: &Places, depths: &[f32]) {
+    fn gather(&mut self, depths: &[f32]) {
         for i in 0..BATCH {
-            for (offsets, texels) in self.offsets.iter_mut().zip(&places.texels) {
+            for (offsets, texels) in self.offsets.iter_mut().zip(&self.texels) {
                 offsets[i] = depths[texels[i] as usize];
             }
         }
         for row in &mut self.offsets {
-            for (offset, receiver) in row.iter_mut().zip(&places.receivers) {
+            for (offset, receiver) in row.iter_mut().zip(&self.receivers) {
                 *offset = float::saturate(*offset) - receiver;
             }
         }
-        self.weights = places.weights;
     }
 
     #[inline(always)]
@@ -447,22 +429,12 @@ impl Footprints {
 pub trait BatchTest: TestFromParams {
     /// Visibilities with the bits of the test's own answer; with `LTT` it may also be 0 or 1 for an answer that is sure
     /// to lie on that side of doubt.
-    fn visibility_of_footprints<const LTT: bool>(
-        &self,
-        footprints: &Footprints,
-        states: &[u32; BATCH],
-        epsilon: f32,
-    ) -> Lanes;
+    fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, epsilon: f32) -> Lanes;
 }
 
 impl BatchTest for Vsm {
     #[inline(always)]
-    fn visibility_of_footprints<const LTT: bool>(
-        &self,
-        footprints: &Footprints,
-        _: &[u32; BATCH],
-        _: f32,
-    ) -> Lanes {
+    fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, _: f32) -> Lanes {
         let mut v = [0.0; BATCH];
         for (i, v) in v.iter_mut().enumerate() {
             let spread = Spread::of(footprints.offsets(i), footprints.weights(i));
@@ -474,12 +446,7 @@ impl BatchTest for Vsm {
 
 impl BatchTest for Evsm {
     #[inline(always)]
-    fn visibility_of_footprints<const LTT: bool>(
-        &self,
-        footprints: &Footprints,
-        states: &[u32; BATCH],
-        epsilon: f32,
-    ) -> Lanes {
+    fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, epsilon: f32) -> Lanes {
         let shortcut = Shortcut::new(self, epsilon);
         let mut v = [0.0; BATCH];
         let mut is_open = [false; BATCH];
@@ -492,10 +459,10 @@ impl BatchTest for Evsm {
                 let is_surely_lit = is_lit | shortcut.is_lit(offsets, spread.mean, spread.variance);
                 let is_surely_dark = shortcut.is_dark(offsets, spread.variance);
                 v[i] = if is_surely_lit { 1.0 } else { 0.0 };
-                is_open[i] = !(is_surely_lit | is_surely_dark) & (states[i] == MAPPED);
+                is_open[i] = !(is_surely_lit | is_surely_dark) & (footprints.states[i] == MAPPED);
             } else {
                 v[i] = 1.0;
-                is_open[i] = !is_lit & (states[i] == MAPPED);
+                is_open[i] = !is_lit & (footprints.states[i] == MAPPED);
             }
         }
         let open_count = is_open.iter().map(|&is_open| u32::from(is_open)).sum::<u32>() as usize;

@@ -7,6 +7,11 @@ mod asks;
 mod batch;
 mod history;
 mod kept_map;
+<<<<<<< HEAD
+=======
+mod layers;
+mod light_space;
+>>>>>>> main
 mod mask_batch;
 mod perspective;
 mod planes;
@@ -21,6 +26,7 @@ use std::time::Instant;
 use bytemuck::Zeroable;
 use history::History;
 use kept_map::{Draw, StillMap};
+use layers::{LitTiles, Seen};
 use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer, memory};
 use lt_irregular::LightBvh;
 use lt_math::glam::{UVec2, Vec3, Vec4};
@@ -32,7 +38,7 @@ use lt_shaders::camera::{
 use lt_shaders::evaluate::settle;
 use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
-use lt_shaders::shade::{light_on, shade};
+use lt_shaders::shade::shade_mean;
 use rayon::prelude::*;
 use shadow::PixelMs;
 use tiles::{BLOCK, Tiles};
@@ -50,10 +56,10 @@ pub use batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
 pub struct CpuBackend {
     scene: PackedScene,
     tiles: Tiles,
-    /// In tile order, like the other per-pixel buffers.
-    samples: Vec<Sample>,
-    /// Where each sample was in the last frame; empty while nothing in the scene moves.
-    previous: Vec<Vec3>,
+    /// Layers, front to back, in tile order like the other buffers of samples.
+    seen: Vec<Seen>,
+    /// The running frame's layer.
+    layer: usize,
     visibility: Vec<f32>,
     /// Empty while nothing tints light.
     tint: Vec<Vec3>,
@@ -93,8 +99,8 @@ impl CpuBackend {
         Self {
             scene,
             tiles: Tiles::new(UVec2::ZERO),
-            samples: Vec::new(),
-            previous: Vec::new(),
+            seen: Vec::new(),
+            layer: 0,
             visibility: Vec::new(),
             tint: Vec::new(),
             is_doubted: Vec::new(),
@@ -149,31 +155,33 @@ impl Backend for CpuBackend {
     fn camera(&mut self, params: &CameraParams, plan: &EffectPlan) -> Result<Option<f64>, RenderError> {
         self.tiles = Tiles::new(params.size);
         let len = self.tiles.len();
-        resize(&mut self.samples, len);
-        resize(&mut self.previous, if plan.object_motion { len } else { 0 });
+        let layers = plan.layers as usize;
+        self.seen.resize_with(layers, Seen::default);
+        self.seen.iter_mut().for_each(|seen| seen.resize(len, plan.object_motion, layers > 1));
         resize(&mut self.visibility, len);
         self.is_doubted.resize(len, false);
         let start = Instant::now();
         let covers = self.scene.coverage(0);
         let view = View { scene: &self.scene, tiles: self.tiles, params };
-        match (plan.alpha_test, plan.color_textures) {
-            (false, false) => see(view, Opaque, NoColorTextures, &mut self.samples, &mut self.previous),
-            (true, false) => see(view, covers, NoColorTextures, &mut self.samples, &mut self.previous),
-            (false, true) => see(view, Opaque, colors(&self.scene), &mut self.samples, &mut self.previous),
-            (true, true) => see(view, covers, colors(&self.scene), &mut self.samples, &mut self.previous),
+        match (&mut self.seen[..], plan.alpha_test, plan.color_textures) {
+            ([one], false, false) => see(view, Opaque, NoColorTextures, one),
+            ([one], true, false) => see(view, covers, NoColorTextures, one),
+            ([one], false, true) => see(view, Opaque, colors(&self.scene), one),
+            ([one], true, true) => see(view, covers, colors(&self.scene), one),
+            (all, ..) => layers::see(view, all),
         }
         Ok(Some(milliseconds(start)))
     }
 
-    fn samples(&mut self) -> Result<Vec<Sample>, RenderError> {
-        Ok(self.tiles.to_rows(&self.samples))
+    fn samples(&mut self) -> Result<Vec<Vec<Sample>>, RenderError> {
+        Ok(self.seen.iter().map(|seen| self.tiles.to_rows(&seen.samples)).collect())
     }
 
     fn begin(&mut self, job: &FrameJob) -> Result<(), RenderError> {
         light_space::check(&self.scene, job)?;
         let map_texels = job.map.as_ref().map_or(0, |m| (m.map_size() as usize).pow(2) * m.levels.len());
         let vector_texels = if job.plan.is_prefiltered() { map_texels } else { 0 };
-        self.slot = job.slot;
+        (self.slot, self.layer) = (job.slot, job.layer as usize);
         if self.slots.len() <= job.slot {
             self.slots.resize_with(job.slot + 1, Slot::default);
         }
@@ -236,7 +244,13 @@ impl Backend for CpuBackend {
                 return Ok(());
             }
             (PassKind::Tint, ..) => {
-                self.rays += tint::trace(&self.scene, job, &self.samples, &self.visibility, &mut self.tint);
+                self.rays += tint::trace(
+                    &self.scene,
+                    job,
+                    &self.seen[self.layer].samples,
+                    &self.visibility,
+                    &mut self.tint,
+                );
             }
             _ => {}
         }
@@ -253,7 +267,7 @@ impl Backend for CpuBackend {
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
             let lit_side = |s: &Sample| !settle(s, &job.shadow.light).1;
-            let traced: Vec<bool> = self.samples.iter().map(lit_side).collect();
+            let traced: Vec<bool> = self.seen[self.layer].samples.iter().map(lit_side).collect();
             doubt = self.tiles.to_rows(&traced);
         }
         Ok(Frame {
@@ -266,29 +280,17 @@ impl Backend for CpuBackend {
             mask: job.plan.mask.map_or(Vec::new(), |_| slot.history.rows(self.tiles)),
             map_draws: job.map_draws(),
             lights: Vec::new(),
+            layers: Vec::new(),
         })
     }
 
-    fn shade(&mut self, lights: &[ShadedLight<'_>]) -> Result<Vec<[u8; 4]>, RenderError> {
-        let (size, tiles) = (self.tiles.size(), self.tiles);
-        let Some(first) = lights.first() else { return Ok(Vec::new()) };
-        let mut picture = vec![0u32; tiles.len()];
-        picture.par_chunks_mut(BLOCK).zip(self.samples.par_chunks(BLOCK)).enumerate().for_each(
-            |(block, (out, samples))| {
-                for (i, (word, sample)) in out.iter_mut().zip(samples).enumerate() {
-                    if let Some(px) = tiles.pixel(block, i) {
-                        let at = (px.y * size.x + px.x) as usize;
-                        let given = |l: &ShadedLight<'_>| {
-                            let reaching = l.tint.get(at).map_or(Vec3::ONE, |t| *t) * l.visibility[at];
-                            light_on(sample, reaching, &l.params)
-                        };
-                        let light = lights.iter().fold(Vec3::ZERO, |sum, l| sum + given(l));
-                        *word = shade(px, sample, light, &first.params);
-                    }
-                }
-            },
-        );
-        Ok(tiles.to_rows(&picture).into_iter().map(u32::to_le_bytes).collect())
+    fn shade(&mut self, layers: &[Vec<ShadedLight<'_>>]) -> Result<Vec<[u8; 4]>, RenderError> {
+        let Some(first) = layers.first().and_then(|lights| lights.first()) else { return Ok(Vec::new()) };
+        let (lit, grid) =
+            (LitTiles { tiles: self.tiles, seen: &self.seen, lights: layers }, first.params.camera.grid);
+        let pixels = self.tiles.size() / grid;
+        let row = |y| (0..pixels.x).map(move |x| shade_mean(UVec2::new(x, y), grid, lit).to_le_bytes());
+        Ok((0..pixels.y).into_par_iter().flat_map_iter(row).collect())
     }
 }
 
@@ -331,14 +333,9 @@ struct View<'a> {
     params: &'a CameraParams,
 }
 
-/// The camera pass over all tiles; `previous` is empty, or also gets where every sample was in the last frame.
-fn see<A: AnyHit + Sync, C: ColorSource + Sync>(
-    view: View<'_>,
-    any_hit: A,
-    colors: C,
-    samples: &mut [Sample],
-    previous: &mut [Vec3],
-) {
+/// The camera pass over all tiles; `seen.previous` is empty, or also gets where every sample was in the last frame.
+fn see<A: AnyHit + Sync, C: ColorSource + Sync>(view: View<'_>, any_hit: A, colors: C, seen: &mut Seen) {
+    let Seen { samples, previous, .. } = seen;
     let scene = view.scene;
     let (nodes, triangles) = (scene.nodes(), scene.triangles());
     match scene.trees() {

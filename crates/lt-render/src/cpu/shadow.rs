@@ -84,10 +84,11 @@ impl CpuBackend {
         };
         let mut memories: Vec<Option<Memory<'_>>> = memories.into_iter().map(Some).collect();
         memories.resize_with(self.tiles.len() / BLOCK, || None);
-        let previous: &[Vec3] = if job.plan.object_motion { &self.previous } else { &[] };
+        let seen = &self.seen[self.layer];
+        let previous: &[Vec3] = if job.plan.object_motion { &seen.previous } else { &[] };
         let blocks = memories
             .par_iter_mut()
-            .zip(self.samples.par_chunks(BLOCK))
+            .zip(seen.samples.par_chunks(BLOCK))
             .zip(self.visibility.par_chunks_mut(BLOCK))
             .zip(self.is_doubted.par_chunks_mut(BLOCK))
             .enumerate();
@@ -110,7 +111,7 @@ impl CpuBackend {
         let is_later = matches!(passes.resolver, Resolver::Later);
         self.rays = totals.rays;
         if is_later {
-            let later = Later { scene: &self.scene, job, samples: &self.samples };
+            let later = Later { scene: &self.scene, job, samples: &seen.samples };
             self.rays = later.resolve(&mut self.visibility, &self.is_doubted, &mut memories);
         }
         let later_ms = if is_later { milliseconds(start) } else { 0.0 };

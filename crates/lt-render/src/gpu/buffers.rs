@@ -1,9 +1,17 @@
 //! Buffers: a scene's, a frame's, and reading them back.
 
 use bytemuck::{Pod, Zeroable};
+<<<<<<< HEAD
 use lt_irregular::PackedLightBvh;
 use lt_math::glam::{UVec2, Vec4};
 use lt_shaders::{abi::Sample, doubt::list_words};
+=======
+use lt_math::glam::UVec2;
+use lt_shaders::{
+    abi::{Sample, Sight},
+    doubt::list_words,
+};
+>>>>>>> main
 use wgpu::BufferUsages as Usage;
 
 use crate::{DrawRange, PackedScene, RenderError};
@@ -33,8 +41,9 @@ pub(super) struct LightTree {
     pub space: wgpu::Buffer,
 }
 
-/// Per-pixel buffers of a view, and what techniques keep between frames.
+/// Per-sample buffers of a view, and what techniques keep between frames.
 pub struct FrameBuffers {
+    /// In samples.
     pub(super) size: UVec2,
     pub(super) samples: wgpu::Buffer,
     /// Where each sample was in the last frame; only while things in the scene move.
@@ -44,9 +53,33 @@ pub struct FrameBuffers {
     pub(super) tints: Option<wgpu::Buffer>,
     /// What the lights added so far give to each pixel; only while a picture is shaded.
     pub(super) light: Option<wgpu::Buffer>,
+    /// Front to back, where the camera sees several layers; `samples` and `past` are then those of one of them.
+    pub(super) layers: Vec<LayerBuffers>,
+    /// Which one.
+    pub(super) layer: usize,
+    /// Colours of the layers added so far; only while a picture of several is shaded.
+    pub(super) colors: Option<wgpu::Buffer>,
     pub(super) doubt: Option<DoubtBuffers>,
     /// By [`crate::FrameJob::slot`].
     pub(super) slots: Vec<SlotBuffers>,
+}
+
+/// One layer of what the camera sees.
+pub(super) struct LayerBuffers {
+    pub samples: wgpu::Buffer,
+    /// What lies before each sample.
+    pub sights: wgpu::Buffer,
+    pub past: Option<wgpu::Buffer>,
+}
+
+impl FrameBuffers {
+    /// Lets passes run on this layer, if there are several.
+    pub fn show_layer(&mut self, layer: u32) {
+        if let Some(shown) = self.layers.get(layer as usize) {
+            (self.samples, self.past) = (shown.samples.clone(), shown.past.clone());
+            self.layer = layer as usize;
+        }
+    }
 }
 
 /// One technique's map and history.
@@ -124,7 +157,7 @@ impl Allocator {
         if bytes > most {
             return Err(self.error(format!(
                 "{what} need {bytes} bytes in one buffer, the device allows {most}: use a smaller scene, picture or map, \
-                 or --backend cpu"
+                 fewer samples per pixel, or --backend cpu"
             )));
         }
         Ok(())
@@ -203,10 +236,12 @@ impl Allocator {
 
     pub fn frame(&self, size: UVec2) -> Result<FrameBuffers, RenderError> {
         let pixels = u64::from(size.x) * u64::from(size.y);
-        let samples = pixels * size_of::<Sample>() as u64;
         Ok(FrameBuffers {
             size,
-            samples: self.empty("samples", samples, Usage::STORAGE | Usage::COPY_SRC)?,
+            samples: self.samples(size)?,
+            layers: Vec::new(),
+            layer: 0,
+            colors: None,
             visibility: self.empty(
                 "visibility",
                 pixels * 4,
@@ -256,9 +291,28 @@ impl Allocator {
         self.empty("tints", pixels * 16, Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST)
     }
 
+    fn samples(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {
+        let bytes = u64::from(size.x) * u64::from(size.y) * size_of::<Sample>() as u64;
+        self.empty("samples", bytes, Usage::STORAGE | Usage::COPY_SRC)
+    }
+
+    /// Light or colours: four numbers a sample, zero at first.
     pub fn light(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {
         let pixels = u64::from(size.x) * u64::from(size.y);
         self.empty("light", pixels * 16, Usage::STORAGE)
+    }
+
+    pub fn sights(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {
+        let bytes = u64::from(size.x) * u64::from(size.y) * size_of::<Sight>() as u64;
+        self.empty("sights", bytes, Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST)
+    }
+
+    pub fn layer(&self, size: UVec2, object_motion: bool) -> Result<LayerBuffers, RenderError> {
+        Ok(LayerBuffers {
+            samples: self.samples(size)?,
+            sights: self.sights(size)?,
+            past: if object_motion { Some(self.past(size)?) } else { None },
+        })
     }
 
     pub fn past(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {

@@ -46,7 +46,8 @@ pub struct GpuBackend {
     packed: PackedScene,
     scene: GpuScene,
     frame: FrameBuffers,
-    samples: Vec<Sample>,
+    /// Layer by layer.
+    samples: Vec<Vec<Sample>>,
     encoder: Option<wgpu::CommandEncoder>,
     timestamps: Option<Timestamps>,
     /// A software driver: its timestamps do not bracket the work between them (seen with Mesa 22.3's lavapipe once a
@@ -151,6 +152,25 @@ impl GpuBackend {
         Ok((0..self.pixels() as u32).map(|i| place.read(&words, i)).collect())
     }
 
+    /// Adds a light to what the samples of the layer that is shown receive.
+    fn add_light(&mut self, light: &ShadedLight<'_>) -> Result<(), RenderError> {
+        self.queue.write_buffer(&self.frame.visibility, 0, bytemuck::cast_slice(light.visibility));
+        self.frame.tints = match light.tint {
+            [] => None,
+            tint => {
+                let buffer = self.recorder.allocator().tints(self.frame.size)?;
+                let rows: Vec<Vec4> = tint.iter().map(|t| t.extend(1.0)).collect();
+                self.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&rows));
+                Some(buffer)
+            }
+        };
+        let mut encoder = self.new_encoder();
+        self.recorder.add_light(&mut encoder, &mut self.frame, &light.params)?;
+        self.queue.submit([encoder.finish()]);
+        Ok(())
+    }
+
+    /// Samples of the picture.
     fn pixels(&self) -> u64 {
         u64::from(self.frame.size.x) * u64::from(self.frame.size.y)
     }
@@ -158,7 +178,8 @@ impl GpuBackend {
     /// Doubted pixels and rays of the frame that was just run.
     fn doubt(&self, job: &FrameJob) -> Result<(Vec<bool>, u64), RenderError> {
         if job.plan.trace_all {
-            let traced: Vec<bool> = self.samples.iter().map(|s| !settle(s, &job.shadow.light).1).collect();
+            let samples = &self.samples[job.layer as usize];
+            let traced: Vec<bool> = samples.iter().map(|s| !settle(s, &job.shadow.light).1).collect();
             let rays = traced.iter().filter(|t| **t).count() as u64;
             return Ok((traced, rays));
         }
@@ -202,11 +223,15 @@ impl Backend for GpuBackend {
         })?;
         let passes = self.submit()?;
         let bytes = self.pixels() * size_of::<Sample>() as u64;
-        self.samples = self.recorder.allocator().read(&self.queue, &self.frame.samples, bytes)?;
+        self.samples.clear();
+        for layer in 0..plan.layers {
+            self.frame.show_layer(layer);
+            self.samples.push(self.recorder.allocator().read(&self.queue, &self.frame.samples, bytes)?);
+        }
         Ok(passes.first().and_then(|p| p.ms))
     }
 
-    fn samples(&mut self) -> Result<Vec<Sample>, RenderError> {
+    fn samples(&mut self) -> Result<Vec<Vec<Sample>>, RenderError> {
         Ok(self.samples.clone())
     }
 
@@ -223,6 +248,7 @@ impl Backend for GpuBackend {
             let problem = "does not rebuild trees (--rebuild): use --backend cpu".to_owned();
             return Err(RenderError::Gpu { device: self.device_name.clone(), problem });
         }
+        self.frame.show_layer(job.layer);
         self.recorder.prepare(&mut self.frame, job)?;
         self.restart();
         Ok(())
@@ -247,7 +273,7 @@ impl Backend for GpuBackend {
             None => Vec::new(),
             Some(buffer) => {
                 let rows: Vec<Vec4> = self.recorder.allocator().read(&self.queue, buffer, bytes * 4)?;
-                let reached = self.samples.iter().zip(&visibility);
+                let reached = self.samples[job.layer as usize].iter().zip(&visibility);
                 rays += reached.filter(|(s, v)| may_be_tinted(s, &job.shadow.light, **v)).count() as u64;
                 rows.into_iter().map(Vec4::truncate).collect()
             }
@@ -255,28 +281,22 @@ impl Backend for GpuBackend {
         let slot = &self.frame.slots[job.slot];
         let map_bytes = slot.map.as_ref().filter(|_| job.map.is_some()).map_or(0, |m| m.bytes());
         let mask = self.mask(job)?;
-        let (map_draws, lights) = (job.map_draws(), Vec::new());
-        Ok(Frame { visibility, tint, doubt, rays, passes, map_bytes, mask, map_draws, lights })
+        let (map_draws, lights, layers) = (job.map_draws(), Vec::new(), Vec::new());
+        Ok(Frame { visibility, tint, doubt, rays, passes, map_bytes, mask, map_draws, lights, layers })
     }
 
-    fn shade(&mut self, lights: &[ShadedLight<'_>]) -> Result<Vec<[u8; 4]>, RenderError> {
-        let Some(first) = lights.first() else { return Ok(Vec::new()) };
-        for light in lights {
-            self.queue.write_buffer(&self.frame.visibility, 0, bytemuck::cast_slice(light.visibility));
-            self.frame.tints = match light.tint {
-                [] => None,
-                tint => {
-                    let buffer = self.recorder.allocator().tints(self.frame.size)?;
-                    let rows: Vec<Vec4> = tint.iter().map(|t| t.extend(1.0)).collect();
-                    self.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&rows));
-                    Some(buffer)
-                }
-            };
-            let mut encoder = self.new_encoder();
-            self.recorder.add_light(&mut encoder, &mut self.frame, &light.params)?;
-            self.queue.submit([encoder.finish()]);
+    fn shade(&mut self, layers: &[Vec<ShadedLight<'_>>]) -> Result<Vec<[u8; 4]>, RenderError> {
+        let Some(first) = layers.first().and_then(|lights| lights.first()) else { return Ok(Vec::new()) };
+        for (layer, lights) in layers.iter().enumerate() {
+            self.frame.show_layer(layer as u32);
+            lights.iter().try_for_each(|light| self.add_light(light))?;
+            if !self.frame.layers.is_empty() {
+                let mut encoder = self.new_encoder();
+                self.recorder.add_layer(&mut encoder, &mut self.frame, &first.params)?;
+                self.queue.submit([encoder.finish()]);
+            }
         }
-        let bytes = self.pixels() * 4;
+        let bytes = self.pixels() * 4 / u64::from(first.params.camera.grid.element_product());
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let picture = self.recorder.allocator().empty("picture", bytes, usage)?;
         let mut encoder = self.new_encoder();

@@ -6,7 +6,9 @@ use lt_math::glam::UVec2;
 use lt_shaders::abi::{CameraParams, DepthParams, ShadeParams};
 use wgpu::BufferUsages as Usage;
 
-use super::buffers::{Allocator, FrameBuffers, GpuScene, HistoryBuffers, MapBuffers, SlotBuffers};
+use super::buffers::{
+    Allocator, FrameBuffers, GpuScene, HistoryBuffers, LayerBuffers, MapBuffers, SlotBuffers,
+};
 use super::modules::ShaderModule;
 use crate::light_space;
 use crate::{EffectPlan, FrameJob, MapSource, PackedScene, PassKind, RenderError, Resolve};
@@ -83,7 +85,7 @@ impl Recorder {
         self.allocator.frame(size)
     }
 
-    /// Traces primary rays into the frame's samples.
+    /// Traces primary rays into the frame's samples; where the plan has layers, into those of each, of which the first is shown.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
@@ -95,6 +97,9 @@ impl Recorder {
         p: &CameraParams,
         plan: &EffectPlan,
     ) -> Result<(), RenderError> {
+        if plan.layers > 1 {
+            return self.layers(encoder, scene, frame, p, plan);
+        }
         frame.past = match (plan.object_motion, frame.past.take()) {
             (false, _) => None,
             (true, Some(buffer)) => Some(buffer),
@@ -120,6 +125,51 @@ impl Recorder {
             bindings.extend([before, past]);
         }
         self.dispatch(encoder, &(name + "_cs"), &bindings, grid(frame.size))
+    }
+
+    /// Finds layer after layer of what the camera sees.
+    fn layers(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &GpuScene,
+        frame: &mut FrameBuffers,
+        p: &CameraParams,
+        plan: &EffectPlan,
+    ) -> Result<(), RenderError> {
+        let fits = |layer: &LayerBuffers| layer.past.is_some() == plan.object_motion;
+        if frame.layers.len() != plan.layers as usize || !frame.layers.iter().all(fits) {
+            let made = (0..plan.layers).map(|_| self.allocator.layer(frame.size, plan.object_motion));
+            frame.layers = made.collect::<Result<_, _>>()?;
+        }
+        let sights = self.allocator.sights(frame.size)?;
+        // Surfaces without a texture do not look at the texels; a binding must exist all the same.
+        let no_texels = self.allocator.filled::<u32>("no texels", &[], Usage::STORAGE)?;
+        let alpha_texels = scene.alpha_texels.as_ref().unwrap_or(&no_texels);
+        let color_texels = scene.color_texels.as_ref().unwrap_or(&no_texels);
+        for (i, layer) in frame.layers.iter().enumerate() {
+            let p = CameraParams { layers_behind: plan.layers - 1 - i as u32, ..*p };
+            let uniform = self.allocator.filled("layer", &[p], Usage::UNIFORM)?;
+            encoder.copy_buffer_to_buffer(&sights, 0, &layer.sights, 0, sights.size());
+            let mut bindings = vec![
+                &uniform,
+                &scene.nodes,
+                &scene.triangles,
+                &scene.vertices,
+                &scene.materials,
+                &layer.samples,
+                alpha_texels,
+                color_texels,
+                &sights,
+            ];
+            let mut name = "layer_cs";
+            if let (Some(before), Some(past)) = (&scene.previous_positions, &layer.past) {
+                name = "layer_motion_cs";
+                bindings.extend([before, past]);
+            }
+            self.dispatch(encoder, name, &bindings, grid(frame.size))?;
+        }
+        frame.show_layer(0);
+        Ok(())
     }
 
     /// Turns the caller's own G-buffer into the frame's samples: a float texture of world positions (w: largest
@@ -563,7 +613,32 @@ impl Recorder {
         Ok(())
     }
 
-    /// Shades the frame's samples with the lights added so far into `picture`, one sRGB word per pixel, and forgets the lights.
+    /// Adds the layer that is shown, with the lights added so far, to the samples' colours, and forgets the lights.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when a buffer cannot be made, no light was added, or the camera sees no layers.
+    pub fn add_layer(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &mut FrameBuffers,
+        p: &ShadeParams,
+    ) -> Result<(), RenderError> {
+        let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
+        let light = frame.light.take().ok_or_else(|| self.unprepared())?;
+        // New buffers are zero.
+        let colors = match frame.colors.take() {
+            Some(colors) => colors,
+            None => self.allocator.light(frame.size)?,
+        };
+        let layer = frame.layers.get(frame.layer).ok_or_else(|| self.unprepared())?;
+        let bindings = [&uniform, &layer.samples, &light, &layer.sights, &colors];
+        self.dispatch(encoder, "layer_color_cs", &bindings, grid(frame.size))?;
+        frame.colors = Some(colors);
+        Ok(())
+    }
+
+    /// Shades the frame's samples with the lights, or the layers, added so far into `picture`, one sRGB word per pixel, the mean over its samples,
+    /// and forgets them.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when a uniform cannot be made, or no light was added.
@@ -575,9 +650,14 @@ impl Recorder {
         p: &ShadeParams,
     ) -> Result<(), RenderError> {
         let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
+        let pixels = p.camera.size / p.camera.grid;
+        if let Some(colors) = frame.colors.take() {
+            return self.dispatch(encoder, "color_mean_cs", &[&uniform, &colors, picture], grid(pixels));
+        }
         let light = frame.light.take().ok_or_else(|| self.unprepared())?;
         let bindings = [&uniform, &frame.samples, &light, picture];
-        self.dispatch(encoder, "shade_cs", &bindings, grid(frame.size))
+        let name = if p.camera.grid == UVec2::ONE { "shade_cs" } else { "shade_mean_cs" };
+        self.dispatch(encoder, name, &bindings, grid(pixels))
     }
 
     fn dispatch(

@@ -95,10 +95,17 @@ pub fn errors(size: [u32; 2], valid: &[bool], reference: &[f32], visibility: &[f
     counts
 }
 
-/// The wrong pixels of a frame, light by light; `truth` was drawn of the same view under the same lights.
-pub fn errors_by_light(size: [u32; 2], valid: &[bool], truth: &Frame, frame: &Frame) -> Vec<Errors> {
-    let lights = truth.each_light().iter().zip(frame.each_light());
-    lights.map(|(t, f)| errors(size, valid, &t.visibility, &f.visibility)).collect()
+/// The wrong pixels of a frame, light by light, those of all layers together; `truth` was drawn of the same view under the same
+/// lights. `valid` has a picture for each layer.
+pub fn errors_by_light(size: [u32; 2], valid: &[Vec<bool>], truth: &Frame, frame: &Frame) -> Vec<Errors> {
+    let mut sums = vec![Errors::default(); frame.each_light().len()];
+    for (valid, (truth, frame)) in valid.iter().zip(truth.each_layer().iter().zip(frame.each_layer())) {
+        let lights = truth.each_light().iter().zip(frame.each_light());
+        for (sum, (truth, frame)) in sums.iter_mut().zip(lights) {
+            *sum = Errors::sum([*sum, errors(size, valid, &truth.visibility, &frame.visibility)]);
+        }
+    }
+    sums
 }
 
 #[cfg(test)]

@@ -50,6 +50,8 @@ pub struct PackStats {
     pub translucent_triangles: u64,
     /// Whether these tint the light; else they block it or not, like any other.
     pub is_translucency_traced: bool,
+    /// Surfaces that the camera may see behind the first one; 0 where nothing is translucent.
+    pub layers_behind: u32,
 }
 
 /// One range of the depth map pass.
@@ -81,6 +83,9 @@ pub struct Packing {
     pub traces_translucency: bool,
     /// Copies become triangles of the one tree in world space, however many: what resolvers in light space need.
     pub bakes_copies: bool,
+    /// How many surfaces more the camera may see behind the first, through translucent ones; 0 for none. Needs
+    /// `traces_translucency`; makes copies baked, and a blended surface be seen wherever its alpha is not 0.
+    pub layers_behind: u32,
 }
 
 /// A scene in the kernels' buffers.
@@ -119,10 +124,10 @@ impl PackedScene {
     /// # Errors
     /// As [`PackedScene::new`].
     pub fn with(scene: &Scene, packing: Packing) -> Result<Self, RenderError> {
-        let Packing { traces_translucency, bakes_copies } = packing;
-        let bake_limit = if bakes_copies { usize::MAX } else { BAKE_ALL_LIMIT };
+        let Packing { traces_translucency, bakes_copies, layers_behind } = packing;
+        let bake_limit = if bakes_copies || layers_behind > 0 { usize::MAX } else { BAKE_ALL_LIMIT };
         let textures = textures::pack(scene);
-        let materials = textures::pack_materials(scene, &textures, traces_translucency);
+        let materials = textures::pack_materials(scene, &textures, packing);
         let groups = meshes::group(scene, bake_limit);
         let mut vertices = Vec::new();
         let mut bvhs = Vec::new();
@@ -146,6 +151,7 @@ impl PackedScene {
         let mut stats = PackStats {
             translucent_triangles: casters.members.iter().map(|&i| triangles_of(scene, i)).sum(),
             is_translucency_traced: traces_translucency,
+            layers_behind: if casters.members.is_empty() { 0 } else { layers_behind },
             triangles: scene.triangle_count() as u64,
             instances: scene.instances.len() as u64,
             instanced_meshes: groups.iter().filter(|g| g.is_instanced).count() as u64,

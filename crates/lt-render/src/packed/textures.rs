@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use lt_scene::{AlphaMode, Mesh, Scene, Texture, TextureRef, Wrap};
 use lt_shaders::abi::Material;
 
+use super::Packing;
+
 /// Colour textures are halved until neither side is longer. Coverage never is.
 const MAX_COLOR_SIDE: u32 = 512;
 
@@ -78,17 +80,19 @@ pub struct PackedMaterials {
     may_cast: Vec<bool>,
 }
 
+/// Least alpha at which a blended surface is a layer; below it the nearest texels are clear.
+const LEAST_SEEN_ALPHA: f32 = 0.5 / 255.0;
+
 /// Translates the scene's materials. Where translucency is traced, translucent ones block no light.
-pub fn pack_materials(
-    scene: &Scene,
-    textures: &PackedTextures,
-    traces_translucency: bool,
-) -> PackedMaterials {
+pub fn pack_materials(scene: &Scene, textures: &PackedTextures, packing: Packing) -> PackedMaterials {
     let mut out = PackedMaterials { packed: Vec::new(), least_alpha: Vec::new(), may_cast: Vec::new() };
     for material in &scene.materials {
         let mut base = Material {
             base_color: material.base_color,
-            cutoff: material.cutoff().unwrap_or(0.0),
+            cutoff: match material.alpha {
+                AlphaMode::Blend if packing.layers_behind > 0 => LEAST_SEEN_ALPHA,
+                _ => material.cutoff().unwrap_or(0.0),
+            },
             flags: if material.alpha == AlphaMode::Blend { Material::BLENDS } else { 0 },
             transmission: material.transmission,
             ..Material::default()
@@ -105,7 +109,7 @@ pub fn pack_materials(
             }
         }
         out.least_alpha.push(least);
-        out.may_cast.push(!(traces_translucency && material.is_translucent()));
+        out.may_cast.push(!(packing.traces_translucency && material.is_translucent()));
         for variant in 0..4 {
             out.packed.push(Material { flags: base.flags | variant, ..base });
         }

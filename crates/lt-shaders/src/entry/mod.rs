@@ -9,6 +9,7 @@ pub mod doubt;
 pub mod evaluate;
 pub mod filter;
 pub mod gbuffer;
+pub mod layers;
 pub mod mask;
 pub mod resolve;
 pub mod shade;
@@ -16,7 +17,7 @@ pub mod tint;
 
 use lt_math::glam::{UVec2, UVec3};
 
-/// Index of a pixel in row-major buffers, or `None` outside the picture.
+/// Index of a sample (or pixel) in row-major buffers, or `None` outside the picture.
 fn pixel_index(id: UVec3, size: UVec2) -> Option<usize> {
     if id.x < size.x && id.y < size.y { Some((id.y * size.x + id.x) as usize) } else { None }
 }
