@@ -7,11 +7,7 @@ mod asks;
 mod batch;
 mod history;
 mod kept_map;
-<<<<<<< HEAD
-=======
 mod layers;
-mod light_space;
->>>>>>> main
 mod mask_batch;
 mod perspective;
 mod planes;

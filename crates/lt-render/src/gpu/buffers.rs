@@ -1,17 +1,12 @@
 //! Buffers: a scene's, a frame's, and reading them back.
 
 use bytemuck::{Pod, Zeroable};
-<<<<<<< HEAD
 use lt_irregular::PackedLightBvh;
 use lt_math::glam::{UVec2, Vec4};
-use lt_shaders::{abi::Sample, doubt::list_words};
-=======
-use lt_math::glam::UVec2;
 use lt_shaders::{
     abi::{Sample, Sight},
     doubt::list_words,
 };
->>>>>>> main
 use wgpu::BufferUsages as Usage;
 
 use crate::{DrawRange, PackedScene, RenderError};
