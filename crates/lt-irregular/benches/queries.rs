@@ -1,4 +1,4 @@
-//! Building and asking each structure, beside the ray tracer, on one thread: `cargo bench -p lt-irregular`.
+//! Building and asking each structure, beside the ray tracer: `cargo bench -p lt-irregular`.
 
 use std::hint::black_box;
 
@@ -38,8 +38,6 @@ fn origins() -> Vec<Vec3> {
 }
 
 fn structures(c: &mut Criterion) {
-    // Some structures share work among threads, rays and the light BVH leave that to their callers.
-    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first to start threads");
     let origins = origins();
     let rays: Vec<Ray> = origins.iter().map(|&o| Ray::to_light(o, SUN)).collect();
     let mut out = vec![false; origins.len()];
