@@ -1,10 +1,12 @@
-//! Building and asking each structure, beside the ray tracer: `cargo bench -p lt-irregular`.
+//! Building and asking each structure, beside the ray tracer, on one thread: `cargo bench -p lt-irregular`.
 
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use lt_bvh::{BuildQuality, Bvh, Opaque, Ray, Simd, Tracer};
-use lt_irregular::{Bounds, Casters, DivideAndConquer, LightBvh, Options, SampleMap, Scratch, Walk};
+use lt_irregular::{
+    Bounds, Casters, DivideAndConquer, LightBvh, Options, SampleMap, Scratch, Walk, Workspace,
+};
 use lt_math::glam::{Vec3, Vec4};
 
 /// Towards the sun.
@@ -38,6 +40,8 @@ fn origins() -> Vec<Vec3> {
 }
 
 fn structures(c: &mut Criterion) {
+    // Some structures share work among threads, rays and the light BVH leave that to their callers.
+    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first to start threads");
     let origins = origins();
     let rays: Vec<Ray> = origins.iter().map(|&o| Ray::to_light(o, SUN)).collect();
     let mut out = vec![false; origins.len()];
@@ -72,8 +76,9 @@ fn structures(c: &mut Criterion) {
             b.iter(|| black_box(built.occluded(casters, &origins, Opaque, &mut out)));
         });
         let both = DivideAndConquer::new(SUN, domain);
+        let mut workspace = Workspace::default();
         query.bench_function(BenchmarkId::new("divide and conquer", count), |b| {
-            b.iter(|| both.occluded(casters, &origins, Opaque, &mut out));
+            b.iter(|| both.occluded(casters, &origins, Opaque, &mut out, &mut workspace));
         });
         query.finish();
     }

@@ -53,7 +53,7 @@ mod view;
 mod walk;
 
 pub use casters::Casters;
-pub use dac::DivideAndConquer;
+pub use dac::{DivideAndConquer, Workspace};
 pub use level::Instructions;
 pub use light_bvh::{LightBvh, Scratch, Walk};
 pub use lt_bvh::LightPoint;

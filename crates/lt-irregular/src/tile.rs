@@ -26,6 +26,15 @@ struct Waiting {
     rect: Rect,
 }
 
+/// Where the points of a tile come from, for those that were placed without their origins.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Late<'a> {
+    /// All origins.
+    pub origins: &'a [Vec3],
+    /// Which of them are the tile's.
+    pub ids: &'a [u32],
+}
+
 /// Points side by side, with their origins in permuted axes.
 #[repr(C, align(64))]
 pub(crate) struct Tile {
@@ -33,6 +42,8 @@ pub(crate) struct Tile {
     y: [f32; TILE],
     z: [f32; TILE],
     origins: [[f32; TILE]; 3],
+    /// Whether these are filled in, or wait for the first question that planes cannot answer.
+    has_origins: bool,
     /// Those that are in the view.
     members: u64,
     /// Those of them that are not blocked yet.
@@ -50,6 +61,7 @@ impl Default for Tile {
             y: [0.0; TILE],
             z: [0.0; TILE],
             origins: [[0.0; TILE]; 3],
+            has_origins: false,
             members: 0,
             alive: 0,
             rect: Rect::EMPTY,
@@ -87,15 +99,31 @@ impl Tile {
             lanes.store(point[1], &mut tile.y[at..]);
             lanes.store(point[2], &mut tile.z[at..]);
         }
-        tile.rect = Rect {
-            x0: least(lanes, low[0]),
-            x1: most(lanes, high[0]),
-            y0: least(lanes, low[1]),
-            y1: most(lanes, high[1]),
-            z: least(lanes, low[2]),
-        };
-        tile.far = most(lanes, high[2]);
+        (tile.rect, tile.far) = around(lanes, low, high);
         tile.alive = tile.members;
+        tile.has_origins = true;
+    }
+
+    /// Takes up to 64 points whose places are known; their origins come late, if ever.
+    #[inline(always)]
+    pub fn place<P: Lanes>(&mut self, lanes: P, [x, y, z]: [&[f32]; 3], len: usize) {
+        let (infinite, minus) = (lanes.splat(f32::INFINITY), lanes.splat(f32::NEG_INFINITY));
+        let (mut low, mut high) = ([infinite; 3], [minus; 3]);
+        for at in (0..len.min(TILE)).step_by(P::WIDTH) {
+            let given = (1u32 << (len - at).min(P::WIDTH)) - 1;
+            let point = [lanes.load(&x[at..]), lanes.load(&y[at..]), lanes.load(&z[at..])];
+            for axis in 0..3 {
+                low[axis] = lanes.min(lanes.pick(given, point[axis], infinite), low[axis]);
+                high[axis] = lanes.max(lanes.pick(given, point[axis], minus), high[axis]);
+            }
+            lanes.store(point[0], &mut self.x[at..]);
+            lanes.store(point[1], &mut self.y[at..]);
+            lanes.store(point[2], &mut self.z[at..]);
+        }
+        (self.rect, self.far) = around(lanes, low, high);
+        self.members = if len >= TILE { u64::MAX } else { (1 << len) - 1 };
+        self.alive = self.members;
+        self.has_origins = false;
     }
 
     /// The rectangle of the points with their least nearness, and the largest.
@@ -108,11 +136,18 @@ impl Tile {
         self.alive == 0
     }
 
-    /// Holds all points against a block.
+    /// Holds all points, whose origins are the ones named, against a block.
     #[inline(always)]
-    pub fn hold<L: Level, A: AnyHit>(&mut self, level: L, view: &View, query: &Query<'_, A>, block: &Block) {
+    pub fn hold<L: Level, A: AnyHit>(
+        &mut self,
+        level: L,
+        view: &View,
+        query: &Query<'_, A>,
+        block: &Block,
+        late: Late<'_>,
+    ) {
         let rect = self.rect;
-        self.leaf(level, view, query, block, self.alive, &rect);
+        self.leaf(level, view, query, block, self.alive, &rect, late);
     }
 
     /// The points that are in the view, a bit each.
@@ -141,7 +176,7 @@ impl Tile {
                 continue;
             }
             if link & LEAF != 0 {
-                self.leaf(level, &tree.view, query, tree.block(link), points, &rect);
+                self.leaf(level, &tree.view, query, tree.block(link), points, &rect, Late::default());
             } else if points.count_ones() <= FEW || top + 8 > STACK {
                 self.singly(level, tree, query, link, points);
             } else {
@@ -225,6 +260,7 @@ impl Tile {
         block: &Block,
         points: u64,
         rect: &Rect,
+        late: Late<'_>,
     ) {
         let (constant, factor) = view.depth_tolerance();
         let spread = Spread::new(rect, rect.z, self.far, constant + factor * self.far);
@@ -252,7 +288,7 @@ impl Tile {
             let slot = possible.trailing_zeros() as usize & 7;
             possible &= possible - 1;
             if block.ids[slot] != NOBODY {
-                self.triangle(level.points(), view, query, block, slot, points);
+                self.triangle(level.points(), view, query, block, slot, points, late);
             }
         }
     }
@@ -267,6 +303,7 @@ impl Tile {
         block: &Block,
         slot: usize,
         points: u64,
+        late: Late<'_>,
     ) {
         let (constant, factor) = view.depth_tolerance();
         let (constant, factor) = (lanes.splat(constant), lanes.splat(factor));
@@ -285,9 +322,22 @@ impl Tile {
         blocked = if asks { 0 } else { blocked & points };
         unsure &= points & !blocked;
         if unsure != 0 {
+            if !self.has_origins {
+                self.find_origins(view, late);
+            }
             blocked |= self.ask(lanes, view, query, id & !ASKS, unsure);
         }
         self.alive &= !blocked;
+    }
+
+    #[inline(always)]
+    fn find_origins(&mut self, view: &View, Late { origins, ids }: Late<'_>) {
+        let [x, y, z] = view.axes();
+        for (i, id) in ids.iter().take(TILE).enumerate() {
+            let o = origins[*id as usize];
+            (self.origins[0][i], self.origins[1][i], self.origins[2][i]) = (o[x], o[y], o[z]);
+        }
+        self.has_origins = true;
     }
 
     /// Of points that planes cannot decide on, those that the ray tracer finds blocked.
@@ -312,6 +362,19 @@ impl Tile {
         }
         blocked
     }
+}
+
+/// The rectangle with the least nearness, and the largest, from those of each lane.
+#[inline(always)]
+pub(crate) fn around<P: Lanes>(lanes: P, low: [P::F; 3], high: [P::F; 3]) -> (Rect, f32) {
+    let rect = Rect {
+        x0: least(lanes, low[0]),
+        x1: most(lanes, high[0]),
+        y0: least(lanes, low[1]),
+        y1: most(lanes, high[1]),
+        z: least(lanes, low[2]),
+    };
+    (rect, most(lanes, high[2]))
 }
 
 /// The least lane.

@@ -5,6 +5,7 @@ mod support;
 use lt_bvh::{AnyHit, BuildQuality, Bvh, Opaque, Ray, Simd, Tracer, occluded_in_light_space};
 use lt_irregular::{
     Casters, DivideAndConquer, Instructions, LightBvh, Options, PointOrder, SampleMap, Scratch, Walk,
+    Workspace,
 };
 use lt_math::glam::{Vec3, Vec4};
 use support::{PLACES, Random, Soup, lights, origins};
@@ -80,10 +81,11 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
             "{label}: {counted:?}"
         );
     }
+    let mut workspace = Workspace::default();
     for instructions in Instructions::available() {
         let mut found = vec![false; rays.len()];
         let both = DivideAndConquer::new(light, soup.bounds()).with_instructions(instructions);
-        both.expect("available").occluded(casters, origins, any_hit, &mut found);
+        both.expect("available").occluded(casters, origins, any_hit, &mut found, &mut workspace);
         judge(&format!("divide and conquer, {instructions:?}"), &found);
     }
     expected.iter().filter(|b| **b).count()

@@ -1,7 +1,7 @@
 //! The resolvers in the light's own space (lt-irregular): the rays' answers without a ray.
 
 use lt_bvh::{AnyHit, Transmit};
-use lt_irregular::{Bounds, Casters, DivideAndConquer, LightBvh, Options, SampleMap};
+use lt_irregular::{Bounds, Casters, DivideAndConquer, LightBvh, Options, SampleMap, Workspace};
 use lt_math::glam::{Vec3, Vec4};
 
 use crate::packed::Trees;
@@ -39,21 +39,21 @@ pub(crate) fn tree(scene: &PackedScene, light: Vec4) -> LightBvh {
     LightBvh::build(light, domain(scene), casters(scene))
 }
 
-/// Answers all of a frame's rays at once, by a resolver that keeps nothing.
+/// Answers all of a frame's rays at once, by a resolver that keeps nothing but memory.
 pub(crate) fn occluded<A: AnyHit + Sync>(
     scene: &PackedScene,
     resolve: Resolve,
     light: Vec4,
     origins: &[Vec3],
     any_hit: A,
-    out: &mut [bool],
+    (out, workspace): (&mut [bool], &mut Workspace),
 ) {
     let (casters, domain) = (casters(scene), domain(scene));
     if resolve == Resolve::AliasFree {
         SampleMap::build(light, domain, casters, origins, Options::default())
             .occluded(casters, origins, any_hit, out);
     } else {
-        DivideAndConquer::new(light, domain).occluded(casters, origins, any_hit, out);
+        DivideAndConquer::new(light, domain).occluded(casters, origins, any_hit, out, workspace);
     }
 }
 

@@ -1,11 +1,9 @@
 //! Lists of triangles' rectangles.
 
 use super::rows::{SLACK, grow};
-use crate::casters::Casters;
 use crate::lanes::Lanes;
 use crate::rect::Rect;
-use crate::tree::items;
-use crate::view::View;
+use crate::split::Item;
 use alloc::vec::Vec;
 
 /// Rectangles and the triangles that they belong to.
@@ -20,16 +18,16 @@ pub(super) struct Lists {
 }
 
 impl Lists {
-    pub fn of(view: &View, casters: Casters<'_>) -> (Self, usize) {
-        let items = items(view, casters);
-        let mut lists = Lists::default();
-        lists.reserve(items.len());
-        for (i, item) in items.iter().enumerate() {
-            (lists.x0[i], lists.x1[i]) = (item.rect.x0, item.rect.x1);
-            (lists.y0[i], lists.y1[i]) = (item.rect.y0, item.rect.y1);
-            (lists.z[i], lists.ids[i]) = (item.rect.z, item.triangle);
+    /// Writes `len` triangles behind the first `at`; how many.
+    pub fn append<'a>(&mut self, items: impl Iterator<Item = &'a Item>, len: usize, at: usize) -> usize {
+        self.reserve(at + len);
+        let rows = self.x0[at..].iter_mut().zip(&mut self.x1[at..]).zip(&mut self.y0[at..]);
+        let rows = rows.zip(&mut self.y1[at..]).zip(&mut self.z[at..]).zip(&mut self.ids[at..]);
+        for ((((((x0, x1), y0), y1), z), id), item) in rows.zip(items) {
+            (*x0, *x1, *y0, *y1) = (item.rect.x0, item.rect.x1, item.rect.y0, item.rect.y1);
+            (*z, *id) = (item.rect.z, item.triangle);
         }
-        (lists, items.len())
+        len
     }
 
     pub fn reserve(&mut self, end: usize) {
@@ -53,13 +51,12 @@ impl Lists {
         mask != 0
     }
 
-    /// Writes those of `from` that may block points in `rect`, of nearness from `rect.z` to `far`, to `to`; how many, and which of
-    /// them covers the rectangle, beyond all points, with the largest nearness.
+    /// Writes those triangles that may block points in `rect`, of nearness from `rect.z` to `far`, to `to`; how
+    /// many, and which of them covers the rectangle, beyond all points, with the largest nearness.
     #[inline(always)]
     pub fn take<P: Lanes>(
         &mut self,
         lanes: P,
-        from: Option<&Lists>,
         start: usize,
         len: usize,
         bounds: &(Rect, f32),
@@ -74,10 +71,9 @@ impl Lists {
         let near = lanes.splat(rect.z);
         let mut end = to;
         for at in (start..start + len).step_by(P::WIDTH) {
-            let rows = from.unwrap_or(self);
-            let (a0, a1) = (lanes.load(&rows.x0[at..]), lanes.load(&rows.x1[at..]));
-            let (b0, b1) = (lanes.load(&rows.y0[at..]), lanes.load(&rows.y1[at..]));
-            let z = lanes.load(&rows.z[at..]);
+            let (a0, a1) = (lanes.load(&self.x0[at..]), lanes.load(&self.x1[at..]));
+            let (b0, b1) = (lanes.load(&self.y0[at..]), lanes.load(&self.y1[at..]));
+            let z = lanes.load(&self.z[at..]);
             let mut mask =
                 lanes.le(a0, x1) & lanes.le(x0, a1) & lanes.le(b0, y1) & lanes.le(y0, b1) & lanes.le(near, z);
             let left = start + len - at;
@@ -86,7 +82,7 @@ impl Lists {
             }
             if mask != 0 {
                 let mut ids = [0; 16];
-                ids[..P::WIDTH].copy_from_slice(&rows.ids[at..at + P::WIDTH]);
+                ids[..P::WIDTH].copy_from_slice(&self.ids[at..at + P::WIDTH]);
                 lanes.compress(mask, a0, &mut self.x0[end..]);
                 lanes.compress(mask, a1, &mut self.x1[end..]);
                 lanes.compress(mask, b0, &mut self.y0[end..]);

@@ -1,13 +1,16 @@
 //! Divide and conquer over triangles and points together (after Mora, "Naive Ray-Tracing: A Divide-And-Conquer Approach", 2011): no tree
-//! is built and nothing is kept.
+//! is built and nothing is kept but memory.
 //!
-//! The points are halved in the middle of their rectangle, along its longer side; each half takes of the triangles those that overlap its own
-//! rectangle and are not all behind its points. Both lists lie in arrays, row by row, and the halves are written behind them. A triangle that
-//! covers a rectangle above all of its points finishes them.
+//! Points are sorted once into cells of about equal numbers, and triangles filed with the cells that they meet (`cells.rs`). A cell is one
+//! thread's: its points are halved in the middle of their rectangle, along its longer side; each half takes of the triangles
+//! those that overlap its own rectangle and are not all behind its points. Both lists lie in arrays, row by row, and the halves are
+//! written behind them. A triangle that covers a rectangle above all of its points finishes them.
 //!
-//! Memory is the rectangles of all triangles, and at most as much again for each of [`DEPTH`] levels of each thread's; lists only shrink. Time
-//! is at worst that of every triangle against every leaf of points.
+//! Memory is bounded by points and triangles: a triangle is filed with at most 64 cells, larger ones are looked at by all; a thread
+//! holds a cell's lists, and at most as much again for each of [`DEPTH`] levels; lists only shrink. Time is at worst that of every
+//! triangle against every leaf of points.
 
+mod cells;
 mod lists;
 mod points;
 mod rows;
@@ -17,20 +20,23 @@ use crate::casters::{Casters, Query};
 use crate::lanes::Level;
 use crate::level::{Chosen, Instructions, Work};
 use crate::rect::Rect;
-use crate::tile::{TILE, Tile};
+use crate::split::Item;
+use crate::tile::{Late, TILE, Tile};
+use crate::tree::items;
 use crate::view::{Bounds, View};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use cells::{CELLS, CHUNK, Chunk, File, Filed, Fill, Grid, Sort};
 use lists::Lists;
 use lt_bvh::{AnyHit, Ray};
 use lt_math::glam::{Vec3, Vec4};
 use points::{Part, Points};
+#[cfg(feature = "std")]
+use rayon::prelude::*;
 use rows::SLACK;
 
 /// Up to this many points are not divided further.
 const LEAF: usize = 128;
-/// Up to this many points are one thread's.
-const TASK: usize = 1 << 15;
 /// Levels of division; what is left then is a leaf, however large.
 const DEPTH: usize = 40;
 /// Fewer triangles than this are not worth dividing the points for.
@@ -47,14 +53,21 @@ pub struct DivideAndConquer {
     instructions: Instructions,
 }
 
+/// What is kept from call to call: memory alone, because fresh pages cost more than what is done with them.
+#[derive(Default)]
+pub struct Workspace {
+    chunks: Vec<Chunk>,
+    filed: Vec<Filed>,
+}
+
 /// Memory of a thread.
 #[derive(Default)]
 struct Scratch {
     lists: Lists,
     points: Points,
     tile: Box<Tile>,
-    origins: Vec<Vec3>,
     blocks: Vec<Block>,
+    path: Vec<Step>,
 }
 
 /// Points that are being halved, and their triangles.
@@ -118,6 +131,7 @@ impl DivideAndConquer {
         origins: &[Vec3],
         any_hit: A,
         out: &mut [bool],
+        workspace: &mut Workspace,
     ) {
         let len = origins.len().min(out.len());
         let (origins, out) = (&origins[..len], &mut out[..len]);
@@ -127,11 +141,7 @@ impl DivideAndConquer {
         let mut taken = 0;
         for view in View::of_light(self.light, self.domain, casters.root) {
             let scene = Scene { chosen, view: &view, query: &query, origins };
-            let problem = chosen.run(Root { view: &view, casters, origins });
-            taken += problem.points.1;
-            for id in scene.solve(problem, 0) {
-                out[id as usize] = true;
-            }
+            taken += scene.solve(workspace, out);
         }
         if taken < len {
             for (&origin, out) in origins.iter().zip(out) {
@@ -145,22 +155,6 @@ impl DivideAndConquer {
     }
 }
 
-/// Points and triangles that may meet, with how many they are.
-struct Problem {
-    points: (Points, usize),
-    triangles: (Lists, usize),
-    bounds: (Rect, f32),
-}
-
-/// What is known of half a problem.
-enum Half {
-    /// No point is blocked.
-    Clear,
-    /// All points are, by their places.
-    Blocked(Vec<u32>),
-    Open(Box<Problem>),
-}
-
 /// What all problems of a view have in common.
 struct Scene<'a, A> {
     chosen: Chosen,
@@ -169,31 +163,67 @@ struct Scene<'a, A> {
     origins: &'a [Vec3],
 }
 
+/// Both halves of a rectangle with its nearness, the least and the largest, together.
+fn union(a: (Rect, f32), b: (Rect, f32)) -> (Rect, f32) {
+    let least = if a.0.z < b.0.z { a.0.z } else { b.0.z };
+    let most = if a.1 > b.1 { a.1 } else { b.1 };
+    (Rect { z: least, ..a.0.union(&b.0) }, most)
+}
+
+/// Does something with every chunk of a list and its own memory, on all threads; what comes of it, in order.
+fn each_chunk<T: Sync, M: Send, R: Send>(
+    list: &[T],
+    memory: &mut [M],
+    run: impl Fn(usize, &[T], &mut M) -> R + Sync,
+) -> Vec<R> {
+    #[cfg(feature = "std")]
+    let chunks = list.par_chunks(CHUNK).zip(memory.par_iter_mut());
+    #[cfg(not(feature = "std"))]
+    let chunks = list.chunks(CHUNK).zip(memory.iter_mut());
+    chunks.enumerate().map(|(i, (some, memory))| run(i * CHUNK, some, memory)).collect()
+}
+
 impl<A: AnyHit + Sync> Scene<'_, A> {
-    /// The places of all blocked points.
-    fn solve(&self, problem: Problem, depth: usize) -> Vec<u32> {
-        if problem.points.1 == 0 || problem.triangles.1 == 0 {
-            return Vec::new();
+    /// Marks what is blocked; how many rays the view takes.
+    fn solve(&self, workspace: &mut Workspace, out: &mut [bool]) -> usize {
+        let Workspace { chunks, filed } = workspace;
+        chunks.resize_with(self.origins.len().div_ceil(CHUNK), Chunk::default);
+        let (chosen, view) = (self.chosen, self.view);
+        let bounds = each_chunk(self.origins, chunks, |first, origins, chunk| {
+            chosen.run(Fill { view, origins, first, chunk })
+        });
+        let taken = chunks.iter().map(Chunk::len).sum();
+        let Some((rect, _)) = bounds.into_iter().reduce(union) else { return 0 };
+        if taken == 0 {
+            return 0;
         }
-        if problem.points.1 <= TASK || depth == DEPTH {
-            return self.chosen.run(Task::new(self, problem));
-        }
-        let Problem { points, triangles, bounds } = problem;
-        let halves = self.chosen.run(Halve { points: &points, bounds });
-        drop(points);
-        let solve =
-            |points: (Points, Part)| match self.chosen.run(Narrow { scene: self, points, all: &triangles }) {
-                Half::Clear => Vec::new(),
-                Half::Blocked(places) => places,
-                Half::Open(half) => self.solve(*half, depth + 1),
-            };
-        let [a, b] = halves;
+        let grid = Grid::of(chunks);
+        each_chunk(self.origins, chunks, |_, _, chunk| chosen.run(Sort { grid: &grid, chunk }));
+        let counts: Vec<usize> = (0..CELLS).map(|cell| chunks.iter().map(|c| c.count(cell)).sum()).collect();
+        let is_used: Vec<bool> = counts.iter().map(|count| *count > 0).collect();
+        let items = items(view, self.query.casters);
+        filed.resize_with(items.len().div_ceil(CHUNK), Filed::default);
+        each_chunk(&items, filed, |first, items, filed| {
+            chosen.run(File { grid: &grid, is_used: &is_used, rect: &rect, items, first, filed });
+        });
+        let cells = |scratch: &mut Scratch, cell: usize| -> Vec<u32> {
+            if counts[cell] == 0 {
+                return Vec::new();
+            }
+            let triangles = scratch.gather(cell, counts[cell], chunks, filed, &items);
+            chosen.run(Task { scene: self, members: counts[cell], triangles, scratch, blocked: Vec::new() })
+        };
         #[cfg(feature = "std")]
-        let (mut lower, upper) = rayon::join(|| solve(a), || solve(b));
+        let blocked: Vec<Vec<u32>> = (0..CELLS).into_par_iter().map_init(Scratch::default, cells).collect();
         #[cfg(not(feature = "std"))]
-        let (mut lower, upper) = (solve(a), solve(b));
-        lower.extend(upper);
-        lower
+        let blocked: Vec<Vec<u32>> = {
+            let mut scratch = Scratch::default();
+            (0..CELLS).map(|cell| cells(&mut scratch, cell)).collect()
+        };
+        for id in blocked.into_iter().flatten() {
+            out[id as usize] = true;
+        }
+        taken
     }
 
     /// Whether a triangle blocks all points within the bounds for sure.
@@ -209,89 +239,38 @@ impl<A: AnyHit + Sync> Scene<'_, A> {
     }
 }
 
-/// Makes the first problem of a view: all its points and triangles.
-struct Root<'a> {
-    view: &'a View,
-    casters: Casters<'a>,
-    origins: &'a [Vec3],
-}
-
-impl Work for Root<'_> {
-    type Output = Problem;
-    #[inline(always)]
-    fn run<L: Level>(self, level: L) -> Problem {
-        let mut points = Points::default();
-        let len = points.fill(level.points(), self.view, self.origins);
-        let bounds = points.bounds(level.points(), 0, len);
-        let triangles = if len == 0 { Default::default() } else { Lists::of(self.view, self.casters) };
-        Problem { points: (points, len), triangles, bounds }
+impl Scratch {
+    /// Copies a cell's points and triangles to the start of the lists; how many triangles.
+    fn gather(
+        &mut self,
+        cell: usize,
+        count: usize,
+        chunks: &[Chunk],
+        filed: &[Filed],
+        items: &[Item],
+    ) -> usize {
+        self.points.reserve(count);
+        let mut at = 0;
+        for chunk in chunks {
+            chunk.append(cell, &mut self.points, at);
+            at += chunk.count(cell);
+        }
+        let mut triangles = 0;
+        for filed in filed {
+            triangles += filed.append(cell, items, &mut self.lists, triangles);
+            triangles += filed.append_large(items, &mut self.lists, triangles);
+        }
+        triangles
     }
 }
 
-/// Cuts the points of a problem in two.
-struct Halve<'a> {
-    points: &'a (Points, usize),
-    bounds: (Rect, f32),
-}
-
-impl Work for Halve<'_> {
-    type Output = [(Points, Part); 2];
-    #[inline(always)]
-    fn run<L: Level>(self, level: L) -> [(Points, Part); 2] {
-        let (from, len) = self.points;
-        let step = Step::new(&Part { start: 0, len: *len, bounds: self.bounds }, (0, 0), 0);
-        let mut both = Points::default();
-        let [lower, upper] = both.halve(level.points(), Some(from), &step, step.free);
-        let other = both.part(&upper);
-        [(both, lower), (other, Part { start: 0, ..upper })]
-    }
-}
-
-/// Finds the triangles that half of a problem may meet.
-struct Narrow<'a, A> {
-    scene: &'a Scene<'a, A>,
-    points: (Points, Part),
-    all: &'a (Lists, usize),
-}
-
-impl<A: AnyHit + Sync> Work for Narrow<'_, A> {
-    type Output = Half;
-    #[inline(always)]
-    fn run<L: Level>(self, level: L) -> Half {
-        let (mut points, Part { len, bounds, .. }) = self.points;
-        if len == 0 {
-            return Half::Clear;
-        }
-        let (all, count) = self.all;
-        let mut lists = Lists::default();
-        let (count, cover) = lists.take(level.points(), Some(all), 0, *count, &bounds, 0);
-        if count == 0 {
-            return Half::Clear;
-        }
-        if cover.is_some_and(|i| self.scene.is_covered(level, &bounds, lists.ids[i])) {
-            points.ids.truncate(len);
-            return Half::Blocked(points.ids);
-        }
-        Half::Open(Box::new(Problem { points: (points, len), triangles: (lists, count), bounds }))
-    }
-}
-
-/// Solves a problem to its end.
+/// Solves a cell to its end.
 struct Task<'a, A> {
     scene: &'a Scene<'a, A>,
     members: usize,
     triangles: usize,
-    bounds: (Rect, f32),
-    scratch: Scratch,
+    scratch: &'a mut Scratch,
     blocked: Vec<u32>,
-}
-
-impl<'a, A: AnyHit + Sync> Task<'a, A> {
-    fn new(scene: &'a Scene<'a, A>, problem: Problem) -> Self {
-        let Problem { points: (points, members), triangles: (lists, triangles), bounds } = problem;
-        let scratch = Scratch { points, lists, ..Scratch::default() };
-        Task { scene, members, triangles, bounds, scratch, blocked: Vec::new() }
-    }
 }
 
 impl<A: AnyHit + Sync> Work for Task<'_, A> {
@@ -301,46 +280,55 @@ impl<A: AnyHit + Sync> Work for Task<'_, A> {
     #[inline(always)]
     fn run<L: Level>(mut self, level: L) -> Vec<u32> {
         let lanes = level.points();
+        let mut path = core::mem::take(&mut self.scratch.path);
+        let bounds = self.scratch.points.bounds(lanes, 0, self.members);
+        let all = Part { start: 0, len: self.members, bounds };
+        self.enter(level, &mut path, &all, (0, self.triangles), self.members + SLACK);
         // A loop and not a recursion: a function that calls itself would not be compiled for the instructions asked for.
-        let all = Part { start: 0, len: self.members, bounds: self.bounds };
-        let mut path = alloc::vec![Step::new(&all, (0, self.triangles), self.members + SLACK)];
-        while let Some(depth) = path.len().checked_sub(1) {
-            let step = &mut path[depth];
+        while let Some(step) = path.last_mut() {
             if step.done == 2 {
                 path.pop();
                 continue;
             }
             if step.done == 0 {
-                step.halves = self.scratch.points.halve(lanes, None, step, step.free);
+                step.halves = self.scratch.points.halve(lanes, step);
             }
             let part = step.halves[step.done];
             step.done += 1;
-            if part.len == 0 {
-                continue;
-            }
-            let behind = step.first_triangle + step.triangles;
-            let (triangles, cover) = self.scratch.lists.take(
-                lanes,
-                None,
-                step.first_triangle,
-                step.triangles,
-                &part.bounds,
-                behind,
-            );
-            if triangles == 0 {
-                continue;
-            }
-            let (start, end) = (part.start, part.start + part.len);
-            if cover.is_some_and(|i| self.scene.is_covered(level, &part.bounds, self.scratch.lists.ids[i])) {
-                self.blocked.extend_from_slice(&self.scratch.points.ids[start..end]);
-            } else if part.len <= LEAF || triangles <= FEW || depth == DEPTH || part.bounds.0.area() == 0.0 {
-                self.leaf(level, (start, part.len), (behind, triangles));
-            } else {
-                let free = step.end();
-                path.push(Step::new(&part, (behind, triangles), free));
+            if part.len > 0 {
+                let (triangles, free) = ((step.first_triangle, step.triangles), step.end());
+                self.enter(level, &mut path, &part, triangles, free);
             }
         }
+        self.scratch.path = path;
         self.blocked
+    }
+}
+
+impl<A: AnyHit + Sync> Task<'_, A> {
+    /// Takes of `triangles` those that a part may meet; settles the part, or leaves it to be halved, with room from `free` on.
+    #[inline(always)]
+    fn enter<L: Level>(
+        &mut self,
+        level: L,
+        path: &mut Vec<Step>,
+        part: &Part,
+        (first, count): (usize, usize),
+        free: usize,
+    ) {
+        let behind = first + count;
+        let Scratch { lists, points, .. } = &mut *self.scratch;
+        let (triangles, cover) = lists.take(level.points(), first, count, &part.bounds, behind);
+        if triangles == 0 {
+            return;
+        }
+        if cover.is_some_and(|i| self.scene.is_covered(level, &part.bounds, lists.ids[i])) {
+            self.blocked.extend_from_slice(&points.ids[part.start..part.start + part.len]);
+        } else if part.len <= LEAF || triangles <= FEW || path.len() == DEPTH || part.bounds.0.area() == 0.0 {
+            self.leaf(level, (part.start, part.len), (behind, triangles));
+        } else {
+            path.push(Step::new(part, (behind, triangles), free));
+        }
     }
 }
 
@@ -349,7 +337,7 @@ impl<A: AnyHit> Task<'_, A> {
     #[inline(always)]
     fn leaf<L: Level>(&mut self, level: L, points: (usize, usize), triangles: (usize, usize)) {
         let scene = self.scene;
-        let Scratch { lists, points: all, tile, origins, blocks, .. } = &mut self.scratch;
+        let Scratch { lists, points: all, tile, blocks, .. } = &mut *self.scratch;
         let ids = &lists.ids[triangles.0..triangles.0 + triangles.1];
         let mut ahead = ids.iter();
         ahead.by_ref().take(AHEAD).for_each(|id| scene.query.casters.prefetch(level, *id));
@@ -358,14 +346,14 @@ impl<A: AnyHit> Task<'_, A> {
             ahead.by_ref().take(BLOCK).for_each(|id| scene.query.casters.prefetch(level, *id));
             blocks.push(Block::of(level.eight(), scene.view, scene.query.casters, ids));
         }
-        for ids in all.ids[points.0..points.0 + points.1].chunks(TILE) {
-            origins.clear();
-            origins.extend(ids.iter().map(|id| scene.origins[*id as usize]));
-            tile.fill(level.points(), scene.view, origins);
+        for start in (points.0..points.0 + points.1).step_by(TILE) {
+            let len = (points.0 + points.1 - start).min(TILE);
+            let ids = &all.ids[start..start + len];
+            tile.place(level.points(), [&all.x[start..], &all.y[start..], &all.z[start..]], len);
             let (rect, _) = tile.bounds();
             for (i, block) in blocks.iter().enumerate() {
                 if lists.meet(level.eight(), triangles.0 + i * BLOCK, &rect) {
-                    tile.hold(level, scene.view, scene.query, block);
+                    tile.hold(level, scene.view, scene.query, block, Late { origins: scene.origins, ids });
                     if tile.is_done() {
                         break;
                     }

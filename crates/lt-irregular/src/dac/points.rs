@@ -4,7 +4,7 @@ use super::Step;
 use super::rows::{SLACK, grow};
 use crate::lanes::Lanes;
 use crate::rect::Rect;
-use crate::tile::{least, most};
+use crate::tile::around;
 use crate::view::View;
 use alloc::vec::Vec;
 use lt_math::glam::Vec3;
@@ -15,7 +15,7 @@ pub(super) struct Points {
     pub x: Vec<f32>,
     pub y: Vec<f32>,
     pub z: Vec<f32>,
-    /// Places in the task.
+    /// Places in the caller's list.
     pub ids: Vec<u32>,
 }
 
@@ -30,9 +30,9 @@ impl Points {
         }
     }
 
-    /// Takes the points of all rays that the view takes; how many.
+    /// Takes the points of all rays that the view takes, the first of which is ray `first`; how many.
     #[inline(always)]
-    pub fn fill<P: Lanes>(&mut self, lanes: P, view: &View, origins: &[Vec3]) -> usize {
+    pub fn fill<P: Lanes>(&mut self, lanes: P, view: &View, origins: &[Vec3], first: u32) -> usize {
         self.reserve(origins.len());
         let [x, y, z] = view.axes();
         let mut len = 0;
@@ -42,7 +42,7 @@ impl Points {
             let mut ids = [0; 16];
             for (i, from) in some.iter().enumerate() {
                 (o[0][i], o[1][i], o[2][i]) = (from[x], from[y], from[z]);
-                ids[i] = (chunk * P::WIDTH + i) as u32;
+                ids[i] = first + (chunk * P::WIDTH + i) as u32;
             }
             let (point, taken) =
                 view.points(lanes, [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])]);
@@ -53,18 +53,6 @@ impl Points {
             len += taken.count_ones() as usize;
         }
         len
-    }
-
-    /// A list of some of the points alone.
-    pub fn part(&self, part: &Part) -> Self {
-        let mut alone = Points::default();
-        alone.reserve(part.len);
-        let (to, from) = (..part.len, part.start..part.start + part.len);
-        alone.x[to].copy_from_slice(&self.x[from.clone()]);
-        alone.y[to].copy_from_slice(&self.y[from.clone()]);
-        alone.z[to].copy_from_slice(&self.z[from.clone()]);
-        alone.ids[to].copy_from_slice(&self.ids[from]);
-        alone
     }
 
     /// The rectangle of points with their least nearness, and the largest.
@@ -83,10 +71,11 @@ impl Points {
         around(lanes, low, high)
     }
 
-    /// Writes the points of `from`, or of this very list, that lie below a step's place behind `to`, and the others behind those and some room;
-    /// both halves with their bounds.
+    /// Writes the points that lie below a step's place into the room behind the list, and the others behind those; both halves with
+    /// their bounds.
     #[inline(always)]
-    pub fn halve<P: Lanes>(&mut self, lanes: P, from: Option<&Points>, step: &Step, to: usize) -> [Part; 2] {
+    pub fn halve<P: Lanes>(&mut self, lanes: P, step: &Step) -> [Part; 2] {
+        let to = step.free;
         let second = to + step.len + SLACK;
         self.reserve(second + step.len);
         let place = lanes.splat(step.place);
@@ -94,10 +83,9 @@ impl Points {
         let (infinite, minus) = (lanes.splat(f32::INFINITY), lanes.splat(f32::NEG_INFINITY));
         let mut reach = [([infinite; 3], [minus; 3]); 2];
         for at in (step.start..step.start + step.len).step_by(P::WIDTH) {
-            let rows = from.unwrap_or(self);
-            let point = [lanes.load(&rows.x[at..]), lanes.load(&rows.y[at..]), lanes.load(&rows.z[at..])];
+            let point = [lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..])];
             let mut ids = [0; 16];
-            ids[..P::WIDTH].copy_from_slice(&rows.ids[at..at + P::WIDTH]);
+            ids[..P::WIDTH].copy_from_slice(&self.ids[at..at + P::WIDTH]);
             let below = lanes.lt(if step.is_y { point[1] } else { point[0] }, place);
             let given = first((step.start + step.len - at).min(P::WIDTH));
             for (half, mask) in [below & given, given & !below].into_iter().enumerate() {
@@ -139,19 +127,6 @@ impl Default for Part {
     fn default() -> Self {
         Part { start: 0, len: 0, bounds: (Rect::EMPTY, 0.0) }
     }
-}
-
-/// The rectangle with the least nearness, and the largest, from those of each lane.
-#[inline(always)]
-pub(super) fn around<P: Lanes>(lanes: P, low: [P::F; 3], high: [P::F; 3]) -> (Rect, f32) {
-    let rect = Rect {
-        x0: least(lanes, low[0]),
-        x1: most(lanes, high[0]),
-        y0: least(lanes, low[1]),
-        y1: most(lanes, high[1]),
-        z: least(lanes, low[2]),
-    };
-    (rect, most(lanes, high[2]))
 }
 
 /// The lowest bits, as many as `count`.

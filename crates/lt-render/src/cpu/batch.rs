@@ -329,8 +329,8 @@ impl Footprints {
                 break;
             }
         }
-        for i in 0..BATCH {
-            self.states[i] = if is_sought[i] != 0 { OUTSIDE } else { self.states[i] };
+        for (state, sought) in self.states.iter_mut().zip(&is_sought) {
+            *state = if *sought != 0 { OUTSIDE } else { *state };
         }
         self.find_texels(p.map_size, &first_texels);
         // Pixels of even number begin pairs side by side, whose texels share lines.
@@ -381,7 +381,7 @@ impl Footprints {
     #[inline(always)]
     fn find_texels(&mut self, map_size: u32, first_texels: &[u32; BATCH]) {
         let (size, last) = (map_size as f32, map_size as i32 - 1);
-        for i in 0..BATCH {
+        for (i, first_texel) in first_texels.iter().enumerate() {
             let (x, y) = (self.u[i] * size - 0.5, self.v[i] * size - 0.5);
             let (x0, y0) = (float::floor_lane(x), float::floor_lane(y));
             let (fx, fy) = (x - x0, y - y0);
@@ -393,7 +393,7 @@ impl Footprints {
             let on_map = |t: i32| t.max(0).min(last) as u32;
             let (left, right) = (on_map(x0), on_map(x0 + 1));
             let (upper, lower) = (on_map(y0).wrapping_mul(map_size), on_map(y0 + 1).wrapping_mul(map_size));
-            let (upper, lower) = (upper + first_texels[i], lower + first_texels[i]);
+            let (upper, lower) = (upper + first_texel, lower + first_texel);
             self.texels[0][i] = upper + left;
             self.texels[1][i] = upper + right;
             self.texels[2][i] = lower + left;

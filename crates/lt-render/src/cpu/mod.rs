@@ -24,7 +24,7 @@ use history::History;
 use kept_map::{Draw, StillMap};
 use layers::{LitTiles, Seen};
 use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer, memory};
-use lt_irregular::LightBvh;
+use lt_irregular::{LightBvh, Workspace};
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Vsm};
 use lt_shaders::abi::{CameraParams, FilterParams, Sample};
@@ -70,6 +70,8 @@ pub struct CpuBackend {
     pixel_ms: Option<PixelMs>,
     /// The tree in light space, and the light that it was built for; none after the scene has changed.
     light_tree: Option<(Vec4, LightBvh)>,
+    /// For divide and conquer, which keeps nothing else.
+    workspace: Workspace,
 }
 
 /// One technique's map and history.
@@ -106,6 +108,7 @@ impl CpuBackend {
             passes: Vec::new(),
             pixel_ms: None,
             light_tree: None,
+            workspace: Workspace::default(),
         }
     }
 }

@@ -7,7 +7,7 @@
 use std::time::Instant;
 
 use lt_bvh::{AnyHit, Opaque, Ray, Simd, Tracer};
-use lt_irregular::{Casters, LightBvh, Scratch};
+use lt_irregular::{Casters, LightBvh, Scratch, Workspace};
 use lt_math::glam::{Vec3, Vec4};
 use lt_math::{
     Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
@@ -112,7 +112,8 @@ impl CpuBackend {
         self.rays = totals.rays;
         if is_later {
             let later = Later { scene: &self.scene, job, samples: &seen.samples };
-            self.rays = later.resolve(&mut self.visibility, &self.is_doubted, &mut memories);
+            let workspace = &mut self.workspace;
+            self.rays = later.resolve(&mut self.visibility, &self.is_doubted, &mut memories, workspace);
         }
         let later_ms = if is_later { milliseconds(start) } else { 0.0 };
         self.pixel_ms = Some(PixelMs { evaluate, mask: mask + listen_ms, resolve: resolve + later_ms });
@@ -133,6 +134,7 @@ impl Later<'_> {
         visibility: &mut [f32],
         is_doubted: &[bool],
         memories: &mut [Option<Memory<'_>>],
+        workspace: &mut Workspace,
     ) -> u64 {
         let (light, all) = (&self.job.shadow.light, self.job.plan.trace_all);
         let asked = |i: &usize| if all { !settle(&self.samples[*i], light).1 } else { is_doubted[*i] };
@@ -140,13 +142,13 @@ impl Later<'_> {
         let origins: Vec<Vec3> =
             pixels.par_iter().map(|&i| shadow_ray(&self.samples[i], light).origin).collect();
         let mut is_blocked = vec![false; origins.len()];
-        let resolve = self.job.plan.resolve;
+        let (resolve, to) = (self.job.plan.resolve, (&mut is_blocked[..], workspace));
         match self.job.plan.alpha_test {
             true => {
                 let any_hit = self.scene.coverage(Material::CASTS);
-                occluded(self.scene, resolve, light.place, &origins, any_hit, &mut is_blocked);
+                occluded(self.scene, resolve, light.place, &origins, any_hit, to);
             }
-            false => occluded(self.scene, resolve, light.place, &origins, Opaque, &mut is_blocked),
+            false => occluded(self.scene, resolve, light.place, &origins, Opaque, to),
         }
         for (&pixel, &is_blocked) in pixels.iter().zip(&is_blocked) {
             visibility[pixel] = if is_blocked { 0.0 } else { 1.0 };

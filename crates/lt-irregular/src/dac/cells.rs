@@ -1,0 +1,271 @@
+//! Cells of about as many points each, and which triangles meet them.
+//!
+//! Columns are cut where a sample of the points says that they are equally full, and each column into rows likewise: a horizon does not leave
+//! all other points in one cell. Which cell a place lies in does not decrease with its coordinates, so that a triangle's rectangle
+//! meets the cells from its least corner's to its largest's, and no other.
+
+use super::lists::Lists;
+use super::points::Points;
+use crate::lanes::{Lanes, Level};
+use crate::level::Work;
+use crate::rect::Rect;
+use crate::split::Item;
+use crate::view::View;
+use alloc::vec::Vec;
+use lt_math::glam::Vec3;
+
+/// Columns, and rows of each.
+const SIDE: usize = 32;
+/// All of them.
+pub(super) const CELLS: usize = SIDE * SIDE;
+/// Rays, or triangles, that one thread sorts together.
+pub(super) const CHUNK: usize = 1 << 15;
+/// Points that cells are made by, for each of them.
+const SAMPLES: usize = 16;
+/// A triangle that meets more cells than this is not filed in each: all look at it.
+const MOST: usize = 64;
+
+/// Where cells begin.
+pub(super) struct Grid {
+    /// Least x of the second column and so on; the last is infinite.
+    columns: [f32; SIDE],
+    /// The same of each column's rows.
+    rows: [[f32; SIDE]; SIDE],
+}
+
+/// How many of the bounds are not beyond `at`.
+#[inline(always)]
+fn place<P: Lanes>(lanes: P, bounds: &[f32; SIDE], at: f32) -> usize {
+    let at = lanes.splat(at);
+    let places = (0..SIDE).step_by(P::WIDTH).map(|i| lanes.le(lanes.load(&bounds[i..]), at).count_ones());
+    (places.sum::<u32>() as usize).min(SIDE - 1)
+}
+
+/// What cuts sorted numbers into [`SIDE`] parts of one size.
+fn quantiles(sorted: &[f32]) -> [f32; SIDE] {
+    let mut bounds = [f32::INFINITY; SIDE];
+    for (i, bound) in bounds[..SIDE - 1].iter_mut().enumerate() {
+        *bound = sorted.get((i + 1) * sorted.len() / SIDE).copied().unwrap_or(f32::INFINITY);
+    }
+    bounds
+}
+
+impl Grid {
+    /// For points in some lists.
+    pub fn of(chunks: &[Chunk]) -> Self {
+        let count: usize = chunks.iter().map(|c| c.len).sum();
+        let step = (count / (CELLS * SAMPLES)).max(1);
+        let mut sample: Vec<[f32; 2]> = Vec::with_capacity(count / step + chunks.len());
+        for chunk in chunks {
+            let places = chunk.points.x[..chunk.len].iter().zip(&chunk.points.y);
+            sample.extend(places.step_by(step).map(|(x, y)| [*x, *y]));
+        }
+        sample.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
+        let xs: Vec<f32> = sample.iter().map(|s| s[0]).collect();
+        let columns = quantiles(&xs);
+        let mut rows = [[f32::INFINITY; SIDE]; SIDE];
+        let mut rest = &sample[..];
+        for (rows, end) in rows.iter_mut().zip(columns) {
+            let (column, others) = rest.split_at(rest.partition_point(|s| s[0] < end));
+            let mut ys: Vec<f32> = column.iter().map(|s| s[1]).collect();
+            ys.sort_unstable_by(f32::total_cmp);
+            *rows = quantiles(&ys);
+            rest = others;
+        }
+        Grid { columns, rows }
+    }
+
+    #[inline(always)]
+    fn cell<P: Lanes>(&self, lanes: P, x: f32, y: f32) -> usize {
+        let column = place(lanes, &self.columns, x);
+        column * SIDE + place(lanes, &self.rows[column], y)
+    }
+
+    /// The first and last cell of each column that a rectangle meets.
+    #[inline(always)]
+    fn columns_met<P: Lanes>(
+        &self,
+        lanes: P,
+        rect: &Rect,
+    ) -> impl Iterator<Item = core::ops::RangeInclusive<usize>> {
+        let columns = place(lanes, &self.columns, rect.x0)..=place(lanes, &self.columns, rect.x1);
+        columns.map(move |column| {
+            let rows = &self.rows[column];
+            column * SIDE + place(lanes, rows, rect.y0)..=column * SIDE + place(lanes, rows, rect.y1)
+        })
+    }
+}
+
+/// The rays of a part of the caller's list, as points: as they come, then by cell.
+#[derive(Default)]
+pub(super) struct Chunk {
+    points: Points,
+    len: usize,
+    cells: Vec<u16>,
+    sorted: Points,
+    /// Where each cell's points begin, and where the last one's end.
+    starts: Vec<u32>,
+}
+
+impl Chunk {
+    /// The rectangle of a cell's points is not known here, their number is.
+    pub fn count(&self, cell: usize) -> usize {
+        (self.starts[cell + 1] - self.starts[cell]) as usize
+    }
+
+    /// Points that the view takes.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Appends a cell's points to a list that holds `at` of them.
+    pub fn append(&self, cell: usize, to: &mut Points, at: usize) {
+        let from = self.starts[cell] as usize..self.starts[cell + 1] as usize;
+        let to_rows = at..at + from.len();
+        to.x[to_rows.clone()].copy_from_slice(&self.sorted.x[from.clone()]);
+        to.y[to_rows.clone()].copy_from_slice(&self.sorted.y[from.clone()]);
+        to.z[to_rows.clone()].copy_from_slice(&self.sorted.z[from.clone()]);
+        to.ids[to_rows].copy_from_slice(&self.sorted.ids[from]);
+    }
+}
+
+/// Makes points of a chunk's rays; the rectangle that holds them, with their least nearness, and the largest.
+pub(super) struct Fill<'a> {
+    pub view: &'a View,
+    pub origins: &'a [Vec3],
+    /// Place of the first in the caller's list.
+    pub first: usize,
+    pub chunk: &'a mut Chunk,
+}
+
+impl Work for Fill<'_> {
+    type Output = (Rect, f32);
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) -> (Rect, f32) {
+        let Chunk { points, len, .. } = self.chunk;
+        *len = points.fill(level.points(), self.view, self.origins, self.first as u32);
+        points.bounds(level.points(), 0, *len)
+    }
+}
+
+/// Sorts a chunk's points by cell.
+pub(super) struct Sort<'a> {
+    pub grid: &'a Grid,
+    pub chunk: &'a mut Chunk,
+}
+
+impl Work for Sort<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) {
+        let Chunk { points, len, cells, sorted, starts } = self.chunk;
+        let len = *len;
+        cells.clear();
+        starts.clear();
+        starts.resize(CELLS + 1, 0);
+        for (x, y) in points.x[..len].iter().zip(&points.y[..len]) {
+            let cell = self.grid.cell(level.points(), *x, *y);
+            cells.push(cell as u16);
+            starts[cell + 1] += 1;
+        }
+        for cell in 0..CELLS {
+            starts[cell + 1] += starts[cell];
+        }
+        sorted.reserve(len);
+        let mut next = [0; CELLS];
+        next.copy_from_slice(&starts[..CELLS]);
+        for (i, cell) in cells.iter().enumerate() {
+            let next = &mut next[*cell as usize % CELLS];
+            let to = *next as usize;
+            *next += 1;
+            (sorted.x[to], sorted.y[to]) = (points.x[i], points.y[i]);
+            (sorted.z[to], sorted.ids[to]) = (points.z[i], points.ids[i]);
+        }
+    }
+}
+
+/// Which of some triangles meet each cell.
+#[derive(Default)]
+pub(super) struct Filed {
+    /// Where each cell's begin in `members`, and where the last one's end.
+    starts: Vec<u32>,
+    /// Places among the items.
+    members: Vec<u32>,
+    /// Those that meet more than [`MOST`] cells.
+    large: Vec<u32>,
+}
+
+impl Filed {
+    /// Appends a cell's triangles to a list that holds `at`; how many.
+    pub fn append(&self, cell: usize, items: &[Item], to: &mut Lists, at: usize) -> usize {
+        let members = &self.members[self.starts[cell] as usize..self.starts[cell + 1] as usize];
+        to.append(members.iter().map(|i| &items[*i as usize]), members.len(), at)
+    }
+
+    /// Appends the large ones to a list that holds `at`; how many.
+    pub fn append_large(&self, items: &[Item], to: &mut Lists, at: usize) -> usize {
+        to.append(self.large.iter().map(|i| &items[*i as usize]), self.large.len(), at)
+    }
+}
+
+/// Finds the cells that triangles meet.
+pub(super) struct File<'a> {
+    pub grid: &'a Grid,
+    /// Cells that hold points.
+    pub is_used: &'a [bool],
+    /// The rectangle of all points, with their least nearness.
+    pub rect: &'a Rect,
+    pub items: &'a [Item],
+    /// Place of the first.
+    pub first: usize,
+    pub filed: &'a mut Filed,
+}
+
+impl Work for File<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) {
+        let File { grid, is_used, rect, items, first, filed } = self;
+        let lanes = level.points();
+        let Filed { starts, members, large } = filed;
+        starts.clear();
+        starts.resize(CELLS + 1, 0);
+        large.clear();
+        let mut pairs: Vec<(u32, u16)> = Vec::with_capacity(2 * items.len());
+        for (i, item) in items.iter().enumerate() {
+            let r = &item.rect;
+            let meets = r.x0 <= rect.x1 && rect.x0 <= r.x1 && r.y0 <= rect.y1 && rect.y0 <= r.y1;
+            if !meets || r.z < rect.z {
+                continue;
+            }
+            let begin = pairs.len();
+            for cell in grid.columns_met(lanes, r).flatten() {
+                if is_used[cell] {
+                    pairs.push(((first + i) as u32, cell as u16));
+                }
+                if pairs.len() - begin > MOST {
+                    break;
+                }
+            }
+            if pairs.len() - begin > MOST {
+                pairs.truncate(begin);
+                large.push((first + i) as u32);
+            }
+        }
+        for (_, cell) in &pairs {
+            starts[*cell as usize + 1] += 1;
+        }
+        for cell in 0..CELLS {
+            starts[cell + 1] += starts[cell];
+        }
+        let mut next = [0; CELLS];
+        next.copy_from_slice(&starts[..CELLS]);
+        members.clear();
+        members.resize(pairs.len(), 0);
+        for (item, cell) in pairs {
+            let next = &mut next[cell as usize % CELLS];
+            members[*next as usize] = item;
+            *next += 1;
+        }
+    }
+}
