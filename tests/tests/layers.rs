@@ -259,6 +259,60 @@ fn cpu_and_gpu_see_the_same_layers() {
     }
 }
 
+/// The bar moves, and with it the shadows on every layer: points are followed, on CPU and GPU alike.
+#[test]
+fn layers_are_followed_as_things_move() {
+    /// One map: the last of several levels is traced.
+    const LEAK_TRACING: &str = "lt-evsm:cascades=1";
+    let panes = [film(Vec3::X, 0.4), glass(Vec3::new(0.9, 0.5, 0.2), 0.75)];
+    let pose = |step: f32| {
+        let mut scene = place(&panes, Vec3::new(0.3, -1.0, 0.1));
+        for (i, way) in [(1, Vec3::new(0.05, 0.0, 0.02)), (3, Vec3::new(-0.03, 0.02, 0.0))] {
+            scene.instances[i].transform = Affine3A::from_translation(way * step);
+            scene.instances[i].is_dynamic = true;
+        }
+        scene
+    };
+    let start = pose(0.0);
+    let view = setup(&start, 3);
+    let mut cpu = Session::new(&start, view.clone(), BackendKind::Cpu).expect("session");
+    let mut gpu = gpu_session(&start, view.clone());
+    let playing = Sequence { is_played: true, objects_move: true, ..Sequence::default() };
+    cpu.play(playing);
+    gpu.iter_mut().for_each(|gpu| gpu.play(playing));
+    let mut rays = Vec::new();
+    for step in 0..4u8 {
+        if step > 0 {
+            let (now, before) = (pose(step.into()), pose(f32::from(step) - 1.0));
+            for session in [Some(&mut cpu), gpu.as_mut()].into_iter().flatten() {
+                session.advance(&view.camera, &now, &before).expect("view");
+            }
+        }
+        let truth = frame(&mut cpu, "ray");
+        let (hybrid, test) = (frame(&mut cpu, LEAK_TRACING), frame(&mut cpu, "ltt-evsm:cascades=1"));
+        let wrong = |f: &Frame| lt_render::flips(f, &truth);
+        assert!(wrong(&hybrid) <= wrong(&test), "frame {step}: {} and {}", wrong(&hybrid), wrong(&test));
+        rays.push(hybrid.rays as f64 / truth.rays as f64);
+        let Some(gpu) = &mut gpu else { continue };
+        let other = frame(gpu, LEAK_TRACING);
+        for (layer, (a, b)) in hybrid.layers.iter().zip(&other.layers).enumerate() {
+            let wrong = count_different(&a.visibility, &b.visibility, 0.0);
+            let masks = a.mask.iter().zip(&b.mask).filter(|(a, b)| a != b).count();
+            let wrong = ppm(wrong.max(masks), a.visibility.len());
+            assert!(wrong <= 10.0 * TWIN_PPM, "frame {step}, layer {layer}: {wrong} ppm differ");
+        }
+    }
+    assert!(rays[3] < 0.5, "{rays:?}");
+}
+
+#[test]
+fn the_light_tree_on_the_gpu_answers_as_rays_do_on_every_layer() {
+    let scene = place(&[film(Vec3::X, 0.4)], Vec3::new(0.3, -1.0, 0.1));
+    let Some(mut gpu) = gpu_session(&scene, setup(&scene, 3)) else { return };
+    let (rays, points) = (frame(&mut gpu, "ray"), frame(&mut gpu, "ray:light"));
+    assert_eq!((lt_render::flips(&points, &rays), points.rays), (0, rays.rays));
+}
+
 #[test]
 fn where_nothing_is_translucent_there_is_one_layer() {
     let scene = builtin("square:6");

@@ -111,6 +111,20 @@ fn cpu_and_gpu_agree_at_four_samples() {
     }
 }
 
+#[test]
+fn the_light_tree_on_the_gpu_answers_as_rays_do_for_all_samples() {
+    let scene = builtin("square:6");
+    let mut view = setup(&scene, [120, 80], 8);
+    view.packing.bakes_copies = true;
+    let Some(mut gpu) = gpu_session(&scene, view) else { return };
+    let mut frame = |id: &str| gpu.render(&id.parse().expect("id")).expect("frame");
+    for (rays, points) in [("ray", "ray:light"), ("ltt-evsm", "ltt-evsm:light")] {
+        let (rays, points) = (frame(rays), frame(points));
+        assert_eq!(count_different(&points.visibility, &rays.visibility, 0.0), 0);
+        assert!(points.rays == rays.rays && rays.rays > 1000);
+    }
+}
+
 /// Looking on from the same place moves nothing, although samples lie off the middle of their cells: rays stay removed, and
 /// nothing is wrong.
 #[test]

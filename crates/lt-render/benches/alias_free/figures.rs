@@ -116,10 +116,10 @@ pub fn tree() -> Outcome<RgbImage> {
         let ((left, top), (right, bottom)) = (pixel(leaf.x0, leaf.y1), pixel(leaf.x1, leaf.y0));
         let (right, bottom) = (right.min(PLANE - 1), bottom.min(height - 1));
         for x in left..=right {
-            [top, bottom].map(|y| sheet.put_pixel(PLANE + GAP + x, y, LINE));
+            [top, bottom].into_iter().for_each(|y| sheet.put_pixel(PLANE + GAP + x, y, LINE));
         }
         for y in top..=bottom {
-            [left, right].map(|x| sheet.put_pixel(PLANE + GAP + x, y, LINE));
+            [left, right].into_iter().for_each(|x| sheet.put_pixel(PLANE + GAP + x, y, LINE));
         }
     }
     Ok(sheet)

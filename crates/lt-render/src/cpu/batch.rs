@@ -367,7 +367,8 @@ impl Footprints {
             let (at_u, at_v, depth) = (along(row_x) / w, along(row_y) / w, along(row_z));
             let is_between = |x: f32| (x >= low) & (x <= high);
             let is_unit = |x: f32| (0.0..=1.0).contains(&x);
-            let is_inside = (is_sought[i] != 0) & (w > 0.0) & is_between(at_u) & is_between(at_v) & is_unit(depth);
+            let is_inside =
+                (is_sought[i] != 0) & (w > 0.0) & is_between(at_u) & is_between(at_v) & is_unit(depth);
             self.u[i] = if is_inside { at_u } else { self.u[i] };
             self.v[i] = if is_inside { at_v } else { self.v[i] };
             self.receivers[i] = if is_inside { depth } else { self.receivers[i] };
