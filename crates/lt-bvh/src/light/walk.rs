@@ -1,4 +1,4 @@
-//! A shadow ray, as a point of light space, through a tree of rectangles; what it finds is put to the ray tracer's own test.
+//! A shadow ray, as a point of light space, through a tree of boxes there; what it finds is put to the ray tracer's own test.
 //!
 //! A box is seven planes to compare with, where a ray has six to reach, and no farther one than the light looks past. The answer is [`occluded`]'s, because what decides is the same test of the same triangles; boxes must hold every point that
 //! this test might say yes to (`lt_irregular::PackedLightBvh` has the proof).
