@@ -157,7 +157,8 @@ pub struct RenderArgs {
     /// Picture to write, a .png
     #[arg(long, value_name = "FILE", default_value = "shadow.png", value_parser = png_path)]
     pub out: PathBuf,
-    /// Also write frame.exr (positions, normals, visibility, reference, doubt) and camera.json into this folder
+    /// Also write frame.exr (positions, normals, visibility, reference, doubt; of several layers the first, sample by sample) and
+    /// camera.json into this folder
     #[arg(long, value_name = "DIR")]
     pub dump: Option<PathBuf>,
 }

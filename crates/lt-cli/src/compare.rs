@@ -6,7 +6,7 @@ use std::{
     sync::atomic::AtomicBool,
 };
 
-use lt_render::{CompareOptions, Comparison, LightStats, Row, SampleGrid, Session, Technique};
+use lt_render::{CompareOptions, Comparison, LightStats, Row, Session, Technique};
 use rayon::prelude::*;
 
 use crate::{
@@ -138,7 +138,7 @@ fn flips(session: &mut Session, comparison: &Comparison) -> anyhow::Result<Vec<u
 const SETTLED: &str = "techniques with a mask (lt-…) as they have settled: their first frame traces every pixel; --frames N shows a path\n";
 
 fn text_table(comparison: &Comparison) -> String {
-    let [rays, cluster] = per_unit_headings(comparison.samples);
+    let [rays, cluster] = per_unit_headings(comparison);
     let columns = [
         ("technique", Align::Left),
         (&rays[..], Align::Right),
@@ -171,20 +171,21 @@ fn text_table(comparison: &Comparison) -> String {
         "{}\n* no other row is both faster and more right; ppm of {} {}s with geometry; medians\n{}",
         table::render(&columns, &rows),
         grouped(comparison.valid_pixels),
-        comparison.samples.unit(),
+        comparison.unit(),
         if is_settled { SETTLED } else { "" }
     )
 }
 
 /// Headings of what counts pixels, or samples.
-fn per_unit_headings(samples: SampleGrid) -> [String; 2] {
-    let px = if samples == SampleGrid::ONE { " px" } else { "" };
-    [format!("rays\n/{}", samples.unit()), format!("largest wrong\ncluster{px}")]
+fn per_unit_headings(comparison: &Comparison) -> [String; 2] {
+    let unit = comparison.unit();
+    let px = if unit == "pixel" { " px" } else { "" };
+    [format!("rays\n/{unit}"), format!("largest wrong\ncluster{px}")]
 }
 
 /// Each light's share of every technique. Lights count from 0 in the order asked for.
 fn light_table(comparison: &Comparison) -> String {
-    let [rays, cluster] = per_unit_headings(comparison.samples);
+    let [rays, cluster] = per_unit_headings(comparison);
     let columns = [
         ("technique", Align::Left),
         ("light", Align::Right),
@@ -211,7 +212,7 @@ fn light_table(comparison: &Comparison) -> String {
     format!(
         "{}\nabove: rays of all lights; rates count every {} once for each light\n",
         table::render(&columns, &rows),
-        comparison.samples.unit()
+        comparison.unit()
     )
 }
 

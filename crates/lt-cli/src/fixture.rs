@@ -19,6 +19,7 @@ pub fn summary() -> Summary {
         instances: 1,
         size: [4, 2],
         samples_per_pixel: 1,
+        layers: 1,
         backend: "cpu",
         device: "test".into(),
         threads: 2,

@@ -243,7 +243,7 @@ fn pictured(frames: usize) -> Vec<usize> {
 /// A table of what every technique did along the path; with nothing moving, also how many frames it took until as many pixels (or
 /// samples) were wrong as in the last one, and how many those are.
 pub fn text_table(comparison: &Comparison, flips: &[u64], is_still: bool) -> String {
-    let unit = comparison.samples.unit();
+    let unit = comparison.unit();
     let (rays, left) = (format!("rays /{unit}\nmedian"), format!("wrong {unit}s\nleft"));
     let mut columns = vec![
         ("technique", Align::Left),

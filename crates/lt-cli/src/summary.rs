@@ -73,6 +73,8 @@ pub struct Summary {
     pub size: [u32; 2],
     /// Samples of each pixel, which is what rates and rays count.
     pub samples_per_pixel: u32,
+    /// Layers that the camera may see, one behind the other.
+    pub layers: u32,
     /// `cpu` or `gpu`.
     pub backend: &'static str,
     /// Name of the processor or adapter.
@@ -107,6 +109,7 @@ impl Summary {
             instances: info.stats.instances,
             size: setup.size.to_array(),
             samples_per_pixel: setup.samples.count(),
+            layers: session.layers().len() as u32,
             backend: session.backend_name(),
             device: session.device_name(),
             threads: rayon::current_num_threads(),
@@ -121,13 +124,17 @@ impl Summary {
         }
     }
 
-    /// Size and samples of the picture.
+    /// Size, samples and layers of the picture.
     pub fn picture(&self) -> String {
         let [width, height] = self.size;
-        match self.samples_per_pixel {
-            1 => format!("{width}×{height}"),
-            n => format!("{width}×{height}, {n} samples per pixel"),
+        let mut words = format!("{width}×{height}");
+        if self.samples_per_pixel > 1 {
+            words += &format!(", {} samples per pixel", self.samples_per_pixel);
         }
+        if self.layers > 1 {
+            words += &format!(", {} layers", self.layers);
+        }
+        words
     }
 
     /// One line about scene, size, device and BVH.

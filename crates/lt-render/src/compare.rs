@@ -148,6 +148,12 @@ pub struct Comparison {
 }
 
 impl Comparison {
+    /// What is counted: `pixel`, or `sample` where pixels have several or the camera sees several layers.
+    pub fn unit(&self) -> &'static str {
+        let is_one = self.samples == SampleGrid::ONE && self.reference.layers.is_empty();
+        if is_one { "pixel" } else { "sample" }
+    }
+
     /// Width and height in samples: of visibilities, doubts and masks.
     pub fn size_in_samples(&self) -> [u32; 2] {
         let grid = self.samples.size();

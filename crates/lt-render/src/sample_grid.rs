@@ -53,11 +53,6 @@ impl SampleGrid {
         let (x, y) = (sample % columns / self.0.x as usize, sample / columns / self.0.y as usize);
         y * width as usize + x
     }
-
-    /// What rates count: `pixel` where a pixel is its only sample, else `sample`.
-    pub fn unit(self) -> &'static str {
-        if self == Self::ONE { "pixel" } else { "sample" }
-    }
 }
 
 impl fmt::Display for SampleGrid {

@@ -73,7 +73,7 @@ impl Report {
             facts: facts(summary, comparison),
             command: summary.command.clone(),
             size: comparison.size,
-            unit: comparison.samples.unit(),
+            unit: comparison.unit(),
             shown: comparison
                 .rows
                 .iter()
@@ -88,7 +88,7 @@ impl Report {
                 .rows
                 .iter()
                 .zip(best)
-                .map(|(row, is_best)| report_row(row, is_best, comparison.samples.unit()))
+                .map(|(row, is_best)| report_row(row, is_best, comparison.unit()))
                 .collect(),
         })
     }
@@ -107,7 +107,7 @@ impl Report {
 }
 
 fn facts(summary: &Summary, comparison: &Comparison) -> Vec<(&'static str, String)> {
-    let (view, unit) = (&summary.view, comparison.samples.unit());
+    let (view, unit) = (&summary.view, comparison.unit());
     let mut all = vec![
         ("Scene", summary.scene.clone()),
         ("Triangles", format!("{} in {} instances", grouped(summary.triangles), grouped(summary.instances))),

@@ -53,7 +53,7 @@ impl PathReport {
     /// # Errors
     /// A plot or picture that cannot be drawn.
     pub fn new(comparison: &Comparison, playback: &Playback) -> anyhow::Result<Self> {
-        let (rows, unit) = (&comparison.rows, comparison.samples.unit());
+        let (rows, unit) = (&comparison.rows, comparison.unit());
         let wrong = |f: &FrameStats| f.errors.wrong_ppm();
         let legend = rows.iter().enumerate().map(|(i, row)| {
             let RGBColor(r, g, b) = COLOURS[i % COLOURS.len()];
