@@ -108,7 +108,7 @@ fn draw(area: &Area, points: &[Point]) -> DrawResult<()> {
         .label_style(("sans-serif", 15).with_color(INK))
         .axis_desc_style(("sans-serif", 16).with_color(INK))
         .x_desc("total time, ms (log)")
-        .y_desc("wrong pixels, ppm (log)")
+        .y_desc("wrong, ppm (log)")
         .x_label_formatter(&number)
         .y_label_formatter(&|v| if (*v / floor - 1.0).abs() < 1e-6 { "none".to_owned() } else { number(v) })
         .draw()?;
