@@ -59,7 +59,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_35 {
+struct type_34 {
     member: array<lt_bvh_Node>,
 }
 
@@ -72,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_39 {
+struct type_38 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -84,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_43 {
+struct type_42 {
     member: array<abi_Vertex>,
 }
 
@@ -100,7 +100,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_47 {
+struct type_46 {
     member: array<abi_Material>,
 }
 
@@ -127,7 +127,7 @@ struct texture_Axis {
     fraction: f32,
 }
 
-struct type_58 {
+struct type_56 {
     member: abi_CameraParams,
 }
 
@@ -148,15 +148,15 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_43;
+var<storage> vertices: type_42;
 @group(0) @binding(4) 
-var<storage> materials: type_47;
+var<storage> materials: type_46;
 @group(0) @binding(0) 
-var<uniform> p: type_58;
+var<uniform> p: type_56;
 @group(0) @binding(1) 
-var<storage> nodes: type_35;
+var<storage> nodes: type_34;
 @group(0) @binding(2) 
-var<storage> triangles: type_39;
+var<storage> triangles: type_38;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 

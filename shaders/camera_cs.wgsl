@@ -45,7 +45,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_25 {
+struct type_24 {
     member: array<lt_bvh_Node>,
 }
 
@@ -58,7 +58,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_29 {
+struct type_28 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -70,7 +70,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_33 {
+struct type_32 {
     member: array<abi_Vertex>,
 }
 
@@ -86,7 +86,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_37 {
+struct type_36 {
     member: array<abi_Material>,
 }
 
@@ -102,7 +102,7 @@ struct lt_bvh_triangle_Intersection {
     is_hit: bool,
 }
 
-struct type_47 {
+struct type_46 {
     member: abi_CameraParams,
 }
 
@@ -123,15 +123,15 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_33;
+var<storage> vertices: type_32;
 @group(0) @binding(4) 
-var<storage> materials: type_37;
+var<storage> materials: type_36;
 @group(0) @binding(0) 
-var<uniform> p: type_47;
+var<uniform> p: type_46;
 @group(0) @binding(1) 
-var<storage> nodes: type_25;
+var<storage> nodes: type_24;
 @group(0) @binding(2) 
-var<storage> triangles: type_29;
+var<storage> triangles: type_28;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 

@@ -55,7 +55,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_31 {
+struct type_30 {
     member: array<lt_bvh_Node>,
 }
 
@@ -68,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_35 {
+struct type_34 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -80,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_39 {
+struct type_38 {
     member: array<abi_Vertex>,
 }
 
@@ -96,7 +96,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_43 {
+struct type_42 {
     member: array<abi_Material>,
 }
 
@@ -134,11 +134,11 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_57 {
+struct type_55 {
     member: array<lt_bvh_Instance>,
 }
 
-struct type_61 {
+struct type_59 {
     member: abi_CameraParams,
 }
 
@@ -159,19 +159,19 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_39;
+var<storage> vertices: type_38;
 @group(0) @binding(4) 
-var<storage> materials: type_43;
+var<storage> materials: type_42;
 @group(0) @binding(0) 
-var<uniform> p: type_61;
+var<uniform> p: type_59;
 @group(0) @binding(1) 
-var<storage> nodes: type_31;
+var<storage> nodes: type_30;
 @group(0) @binding(2) 
-var<storage> triangles: type_35;
+var<storage> triangles: type_34;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_57;
+var<storage> instances: type_55;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
 

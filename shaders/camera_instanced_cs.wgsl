@@ -45,7 +45,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_26 {
+struct type_25 {
     member: array<lt_bvh_Node>,
 }
 
@@ -58,7 +58,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_30 {
+struct type_29 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -70,7 +70,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_34 {
+struct type_33 {
     member: array<abi_Vertex>,
 }
 
@@ -86,7 +86,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_38 {
+struct type_37 {
     member: array<abi_Material>,
 }
 
@@ -113,11 +113,11 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_51 {
+struct type_50 {
     member: array<lt_bvh_Instance>,
 }
 
-struct type_55 {
+struct type_54 {
     member: abi_CameraParams,
 }
 
@@ -138,19 +138,19 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_34;
+var<storage> vertices: type_33;
 @group(0) @binding(4) 
-var<storage> materials: type_38;
+var<storage> materials: type_37;
 @group(0) @binding(0) 
-var<uniform> p: type_55;
+var<uniform> p: type_54;
 @group(0) @binding(1) 
-var<storage> nodes: type_26;
+var<storage> nodes: type_25;
 @group(0) @binding(2) 
-var<storage> triangles: type_30;
+var<storage> triangles: type_29;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_51;
+var<storage> instances: type_50;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
     var phi_201_: lt_mask_LightPlace;

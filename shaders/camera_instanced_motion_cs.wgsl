@@ -49,7 +49,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_30 {
+struct type_29 {
     member: array<lt_bvh_Node>,
 }
 
@@ -62,7 +62,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_34 {
+struct type_33 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -74,7 +74,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_38 {
+struct type_37 {
     member: array<abi_Vertex>,
 }
 
@@ -90,7 +90,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_42 {
+struct type_41 {
     member: array<abi_Material>,
 }
 
@@ -117,11 +117,11 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_55 {
+struct type_54 {
     member: array<lt_bvh_Instance>,
 }
 
-struct type_59 {
+struct type_58 {
     member: abi_CameraParams,
 }
 
@@ -142,19 +142,19 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_38;
+var<storage> vertices: type_37;
 @group(0) @binding(4) 
-var<storage> materials: type_42;
+var<storage> materials: type_41;
 @group(0) @binding(0) 
-var<uniform> p: type_59;
+var<uniform> p: type_58;
 @group(0) @binding(1) 
-var<storage> nodes: type_30;
+var<storage> nodes: type_29;
 @group(0) @binding(2) 
-var<storage> triangles: type_34;
+var<storage> triangles: type_33;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
-var<storage> instances: type_55;
+var<storage> instances: type_54;
 @group(0) @binding(7) 
 var<storage> before: type_22;
 @group(0) @binding(8) 

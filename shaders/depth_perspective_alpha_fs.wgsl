@@ -75,14 +75,14 @@ struct abi_DepthParams {
     pad1_: u32,
 }
 
-struct type_36 {
+struct type_35 {
     member: abi_DepthParams,
 }
 
 var<private> at_1: vec4<f32>;
 var<private> triangle_1: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_36;
+var<uniform> p: type_35;
 @group(0) @binding(1) 
 var<storage> triangles: type_18;
 @group(0) @binding(2) 

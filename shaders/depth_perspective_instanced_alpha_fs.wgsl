@@ -75,7 +75,7 @@ struct abi_DepthParams {
     pad1_: u32,
 }
 
-struct type_36 {
+struct type_35 {
     member: abi_DepthParams,
 }
 
@@ -90,18 +90,18 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_42 {
+struct type_41 {
     member: array<lt_bvh_Instance>,
 }
 
 var<private> at_1: vec4<f32>;
 var<private> triangle_1: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_36;
+var<uniform> p: type_35;
 @group(0) @binding(1) 
 var<storage> triangles: type_18;
 @group(0) @binding(2) 
-var<storage> instances: type_42;
+var<storage> instances: type_41;
 var<private> depth: f32 = 0f;
 var<private> placed_1: u32;
 @group(0) @binding(3) 

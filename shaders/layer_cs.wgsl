@@ -55,7 +55,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_30 {
+struct type_29 {
     member: array<lt_bvh_Node>,
 }
 
@@ -68,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_34 {
+struct type_33 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -80,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_38 {
+struct type_37 {
     member: array<abi_Vertex>,
 }
 
@@ -96,7 +96,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_42 {
+struct type_41 {
     member: array<abi_Material>,
 }
 
@@ -128,11 +128,11 @@ struct abi_Sight {
     t: f32,
 }
 
-struct type_55 {
+struct type_53 {
     member: array<abi_Sight>,
 }
 
-struct type_58 {
+struct type_56 {
     member: abi_CameraParams,
 }
 
@@ -158,15 +158,15 @@ struct u0028_abi_Sample_u0020_abi_Sight_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_38;
+var<storage> vertices: type_37;
 @group(0) @binding(4) 
-var<storage> materials: type_42;
+var<storage> materials: type_41;
 @group(0) @binding(0) 
-var<uniform> p: type_58;
+var<uniform> p: type_56;
 @group(0) @binding(1) 
-var<storage> nodes: type_30;
+var<storage> nodes: type_29;
 @group(0) @binding(2) 
-var<storage> triangles: type_34;
+var<storage> triangles: type_33;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
@@ -174,7 +174,7 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(7) 
 var<storage> color_texels: type_13;
 @group(0) @binding(8) 
-var<storage, read_write> sights: type_55;
+var<storage, read_write> sights: type_53;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
     var phi_230_: lt_mask_LightPlace;

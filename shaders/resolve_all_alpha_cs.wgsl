@@ -90,7 +90,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_42 {
+struct type_41 {
     member: array<lt_bvh_Node>,
 }
 
@@ -103,7 +103,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_46 {
+struct type_45 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -115,7 +115,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_50 {
+struct type_49 {
     member: array<abi_Vertex>,
 }
 
@@ -131,7 +131,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_54 {
+struct type_53 {
     member: array<abi_Material>,
 }
 
@@ -167,15 +167,15 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_37;
 @group(0) @binding(2) 
-var<storage> nodes: type_42;
+var<storage> nodes: type_41;
 @group(0) @binding(3) 
-var<storage> triangles: type_46;
+var<storage> triangles: type_45;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
 @group(0) @binding(5) 
-var<storage> vertices: type_50;
+var<storage> vertices: type_49;
 @group(0) @binding(6) 
-var<storage> materials: type_54;
+var<storage> materials: type_53;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
     var phi_224_: lt_mask_LightPlace;

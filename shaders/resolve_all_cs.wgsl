@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_37 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +93,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_41 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -118,9 +118,9 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_41;
+var<storage> triangles: type_40;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
     var phi_175_: lt_mask_LightPlace;

@@ -90,7 +90,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_43 {
+struct type_42 {
     member: array<lt_bvh_Node>,
 }
 
@@ -103,7 +103,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_47 {
+struct type_46 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -115,7 +115,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_51 {
+struct type_50 {
     member: array<abi_Vertex>,
 }
 
@@ -131,7 +131,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_55 {
+struct type_54 {
     member: array<abi_Material>,
 }
 
@@ -169,7 +169,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_69 {
+struct type_67 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -182,17 +182,17 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_38;
 @group(0) @binding(2) 
-var<storage> nodes: type_43;
+var<storage> nodes: type_42;
 @group(0) @binding(3) 
-var<storage> triangles: type_47;
+var<storage> triangles: type_46;
 @group(0) @binding(6) 
-var<storage> vertices: type_51;
+var<storage> vertices: type_50;
 @group(0) @binding(7) 
-var<storage> materials: type_55;
+var<storage> materials: type_54;
 @group(0) @binding(8) 
 var<storage> alpha_texels: type_13;
 @group(0) @binding(5) 
-var<storage> instances: type_69;
+var<storage> instances: type_67;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
     var phi_236_: lt_mask_LightPlace;

@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_38 {
+struct type_37 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +93,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_42 {
+struct type_41 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -120,7 +120,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_52 {
+struct type_51 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -133,11 +133,11 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_33;
 @group(0) @binding(2) 
-var<storage> nodes: type_38;
+var<storage> nodes: type_37;
 @group(0) @binding(3) 
-var<storage> triangles: type_42;
+var<storage> triangles: type_41;
 @group(0) @binding(5) 
-var<storage> instances: type_52;
+var<storage> instances: type_51;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
     var phi_190_: lt_mask_LightPlace;

@@ -90,7 +90,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_42 {
+struct type_41 {
     member: array<lt_bvh_Node>,
 }
 
@@ -103,7 +103,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_46 {
+struct type_45 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -115,7 +115,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_50 {
+struct type_49 {
     member: array<abi_Vertex>,
 }
 
@@ -131,7 +131,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_54 {
+struct type_53 {
     member: array<abi_Material>,
 }
 
@@ -164,37 +164,30 @@ struct lt_math_Evsm {
     min_variance: f32,
 }
 
-struct type_70 {
+struct type_68 {
     member: array<vec4<u32>>,
 }
 
 struct lt_bvh_LightSpace {
-    shear: vec3<f32>,
-    axis: u32,
+    shear: vec2<f32>,
+    diagonal: vec2<f32>,
     middle: vec3<f32>,
     sign: f32,
     low: vec3<f32>,
     is_parallel: u32,
     high: vec3<f32>,
-    pad: u32,
+    axis: u32,
     roots: vec4<u32>,
     roots_z: vec4<u32>,
 }
 
-struct type_73 {
+struct type_72 {
     member: lt_bvh_LightSpace,
 }
 
 struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
     unnamed: lt_math_Evsm,
     unnamed_1: u32,
-}
-
-struct lt_bvh_LightNode {
-    frame: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    rest: vec4<u32>,
 }
 
 var<private> id_1: vec3<u32>;
@@ -206,485 +199,485 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_37;
 @group(0) @binding(2) 
-var<storage> nodes: type_42;
+var<storage> nodes: type_41;
 @group(0) @binding(3) 
-var<storage> triangles: type_46;
+var<storage> triangles: type_45;
 @group(0) @binding(5) 
-var<storage> rows: type_70;
+var<storage> rows: type_68;
 @group(0) @binding(6) 
-var<uniform> space: type_73;
+var<uniform> space: type_72;
 @group(0) @binding(7) 
-var<storage> vertices: type_50;
+var<storage> vertices: type_49;
 @group(0) @binding(8) 
-var<storage> materials: type_54;
+var<storage> materials: type_53;
 @group(0) @binding(9) 
 var<storage> alpha_texels: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_251_: lt_mask_LightPlace;
-    var phi_252_: bool;
-    var phi_253_: lt_mask_LightPlace;
-    var phi_254_: bool;
-    var phi_259_: lt_mask_LightPlace;
+    var phi_250_: lt_mask_LightPlace;
+    var phi_251_: bool;
+    var phi_252_: lt_mask_LightPlace;
+    var phi_253_: bool;
+    var phi_258_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_251_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_252_ = false;
+            phi_250_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_251_ = false;
         } else {
-            phi_251_ = lt_mask_LightPlace();
-            phi_252_ = true;
+            phi_250_ = lt_mask_LightPlace();
+            phi_251_ = true;
         }
-        let _e93 = phi_251_;
-        let _e95 = phi_252_;
-        phi_253_ = _e93;
-        phi_254_ = _e95;
+        let _e92 = phi_250_;
+        let _e94 = phi_251_;
+        phi_252_ = _e92;
+        phi_253_ = _e94;
     } else {
-        phi_253_ = lt_mask_LightPlace();
-        phi_254_ = true;
+        phi_252_ = lt_mask_LightPlace();
+        phi_253_ = true;
     }
-    let _e97 = phi_253_;
-    let _e99 = phi_254_;
-    if _e99 {
-        phi_259_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e96 = phi_252_;
+    let _e98 = phi_253_;
+    if _e98 {
+        phi_258_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_259_ = _e97;
+        phi_258_ = _e96;
     }
-    let _e104 = phi_259_;
-    return lt_mask_LightPlace(_e104.word, _e104.shift);
+    let _e103 = phi_258_;
+    return lt_mask_LightPlace(_e103.word, _e103.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_274_: bool;
-    var phi_278_: f32;
+    var phi_273_: bool;
+    var phi_277_: f32;
 
     if (param_3 != param_3) {
-        phi_274_ = true;
+        phi_273_ = true;
     } else {
-        let _e83 = (param_4 >= param_3);
-        if _e83 {
+        let _e82 = (param_4 >= param_3);
+        if _e82 {
         }
-        phi_274_ = _e83;
+        phi_273_ = _e82;
     }
-    let _e85 = phi_274_;
-    if _e85 {
-        phi_278_ = param_4;
+    let _e84 = phi_273_;
+    if _e84 {
+        phi_277_ = param_4;
     } else {
-        phi_278_ = param_3;
+        phi_277_ = param_3;
     }
-    let _e87 = phi_278_;
-    return _e87;
+    let _e86 = phi_277_;
+    return _e86;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_290_: bool;
-    var phi_294_: f32;
+    var phi_289_: bool;
+    var phi_293_: f32;
 
     if (param_5 != param_5) {
-        phi_290_ = true;
+        phi_289_ = true;
     } else {
-        let _e83 = (param_6 <= param_5);
-        if _e83 {
+        let _e82 = (param_6 <= param_5);
+        if _e82 {
         }
-        phi_290_ = _e83;
+        phi_289_ = _e82;
     }
-    let _e85 = phi_290_;
-    if _e85 {
-        phi_294_ = param_6;
+    let _e84 = phi_289_;
+    if _e84 {
+        phi_293_ = param_6;
     } else {
-        phi_294_ = param_5;
+        phi_293_ = param_5;
     }
-    let _e87 = phi_294_;
-    return _e87;
+    let _e86 = phi_293_;
+    return _e86;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
-    var phi_336_: f32;
-    var phi_341_: f32;
-    var phi_342_: bool;
-    var phi_343_: f32;
-    var phi_344_: bool;
-    var phi_348_: f32;
-    var phi_374_: f32;
-    var phi_379_: f32;
-    var phi_380_: bool;
-    var phi_381_: f32;
-    var phi_382_: bool;
-    var phi_386_: f32;
+    var phi_335_: f32;
+    var phi_340_: f32;
+    var phi_341_: bool;
+    var phi_342_: f32;
+    var phi_343_: bool;
+    var phi_347_: f32;
+    var phi_373_: f32;
+    var phi_378_: f32;
+    var phi_379_: bool;
+    var phi_380_: f32;
+    var phi_381_: bool;
+    var phi_385_: f32;
+    var phi_393_: f32;
     var phi_394_: f32;
     var phi_395_: f32;
-    var phi_396_: f32;
+    var phi_404_: f32;
     var phi_405_: f32;
-    var phi_406_: f32;
-    var phi_424_: u32;
-    var phi_438_: u32;
-    var phi_445_: u32;
-    var phi_450_: u32;
-    var phi_456_: u32;
-    var phi_461_: u32;
-    var phi_463_: texture_Axis;
-    var phi_491_: f32;
-    var phi_496_: f32;
-    var phi_497_: bool;
-    var phi_498_: f32;
-    var phi_499_: bool;
-    var phi_503_: f32;
-    var phi_529_: f32;
-    var phi_534_: f32;
-    var phi_535_: bool;
-    var phi_536_: f32;
-    var phi_537_: bool;
-    var phi_541_: f32;
+    var phi_423_: u32;
+    var phi_437_: u32;
+    var phi_444_: u32;
+    var phi_449_: u32;
+    var phi_455_: u32;
+    var phi_460_: u32;
+    var phi_462_: texture_Axis;
+    var phi_490_: f32;
+    var phi_495_: f32;
+    var phi_496_: bool;
+    var phi_497_: f32;
+    var phi_498_: bool;
+    var phi_502_: f32;
+    var phi_528_: f32;
+    var phi_533_: f32;
+    var phi_534_: bool;
+    var phi_535_: f32;
+    var phi_536_: bool;
+    var phi_540_: f32;
+    var phi_548_: f32;
     var phi_549_: f32;
     var phi_550_: f32;
-    var phi_551_: f32;
+    var phi_559_: f32;
     var phi_560_: f32;
-    var phi_561_: f32;
-    var phi_579_: u32;
-    var phi_593_: u32;
-    var phi_600_: u32;
-    var phi_605_: u32;
-    var phi_611_: u32;
-    var phi_616_: u32;
-    var phi_618_: texture_Axis;
+    var phi_578_: u32;
+    var phi_592_: u32;
+    var phi_599_: u32;
+    var phi_604_: u32;
+    var phi_610_: u32;
+    var phi_615_: u32;
+    var phi_617_: texture_Axis;
 
-    let _e84 = (*param_7).size;
-    let _e85 = (_e84 & 65535u);
-    let _e87 = (*param_7).size;
-    let _e89 = (_e87 >> bitcast<u32>(16i));
-    let _e91 = (*param_7).flags;
-    let _e93 = ((_e91 & 4u) != 0u);
-    let _e95 = (*param_7).flags;
-    let _e98 = ((_e95 >> bitcast<u32>(4u)) & 3u);
-    if (_e98 == 0u) {
+    let _e83 = (*param_7).size;
+    let _e84 = (_e83 & 65535u);
+    let _e86 = (*param_7).size;
+    let _e88 = (_e86 >> bitcast<u32>(16i));
+    let _e90 = (*param_7).flags;
+    let _e92 = ((_e90 & 4u) != 0u);
+    let _e94 = (*param_7).flags;
+    let _e97 = ((_e94 >> bitcast<u32>(4u)) & 3u);
+    if (_e97 == 0u) {
         if (param_8 > -8388608f) {
-            let _e111 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
-            if (_e111 > param_8) {
-                phi_336_ = 1f;
+            let _e110 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e110 > param_8) {
+                phi_335_ = 1f;
             } else {
-                phi_336_ = 0f;
+                phi_335_ = 0f;
             }
-            let _e114 = phi_336_;
+            let _e113 = phi_335_;
             if (param_8 < 8388608f) {
-                phi_341_ = (_e111 - _e114);
-                phi_342_ = false;
+                phi_340_ = (_e110 - _e113);
+                phi_341_ = false;
             } else {
-                phi_341_ = f32();
-                phi_342_ = true;
+                phi_340_ = f32();
+                phi_341_ = true;
             }
-            let _e117 = phi_341_;
-            let _e119 = phi_342_;
-            phi_343_ = _e117;
-            phi_344_ = _e119;
+            let _e116 = phi_340_;
+            let _e118 = phi_341_;
+            phi_342_ = _e116;
+            phi_343_ = _e118;
         } else {
-            phi_343_ = f32();
-            phi_344_ = true;
+            phi_342_ = f32();
+            phi_343_ = true;
         }
-        let _e121 = phi_343_;
-        let _e123 = phi_344_;
-        if _e123 {
-            phi_348_ = param_8;
+        let _e120 = phi_342_;
+        let _e122 = phi_343_;
+        if _e122 {
+            phi_347_ = param_8;
         } else {
-            phi_348_ = _e121;
+            phi_347_ = _e120;
         }
-        let _e125 = phi_348_;
-        phi_396_ = (param_8 - _e125);
+        let _e124 = phi_347_;
+        phi_395_ = (param_8 - _e124);
     } else {
-        if (_e98 == 1u) {
-            let _e128 = (param_8 * 0.5f);
-            if (_e128 > -8388608f) {
-                let _e140 = f32(select(0i, select(select(i32(_e128), i32(-2147483648), (_e128 < bitcast<f32>(3472883712u))), 2147483647i, (_e128 > bitcast<f32>(1325400063u))), (_e128 == _e128)));
-                if (_e140 > _e128) {
-                    phi_374_ = 1f;
+        if (_e97 == 1u) {
+            let _e127 = (param_8 * 0.5f);
+            if (_e127 > -8388608f) {
+                let _e139 = f32(select(0i, select(select(i32(_e127), i32(-2147483648), (_e127 < bitcast<f32>(3472883712u))), 2147483647i, (_e127 > bitcast<f32>(1325400063u))), (_e127 == _e127)));
+                if (_e139 > _e127) {
+                    phi_373_ = 1f;
                 } else {
-                    phi_374_ = 0f;
+                    phi_373_ = 0f;
                 }
-                let _e143 = phi_374_;
-                if (_e128 < 8388608f) {
-                    phi_379_ = (_e140 - _e143);
-                    phi_380_ = false;
+                let _e142 = phi_373_;
+                if (_e127 < 8388608f) {
+                    phi_378_ = (_e139 - _e142);
+                    phi_379_ = false;
                 } else {
-                    phi_379_ = f32();
-                    phi_380_ = true;
+                    phi_378_ = f32();
+                    phi_379_ = true;
                 }
-                let _e146 = phi_379_;
-                let _e148 = phi_380_;
-                phi_381_ = _e146;
-                phi_382_ = _e148;
+                let _e145 = phi_378_;
+                let _e147 = phi_379_;
+                phi_380_ = _e145;
+                phi_381_ = _e147;
             } else {
-                phi_381_ = f32();
-                phi_382_ = true;
+                phi_380_ = f32();
+                phi_381_ = true;
             }
-            let _e150 = phi_381_;
-            let _e152 = phi_382_;
-            if _e152 {
-                phi_386_ = _e128;
+            let _e149 = phi_380_;
+            let _e151 = phi_381_;
+            if _e151 {
+                phi_385_ = _e127;
             } else {
-                phi_386_ = _e150;
+                phi_385_ = _e149;
             }
-            let _e154 = phi_386_;
-            let _e156 = (param_8 - (2f * _e154));
-            if (_e156 > 1f) {
-                phi_394_ = (2f - _e156);
+            let _e153 = phi_385_;
+            let _e155 = (param_8 - (2f * _e153));
+            if (_e155 > 1f) {
+                phi_393_ = (2f - _e155);
             } else {
-                phi_394_ = _e156;
+                phi_393_ = _e155;
             }
-            let _e160 = phi_394_;
-            phi_395_ = _e160;
+            let _e159 = phi_393_;
+            phi_394_ = _e159;
         } else {
-            phi_395_ = param_8;
+            phi_394_ = param_8;
         }
-        let _e162 = phi_395_;
-        phi_396_ = _e162;
+        let _e161 = phi_394_;
+        phi_395_ = _e161;
     }
-    let _e164 = phi_396_;
-    if (_e164 > 0f) {
-        if (_e164 < 1f) {
-            phi_405_ = _e164;
+    let _e163 = phi_395_;
+    if (_e163 > 0f) {
+        if (_e163 < 1f) {
+            phi_404_ = _e163;
         } else {
-            phi_405_ = 1f;
+            phi_404_ = 1f;
         }
-        let _e168 = phi_405_;
-        phi_406_ = _e168;
+        let _e167 = phi_404_;
+        phi_405_ = _e167;
     } else {
-        phi_406_ = 0f;
+        phi_405_ = 0f;
     }
-    let _e170 = phi_406_;
-    let _e171 = (_e85 - 1u);
-    let _e173 = (_e170 * f32(_e85));
-    if _e93 {
-        let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
-        if (_e171 < _e180) {
-            phi_424_ = _e171;
+    let _e169 = phi_405_;
+    let _e170 = (_e84 - 1u);
+    let _e172 = (_e169 * f32(_e84));
+    if _e92 {
+        let _e179 = select(select(u32(_e172), 0u, (_e172 < bitcast<f32>(0u))), 4294967295u, (_e172 > bitcast<f32>(1333788671u)));
+        if (_e170 < _e179) {
+            phi_423_ = _e170;
         } else {
-            phi_424_ = _e180;
+            phi_423_ = _e179;
         }
-        let _e183 = phi_424_;
-        phi_463_ = texture_Axis(_e183, _e183, 0f);
+        let _e182 = phi_423_;
+        phi_462_ = texture_Axis(_e182, _e182, 0f);
     } else {
-        let _e185 = (_e173 + 0.5f);
-        let _e192 = select(select(u32(_e185), 0u, (_e185 < bitcast<f32>(0u))), 4294967295u, (_e185 > bitcast<f32>(1333788671u)));
-        if (_e85 < _e192) {
-            phi_438_ = _e85;
+        let _e184 = (_e172 + 0.5f);
+        let _e191 = select(select(u32(_e184), 0u, (_e184 < bitcast<f32>(0u))), 4294967295u, (_e184 > bitcast<f32>(1333788671u)));
+        if (_e84 < _e191) {
+            phi_437_ = _e84;
         } else {
-            phi_438_ = _e192;
+            phi_437_ = _e191;
         }
-        let _e195 = phi_438_;
-        if (_e98 == 0u) {
-            phi_445_ = _e171;
+        let _e194 = phi_437_;
+        if (_e97 == 0u) {
+            phi_444_ = _e170;
         } else {
-            phi_445_ = 0u;
+            phi_444_ = 0u;
         }
-        let _e200 = phi_445_;
-        if (_e98 == 0u) {
-            phi_450_ = 0u;
+        let _e199 = phi_444_;
+        if (_e97 == 0u) {
+            phi_449_ = 0u;
         } else {
-            phi_450_ = _e171;
+            phi_449_ = _e170;
         }
-        let _e203 = phi_450_;
-        if (_e195 == 0u) {
-            phi_456_ = _e200;
+        let _e202 = phi_449_;
+        if (_e194 == 0u) {
+            phi_455_ = _e199;
         } else {
-            phi_456_ = (_e195 - 1u);
+            phi_455_ = (_e194 - 1u);
         }
-        let _e207 = phi_456_;
-        if (_e195 > _e171) {
-            phi_461_ = _e203;
+        let _e206 = phi_455_;
+        if (_e194 > _e170) {
+            phi_460_ = _e202;
         } else {
-            phi_461_ = _e195;
+            phi_460_ = _e194;
         }
-        let _e210 = phi_461_;
-        phi_463_ = texture_Axis(_e207, _e210, (_e185 - f32(_e195)));
+        let _e209 = phi_460_;
+        phi_462_ = texture_Axis(_e206, _e209, (_e184 - f32(_e194)));
     }
-    let _e213 = phi_463_;
-    let _e215 = (*param_7).flags;
-    let _e218 = ((_e215 >> bitcast<u32>(6u)) & 3u);
-    if (_e218 == 0u) {
+    let _e212 = phi_462_;
+    let _e214 = (*param_7).flags;
+    let _e217 = ((_e214 >> bitcast<u32>(6u)) & 3u);
+    if (_e217 == 0u) {
         if (param_9 > -8388608f) {
-            let _e231 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
-            if (_e231 > param_9) {
-                phi_491_ = 1f;
+            let _e230 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e230 > param_9) {
+                phi_490_ = 1f;
             } else {
-                phi_491_ = 0f;
+                phi_490_ = 0f;
             }
-            let _e234 = phi_491_;
+            let _e233 = phi_490_;
             if (param_9 < 8388608f) {
-                phi_496_ = (_e231 - _e234);
-                phi_497_ = false;
+                phi_495_ = (_e230 - _e233);
+                phi_496_ = false;
             } else {
-                phi_496_ = f32();
-                phi_497_ = true;
+                phi_495_ = f32();
+                phi_496_ = true;
             }
-            let _e237 = phi_496_;
-            let _e239 = phi_497_;
-            phi_498_ = _e237;
-            phi_499_ = _e239;
+            let _e236 = phi_495_;
+            let _e238 = phi_496_;
+            phi_497_ = _e236;
+            phi_498_ = _e238;
         } else {
-            phi_498_ = f32();
-            phi_499_ = true;
+            phi_497_ = f32();
+            phi_498_ = true;
         }
-        let _e241 = phi_498_;
-        let _e243 = phi_499_;
-        if _e243 {
-            phi_503_ = param_9;
+        let _e240 = phi_497_;
+        let _e242 = phi_498_;
+        if _e242 {
+            phi_502_ = param_9;
         } else {
-            phi_503_ = _e241;
+            phi_502_ = _e240;
         }
-        let _e245 = phi_503_;
-        phi_551_ = (param_9 - _e245);
+        let _e244 = phi_502_;
+        phi_550_ = (param_9 - _e244);
     } else {
-        if (_e218 == 1u) {
-            let _e248 = (param_9 * 0.5f);
-            if (_e248 > -8388608f) {
-                let _e260 = f32(select(0i, select(select(i32(_e248), i32(-2147483648), (_e248 < bitcast<f32>(3472883712u))), 2147483647i, (_e248 > bitcast<f32>(1325400063u))), (_e248 == _e248)));
-                if (_e260 > _e248) {
-                    phi_529_ = 1f;
+        if (_e217 == 1u) {
+            let _e247 = (param_9 * 0.5f);
+            if (_e247 > -8388608f) {
+                let _e259 = f32(select(0i, select(select(i32(_e247), i32(-2147483648), (_e247 < bitcast<f32>(3472883712u))), 2147483647i, (_e247 > bitcast<f32>(1325400063u))), (_e247 == _e247)));
+                if (_e259 > _e247) {
+                    phi_528_ = 1f;
                 } else {
-                    phi_529_ = 0f;
+                    phi_528_ = 0f;
                 }
-                let _e263 = phi_529_;
-                if (_e248 < 8388608f) {
-                    phi_534_ = (_e260 - _e263);
-                    phi_535_ = false;
+                let _e262 = phi_528_;
+                if (_e247 < 8388608f) {
+                    phi_533_ = (_e259 - _e262);
+                    phi_534_ = false;
                 } else {
-                    phi_534_ = f32();
-                    phi_535_ = true;
+                    phi_533_ = f32();
+                    phi_534_ = true;
                 }
-                let _e266 = phi_534_;
-                let _e268 = phi_535_;
-                phi_536_ = _e266;
-                phi_537_ = _e268;
+                let _e265 = phi_533_;
+                let _e267 = phi_534_;
+                phi_535_ = _e265;
+                phi_536_ = _e267;
             } else {
-                phi_536_ = f32();
-                phi_537_ = true;
+                phi_535_ = f32();
+                phi_536_ = true;
             }
-            let _e270 = phi_536_;
-            let _e272 = phi_537_;
-            if _e272 {
-                phi_541_ = _e248;
+            let _e269 = phi_535_;
+            let _e271 = phi_536_;
+            if _e271 {
+                phi_540_ = _e247;
             } else {
-                phi_541_ = _e270;
+                phi_540_ = _e269;
             }
-            let _e274 = phi_541_;
-            let _e276 = (param_9 - (2f * _e274));
-            if (_e276 > 1f) {
-                phi_549_ = (2f - _e276);
+            let _e273 = phi_540_;
+            let _e275 = (param_9 - (2f * _e273));
+            if (_e275 > 1f) {
+                phi_548_ = (2f - _e275);
             } else {
-                phi_549_ = _e276;
+                phi_548_ = _e275;
             }
-            let _e280 = phi_549_;
-            phi_550_ = _e280;
+            let _e279 = phi_548_;
+            phi_549_ = _e279;
         } else {
-            phi_550_ = param_9;
+            phi_549_ = param_9;
         }
-        let _e282 = phi_550_;
-        phi_551_ = _e282;
+        let _e281 = phi_549_;
+        phi_550_ = _e281;
     }
-    let _e284 = phi_551_;
-    if (_e284 > 0f) {
-        if (_e284 < 1f) {
-            phi_560_ = _e284;
+    let _e283 = phi_550_;
+    if (_e283 > 0f) {
+        if (_e283 < 1f) {
+            phi_559_ = _e283;
         } else {
-            phi_560_ = 1f;
+            phi_559_ = 1f;
         }
-        let _e288 = phi_560_;
-        phi_561_ = _e288;
+        let _e287 = phi_559_;
+        phi_560_ = _e287;
     } else {
-        phi_561_ = 0f;
+        phi_560_ = 0f;
     }
-    let _e290 = phi_561_;
-    let _e291 = (_e89 - 1u);
-    let _e293 = (_e290 * f32(_e89));
-    if _e93 {
-        let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
-        if (_e291 < _e300) {
-            phi_579_ = _e291;
+    let _e289 = phi_560_;
+    let _e290 = (_e88 - 1u);
+    let _e292 = (_e289 * f32(_e88));
+    if _e92 {
+        let _e299 = select(select(u32(_e292), 0u, (_e292 < bitcast<f32>(0u))), 4294967295u, (_e292 > bitcast<f32>(1333788671u)));
+        if (_e290 < _e299) {
+            phi_578_ = _e290;
         } else {
-            phi_579_ = _e300;
+            phi_578_ = _e299;
         }
-        let _e303 = phi_579_;
-        phi_618_ = texture_Axis(_e303, _e303, 0f);
+        let _e302 = phi_578_;
+        phi_617_ = texture_Axis(_e302, _e302, 0f);
     } else {
-        let _e305 = (_e293 + 0.5f);
-        let _e312 = select(select(u32(_e305), 0u, (_e305 < bitcast<f32>(0u))), 4294967295u, (_e305 > bitcast<f32>(1333788671u)));
-        if (_e89 < _e312) {
-            phi_593_ = _e89;
+        let _e304 = (_e292 + 0.5f);
+        let _e311 = select(select(u32(_e304), 0u, (_e304 < bitcast<f32>(0u))), 4294967295u, (_e304 > bitcast<f32>(1333788671u)));
+        if (_e88 < _e311) {
+            phi_592_ = _e88;
         } else {
-            phi_593_ = _e312;
+            phi_592_ = _e311;
         }
-        let _e315 = phi_593_;
-        if (_e218 == 0u) {
-            phi_600_ = _e291;
+        let _e314 = phi_592_;
+        if (_e217 == 0u) {
+            phi_599_ = _e290;
         } else {
-            phi_600_ = 0u;
+            phi_599_ = 0u;
         }
-        let _e320 = phi_600_;
-        if (_e218 == 0u) {
-            phi_605_ = 0u;
+        let _e319 = phi_599_;
+        if (_e217 == 0u) {
+            phi_604_ = 0u;
         } else {
-            phi_605_ = _e291;
+            phi_604_ = _e290;
         }
-        let _e323 = phi_605_;
-        if (_e315 == 0u) {
-            phi_611_ = _e320;
+        let _e322 = phi_604_;
+        if (_e314 == 0u) {
+            phi_610_ = _e319;
         } else {
-            phi_611_ = (_e315 - 1u);
+            phi_610_ = (_e314 - 1u);
         }
-        let _e327 = phi_611_;
-        if (_e315 > _e291) {
-            phi_616_ = _e323;
+        let _e326 = phi_610_;
+        if (_e314 > _e290) {
+            phi_615_ = _e322;
         } else {
-            phi_616_ = _e315;
+            phi_615_ = _e314;
         }
-        let _e330 = phi_616_;
-        phi_618_ = texture_Axis(_e327, _e330, (_e305 - f32(_e315)));
+        let _e329 = phi_615_;
+        phi_617_ = texture_Axis(_e326, _e329, (_e304 - f32(_e314)));
     }
-    let _e333 = phi_618_;
-    let _e337 = (*param_7).offset;
-    let _e344 = (*param_7).offset;
-    let _e351 = (*param_7).offset;
-    let _e358 = (*param_7).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e337 + (_e333.low * _e85)) + _e213.low), ((_e344 + (_e333.low * _e85)) + _e213.high), ((_e351 + (_e333.high * _e85)) + _e213.low), ((_e358 + (_e333.high * _e85)) + _e213.high)), vec4<f32>(((1f - _e213.fraction) * (1f - _e333.fraction)), (_e213.fraction * (1f - _e333.fraction)), ((1f - _e213.fraction) * _e333.fraction), (_e213.fraction * _e333.fraction)));
+    let _e332 = phi_617_;
+    let _e336 = (*param_7).offset;
+    let _e343 = (*param_7).offset;
+    let _e350 = (*param_7).offset;
+    let _e357 = (*param_7).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e336 + (_e332.low * _e84)) + _e212.low), ((_e343 + (_e332.low * _e84)) + _e212.high), ((_e350 + (_e332.high * _e84)) + _e212.low), ((_e357 + (_e332.high * _e84)) + _e212.high)), vec4<f32>(((1f - _e212.fraction) * (1f - _e332.fraction)), (_e212.fraction * (1f - _e332.fraction)), ((1f - _e212.fraction) * _e332.fraction), (_e212.fraction * _e332.fraction)));
 }
 
 fn _lt_shaders_abi_Sample_is_valid(param_10: ptr<function, abi_Sample>) -> bool {
+    var phi_689_: bool;
     var phi_690_: bool;
     var phi_691_: bool;
     var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_697_: bool;
+    var phi_696_: bool;
 
-    let _e83 = (*param_10).normal[0u];
-    let _e85 = global[0u];
-    if (_e83 == _e85) {
-        let _e88 = (*param_10).normal[1u];
-        let _e90 = global[1u];
-        if (_e88 == _e90) {
-            let _e93 = (*param_10).normal[2u];
-            let _e95 = global[2u];
-            phi_690_ = (_e93 == _e95);
-            phi_691_ = false;
+    let _e82 = (*param_10).normal[0u];
+    let _e84 = global[0u];
+    if (_e82 == _e84) {
+        let _e87 = (*param_10).normal[1u];
+        let _e89 = global[1u];
+        if (_e87 == _e89) {
+            let _e92 = (*param_10).normal[2u];
+            let _e94 = global[2u];
+            phi_689_ = (_e92 == _e94);
+            phi_690_ = false;
         } else {
-            phi_690_ = bool();
-            phi_691_ = true;
+            phi_689_ = bool();
+            phi_690_ = true;
         }
-        let _e98 = phi_690_;
-        let _e100 = phi_691_;
-        phi_692_ = _e98;
-        phi_693_ = _e100;
+        let _e97 = phi_689_;
+        let _e99 = phi_690_;
+        phi_691_ = _e97;
+        phi_692_ = _e99;
     } else {
-        phi_692_ = bool();
-        phi_693_ = true;
+        phi_691_ = bool();
+        phi_692_ = true;
     }
-    let _e102 = phi_692_;
-    let _e104 = phi_693_;
-    if _e104 {
-        phi_697_ = false;
+    let _e101 = phi_691_;
+    let _e103 = phi_692_;
+    if _e103 {
+        phi_696_ = false;
     } else {
-        phi_697_ = _e102;
+        phi_696_ = _e101;
     }
-    let _e106 = phi_697_;
-    return !(_e106);
+    let _e105 = phi_696_;
+    return !(_e105);
 }
 
 fn function_() {
@@ -693,442 +686,437 @@ fn function_() {
     var local_2: texture_TextureView;
     var local_3: array<u32, 32>;
     var local_4: abi_Sample;
+    var phi_820_: bool;
     var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_833_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_834_: bool;
-    var phi_835_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_836_: bool;
-    var phi_843_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_847_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_900_: f32;
+    var phi_832_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_833_: bool;
+    var phi_834_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_835_: bool;
+    var phi_842_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_846_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_899_: f32;
+    var phi_932_: bool;
     var phi_933_: bool;
     var phi_934_: bool;
     var phi_935_: bool;
-    var phi_936_: bool;
-    var phi_940_: bool;
+    var phi_939_: bool;
+    var phi_952_: bool;
     var phi_953_: bool;
     var phi_954_: bool;
     var phi_955_: bool;
-    var phi_956_: bool;
-    var phi_960_: bool;
+    var phi_959_: bool;
+    var phi_972_: bool;
     var phi_973_: bool;
     var phi_974_: bool;
-    var phi_975_: bool;
+    var phi_978_: bool;
     var phi_979_: bool;
     var phi_980_: bool;
     var phi_981_: bool;
     var phi_982_: bool;
-    var phi_983_: bool;
-    var phi_987_: bool;
+    var phi_986_: bool;
+    var phi_1009_: bool;
     var phi_1010_: bool;
     var phi_1011_: bool;
     var phi_1012_: bool;
     var phi_1013_: bool;
     var phi_1014_: bool;
-    var phi_1015_: bool;
-    var phi_1019_: bool;
+    var phi_1018_: bool;
+    var phi_1031_: bool;
     var phi_1032_: bool;
     var phi_1033_: bool;
-    var phi_1034_: bool;
-    var phi_1038_: bool;
+    var phi_1037_: bool;
+    var phi_1054_: bool;
     var phi_1055_: bool;
     var phi_1056_: bool;
     var phi_1057_: bool;
     var phi_1058_: bool;
     var phi_1059_: bool;
     var phi_1060_: bool;
-    var phi_1061_: bool;
-    var phi_1065_: bool;
+    var phi_1064_: bool;
+    var phi_1084_: bool;
     var phi_1085_: bool;
-    var phi_1086_: bool;
-    var phi_1094_: u32;
-    var phi_1095_: f32;
-    var phi_1096_: u32;
-    var phi_1097_: f32;
-    var phi_1102_: f32;
-    var phi_1113_: u32;
-    var phi_1123_: u32;
+    var phi_1093_: u32;
+    var phi_1094_: f32;
+    var phi_1095_: u32;
+    var phi_1096_: f32;
+    var phi_1101_: f32;
+    var phi_1112_: u32;
+    var phi_1122_: u32;
+    var phi_1128_: u32;
     var phi_1129_: u32;
     var phi_1130_: u32;
-    var phi_1131_: u32;
+    var phi_1141_: vec3<f32>;
     var phi_1142_: vec3<f32>;
-    var phi_1143_: vec3<f32>;
+    var phi_1164_: vec3<f32>;
     var phi_1165_: vec3<f32>;
-    var phi_1166_: vec3<f32>;
-    var phi_1189_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
-    var phi_1257_: f32;
-    var phi_1264_: f32;
-    var phi_1271_: f32;
-    var phi_1278_: f32;
-    var phi_1285_: f32;
-    var phi_1292_: f32;
-    var phi_1309_: f32;
+    var phi_1187_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
+    var phi_1262_: f32;
+    var phi_1269_: f32;
+    var phi_1276_: f32;
+    var phi_1283_: f32;
+    var phi_1290_: f32;
+    var phi_1297_: f32;
     var phi_1314_: f32;
     var phi_1319_: f32;
     var phi_1324_: f32;
     var phi_1329_: f32;
-    var phi_1351_: bool;
-    var phi_1352_: bool;
-    var phi_1360_: u32;
-    var phi_1361_: u32;
-    var phi_1372_: vec3<f32>;
-    var phi_1373_: vec3<f32>;
-    var phi_1385_: u32;
-    var phi_1388_: u32;
-    var phi_1397_: u32;
+    var phi_1334_: f32;
+    var phi_1356_: bool;
+    var phi_1357_: bool;
+    var phi_1365_: u32;
+    var phi_1366_: u32;
+    var phi_1377_: vec3<f32>;
+    var phi_1378_: vec3<f32>;
+    var phi_1390_: u32;
+    var phi_1393_: u32;
+    var phi_1398_: u32;
     var phi_1400_: u32;
     var phi_1402_: u32;
     var phi_1404_: u32;
+    var phi_1476_: f32;
     var phi_1477_: f32;
-    var phi_1478_: f32;
-    var phi_1492_: u32;
+    var phi_1491_: u32;
+    var phi_1514_: f32;
     var phi_1515_: f32;
-    var phi_1516_: f32;
-    var phi_1530_: u32;
-    var phi_1553_: f32;
-    var phi_1554_: f32;
-    var phi_1568_: u32;
-    var phi_1715_: u32;
-    var phi_1716_: u32;
-    var phi_1720_: u32;
-    var phi_1721_: u32;
-    var phi_1722_: u32;
-    var phi_1723_: u32;
-    var phi_1724_: u32;
-    var phi_1725_: u32;
-    var phi_1743_: u32;
-    var phi_1744_: u32;
-    var phi_1745_: u32;
-    var phi_1746_: u32;
-    var phi_1747_: u32;
-    var phi_1748_: u32;
-    var phi_1749_: u32;
-    var phi_1750_: u32;
-    var phi_1398_: u32;
+    var phi_1529_: u32;
+    var phi_1551_: f32;
+    var phi_1552_: f32;
+    var phi_1566_: u32;
+    var phi_1589_: f32;
+    var phi_1590_: f32;
+    var phi_1604_: u32;
+    var phi_1796_: u32;
+    var phi_1797_: u32;
+    var phi_1802_: u32;
+    var phi_1803_: u32;
+    var phi_1804_: u32;
     var phi_1401_: u32;
     var phi_1403_: u32;
-    var phi_1405_: u32;
-    var phi_1751_: bool;
+    var phi_1805_: u32;
+    var phi_1823_: u32;
+    var phi_1824_: u32;
+    var phi_1391_: u32;
+    var phi_1394_: u32;
+    var phi_1833_: bool;
+    var phi_1834_: bool;
+    var phi_1835_: bool;
     var local_5: bool;
-    var phi_1756_: u32;
     var local_6: u32;
-    var phi_1795_: u32;
-    var phi_1796_: u32;
-    var phi_1802_: u32;
-    var phi_1831_: vec3<f32>;
-    var phi_1832_: vec3<f32>;
-    var phi_1861_: vec3<f32>;
-    var phi_1862_: vec3<f32>;
-    var phi_1891_: vec3<f32>;
-    var phi_1892_: vec3<f32>;
-    var phi_1910_: bool;
-    var phi_1911_: bool;
-    var phi_1915_: f32;
-    var phi_1916_: f32;
-    var phi_1917_: f32;
-    var phi_1918_: f32;
-    var phi_1926_: f32;
-    var phi_1936_: bool;
-    var phi_1937_: bool;
-    var phi_1941_: f32;
-    var phi_1942_: f32;
-    var phi_1943_: f32;
-    var phi_1944_: f32;
-    var phi_1952_: f32;
-    var phi_1962_: bool;
-    var phi_1963_: bool;
-    var phi_1967_: f32;
-    var phi_1968_: f32;
-    var phi_1969_: f32;
-    var phi_1970_: f32;
-    var phi_1978_: f32;
-    var phi_1993_: f32;
+    var phi_1844_: u32;
+    var local_7: u32;
+    var phi_1879_: u32;
+    var phi_1880_: u32;
+    var phi_1886_: u32;
+    var phi_1914_: vec3<f32>;
+    var phi_1915_: vec3<f32>;
+    var phi_1944_: vec3<f32>;
+    var phi_1945_: vec3<f32>;
+    var phi_1974_: vec3<f32>;
+    var phi_1975_: vec3<f32>;
+    var phi_1993_: bool;
     var phi_1994_: bool;
-    var phi_1995_: f32;
-    var phi_1996_: bool;
-    var phi_1997_: f32;
-    var phi_1998_: bool;
-    var phi_2016_: f32;
-    var phi_2017_: bool;
-    var phi_2018_: bool;
-    var phi_2019_: f32;
+    var phi_1998_: f32;
+    var phi_1999_: f32;
+    var phi_2000_: f32;
+    var phi_2001_: f32;
+    var phi_2009_: f32;
+    var phi_2019_: bool;
     var phi_2020_: bool;
-    var phi_2021_: bool;
-    var phi_2025_: bool;
+    var phi_2024_: f32;
+    var phi_2025_: f32;
     var phi_2026_: f32;
-    var phi_2027_: bool;
-    var phi_2055_: vec3<f32>;
-    var phi_2056_: vec3<f32>;
-    var phi_2081_: vec3<f32>;
-    var phi_2082_: vec3<f32>;
-    var phi_2107_: vec3<f32>;
-    var phi_2108_: vec3<f32>;
-    var phi_2164_: f32;
-    var phi_2173_: f32;
-    var phi_2182_: f32;
-    var phi_2191_: f32;
-    var phi_2198_: f32;
-    var phi_2205_: f32;
-    var phi_2218_: f32;
-    var phi_2227_: f32;
-    var phi_2236_: f32;
-    var phi_2245_: f32;
-    var phi_2252_: f32;
-    var phi_2259_: f32;
-    var phi_2276_: f32;
+    var phi_2027_: f32;
+    var phi_2035_: f32;
+    var phi_2045_: bool;
+    var phi_2046_: bool;
+    var phi_2050_: f32;
+    var phi_2051_: f32;
+    var phi_2052_: f32;
+    var phi_2053_: f32;
+    var phi_2061_: f32;
+    var phi_2076_: f32;
+    var phi_2077_: bool;
+    var phi_2078_: f32;
+    var phi_2079_: bool;
+    var phi_2080_: f32;
+    var phi_2081_: bool;
+    var phi_2099_: f32;
+    var phi_2100_: bool;
+    var phi_2101_: bool;
+    var phi_2102_: f32;
+    var phi_2103_: bool;
+    var phi_2104_: bool;
+    var phi_2108_: bool;
+    var phi_2109_: f32;
+    var phi_2110_: bool;
+    var phi_2138_: vec3<f32>;
+    var phi_2139_: vec3<f32>;
+    var phi_2164_: vec3<f32>;
+    var phi_2165_: vec3<f32>;
+    var phi_2190_: vec3<f32>;
+    var phi_2191_: vec3<f32>;
+    var phi_2247_: f32;
+    var phi_2256_: f32;
+    var phi_2265_: f32;
+    var phi_2274_: f32;
     var phi_2281_: f32;
-    var phi_2286_: f32;
-    var phi_2294_: f32;
-    var phi_2299_: f32;
-    var phi_2304_: f32;
-    var phi_2316_: f32;
-    var phi_2321_: f32;
-    var phi_2326_: f32;
-    var phi_2331_: f32;
-    var phi_2336_: lt_bvh_triangle_Intersection;
-    var phi_2337_: bool;
-    var phi_2338_: lt_bvh_triangle_Intersection;
-    var phi_2339_: bool;
-    var phi_2343_: lt_bvh_triangle_Intersection;
-    var phi_2344_: bool;
-    var phi_2345_: lt_bvh_triangle_Intersection;
-    var phi_2346_: bool;
-    var phi_2347_: bool;
-    var phi_2351_: bool;
-    var phi_2355_: lt_bvh_triangle_Intersection;
-    var phi_2569_: f32;
-    var phi_2572_: bool;
-    var phi_2573_: bool;
-    var phi_2577_: bool;
-    var phi_2578_: bool;
-    var phi_2579_: bool;
-    var phi_2580_: bool;
-    var phi_2581_: bool;
-    var phi_2582_: bool;
-    var phi_2583_: bool;
-    var phi_2584_: bool;
-    var phi_2585_: bool;
-    var phi_2586_: bool;
-    var phi_2587_: bool;
-    var phi_2588_: bool;
-    var phi_2589_: bool;
-    var phi_2590_: bool;
-    var phi_2594_: bool;
-    var phi_2595_: bool;
-    var phi_2596_: bool;
-    var phi_2600_: bool;
-    var phi_2601_: bool;
-    var phi_1757_: u32;
-    var phi_2602_: bool;
-    var phi_2603_: bool;
-    var phi_2604_: bool;
-    var local_7: bool;
-    var phi_2608_: bool;
-    var phi_2609_: bool;
-    var phi_1386_: u32;
-    var phi_1389_: u32;
-    var phi_2610_: bool;
-    var phi_2611_: bool;
-    var phi_2612_: bool;
-    var local_8: bool;
-    var phi_2616_: bool;
-    var phi_2617_: bool;
-    var phi_2621_: bool;
-    var phi_2625_: bool;
-    var phi_2629_: bool;
-    var phi_2630_: bool;
-    var phi_2634_: bool;
-    var phi_2650_: bool;
-    var phi_2651_: bool;
-    var phi_2652_: bool;
-    var phi_2653_: bool;
-    var phi_2657_: bool;
+    var phi_2288_: f32;
+    var phi_2301_: f32;
+    var phi_2310_: f32;
+    var phi_2319_: f32;
+    var phi_2328_: f32;
+    var phi_2335_: f32;
+    var phi_2342_: f32;
+    var phi_2359_: f32;
+    var phi_2364_: f32;
+    var phi_2369_: f32;
+    var phi_2377_: f32;
+    var phi_2382_: f32;
+    var phi_2387_: f32;
+    var phi_2399_: f32;
+    var phi_2404_: f32;
+    var phi_2409_: f32;
+    var phi_2414_: f32;
+    var phi_2419_: lt_bvh_triangle_Intersection;
+    var phi_2420_: bool;
+    var phi_2421_: lt_bvh_triangle_Intersection;
+    var phi_2422_: bool;
+    var phi_2426_: lt_bvh_triangle_Intersection;
+    var phi_2427_: bool;
+    var phi_2428_: lt_bvh_triangle_Intersection;
+    var phi_2429_: bool;
+    var phi_2430_: bool;
+    var phi_2434_: bool;
+    var phi_2438_: lt_bvh_triangle_Intersection;
+    var phi_2652_: f32;
+    var phi_2655_: bool;
+    var phi_2656_: bool;
+    var phi_2660_: bool;
+    var phi_2661_: bool;
+    var phi_2662_: bool;
+    var phi_2663_: bool;
+    var phi_2664_: bool;
+    var phi_2665_: bool;
+    var phi_2666_: bool;
+    var phi_2667_: bool;
+    var phi_2668_: bool;
+    var phi_2669_: bool;
     var phi_2670_: bool;
     var phi_2671_: bool;
     var phi_2672_: bool;
     var phi_2673_: bool;
     var phi_2677_: bool;
+    var phi_2678_: bool;
+    var phi_2679_: bool;
+    var phi_2687_: bool;
+    var phi_2688_: bool;
+    var phi_2689_: bool;
     var phi_2690_: bool;
     var phi_2691_: bool;
-    var phi_2692_: bool;
+    var local_8: bool;
+    var phi_2695_: bool;
     var phi_2696_: bool;
     var phi_2697_: bool;
     var phi_2698_: bool;
     var phi_2699_: bool;
-    var phi_2700_: bool;
-    var phi_2704_: bool;
-    var phi_2774_: f32;
-    var phi_2781_: f32;
-    var phi_2788_: f32;
-    var phi_2795_: f32;
-    var phi_2802_: f32;
-    var phi_2809_: f32;
-    var phi_2826_: f32;
-    var phi_2831_: f32;
-    var phi_2836_: f32;
-    var phi_2841_: f32;
-    var phi_2846_: f32;
-    var phi_2872_: bool;
-    var phi_2873_: bool;
-    var phi_2881_: u32;
-    var phi_2882_: u32;
-    var phi_2893_: vec3<f32>;
-    var phi_2894_: vec3<f32>;
-    var phi_2907_: u32;
-    var phi_2912_: u32;
-    var phi_2917_: u32;
-    var phi_3031_: bool;
-    var phi_3032_: bool;
-    var phi_3063_: u32;
-    var phi_3065_: u32;
-    var phi_3068_: bool;
-    var phi_3148_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3175_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3202_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3208_: u32;
-    var phi_3211_: u32;
-    var phi_3225_: u32;
-    var phi_3235_: u32;
-    var phi_3245_: u32;
-    var phi_3263_: u32;
-    var phi_3273_: u32;
-    var phi_3283_: u32;
-    var phi_3319_: u32;
-    var phi_3332_: u32;
-    var phi_3337_: u32;
-    var phi_3338_: u32;
-    var phi_3339_: u32;
-    var phi_3209_: u32;
-    var phi_3212_: u32;
     var local_9: u32;
-    var local_10: u32;
+    var phi_2707_: bool;
+    var phi_2708_: bool;
+    var phi_2709_: bool;
+    var phi_2710_: bool;
+    var local_10: bool;
+    var phi_2714_: bool;
+    var phi_2718_: bool;
+    var phi_2722_: bool;
+    var phi_2723_: bool;
+    var phi_2739_: bool;
+    var phi_2740_: bool;
+    var phi_2741_: bool;
+    var phi_2742_: bool;
+    var phi_2746_: bool;
+    var phi_2759_: bool;
+    var phi_2760_: bool;
+    var phi_2761_: bool;
+    var phi_2762_: bool;
+    var phi_2766_: bool;
+    var phi_2779_: bool;
+    var phi_2780_: bool;
+    var phi_2781_: bool;
+    var phi_2785_: bool;
+    var phi_2786_: bool;
+    var phi_2787_: bool;
+    var phi_2788_: bool;
+    var phi_2789_: bool;
+    var phi_2793_: bool;
+    var phi_2863_: f32;
+    var phi_2870_: f32;
+    var phi_2877_: f32;
+    var phi_2884_: f32;
+    var phi_2891_: f32;
+    var phi_2898_: f32;
+    var phi_2915_: f32;
+    var phi_2920_: f32;
+    var phi_2925_: f32;
+    var phi_2930_: f32;
+    var phi_2935_: f32;
+    var phi_2961_: bool;
+    var phi_2962_: bool;
+    var phi_2970_: u32;
+    var phi_2971_: u32;
+    var phi_2982_: vec3<f32>;
+    var phi_2983_: vec3<f32>;
+    var phi_2996_: u32;
+    var phi_3001_: u32;
+    var phi_3006_: u32;
+    var phi_3120_: bool;
+    var phi_3121_: bool;
+    var phi_3152_: u32;
+    var phi_3154_: u32;
+    var phi_3157_: bool;
+    var phi_3237_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3264_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3291_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3297_: u32;
+    var phi_3300_: u32;
+    var phi_3314_: u32;
+    var phi_3324_: u32;
+    var phi_3334_: u32;
+    var phi_3352_: u32;
+    var phi_3362_: u32;
+    var phi_3372_: u32;
+    var phi_3408_: u32;
+    var phi_3421_: u32;
+    var phi_3426_: u32;
+    var phi_3427_: u32;
+    var phi_3428_: u32;
+    var phi_3298_: u32;
+    var phi_3301_: u32;
     var local_11: u32;
-    var phi_3397_: u32;
-    var phi_3400_: bool;
-    var phi_3444_: vec3<f32>;
-    var phi_3445_: vec3<f32>;
-    var phi_3474_: vec3<f32>;
-    var phi_3475_: vec3<f32>;
-    var phi_3504_: vec3<f32>;
-    var phi_3505_: vec3<f32>;
-    var phi_3523_: bool;
-    var phi_3524_: bool;
-    var phi_3528_: f32;
-    var phi_3529_: f32;
-    var phi_3530_: f32;
-    var phi_3531_: f32;
-    var phi_3539_: f32;
-    var phi_3549_: bool;
-    var phi_3550_: bool;
-    var phi_3554_: f32;
-    var phi_3555_: f32;
-    var phi_3556_: f32;
-    var phi_3557_: f32;
-    var phi_3565_: f32;
-    var phi_3575_: bool;
-    var phi_3576_: bool;
-    var phi_3580_: f32;
-    var phi_3581_: f32;
-    var phi_3582_: f32;
-    var phi_3583_: f32;
-    var phi_3591_: f32;
-    var phi_3606_: f32;
-    var phi_3607_: bool;
-    var phi_3608_: f32;
-    var phi_3609_: bool;
-    var phi_3610_: f32;
-    var phi_3611_: bool;
-    var phi_3629_: f32;
-    var phi_3630_: bool;
-    var phi_3631_: bool;
-    var phi_3632_: f32;
-    var phi_3633_: bool;
-    var phi_3634_: bool;
+    var local_12: u32;
+    var local_13: u32;
+    var phi_3486_: u32;
+    var phi_3489_: bool;
+    var phi_3533_: vec3<f32>;
+    var phi_3534_: vec3<f32>;
+    var phi_3563_: vec3<f32>;
+    var phi_3564_: vec3<f32>;
+    var phi_3593_: vec3<f32>;
+    var phi_3594_: vec3<f32>;
+    var phi_3612_: bool;
+    var phi_3613_: bool;
+    var phi_3617_: f32;
+    var phi_3618_: f32;
+    var phi_3619_: f32;
+    var phi_3620_: f32;
+    var phi_3628_: f32;
     var phi_3638_: bool;
-    var phi_3639_: f32;
-    var phi_3640_: bool;
-    var phi_3668_: vec3<f32>;
-    var phi_3669_: vec3<f32>;
-    var phi_3694_: vec3<f32>;
-    var phi_3695_: vec3<f32>;
-    var phi_3720_: vec3<f32>;
-    var phi_3721_: vec3<f32>;
-    var phi_3777_: f32;
-    var phi_3786_: f32;
-    var phi_3795_: f32;
-    var phi_3804_: f32;
-    var phi_3811_: f32;
-    var phi_3818_: f32;
-    var phi_3831_: f32;
-    var phi_3840_: f32;
-    var phi_3849_: f32;
-    var phi_3858_: f32;
-    var phi_3865_: f32;
-    var phi_3872_: f32;
-    var phi_3889_: f32;
-    var phi_3894_: f32;
-    var phi_3899_: f32;
+    var phi_3639_: bool;
+    var phi_3643_: f32;
+    var phi_3644_: f32;
+    var phi_3645_: f32;
+    var phi_3646_: f32;
+    var phi_3654_: f32;
+    var phi_3664_: bool;
+    var phi_3665_: bool;
+    var phi_3669_: f32;
+    var phi_3670_: f32;
+    var phi_3671_: f32;
+    var phi_3672_: f32;
+    var phi_3680_: f32;
+    var phi_3695_: f32;
+    var phi_3696_: bool;
+    var phi_3697_: f32;
+    var phi_3698_: bool;
+    var phi_3699_: f32;
+    var phi_3700_: bool;
+    var phi_3718_: f32;
+    var phi_3719_: bool;
+    var phi_3720_: bool;
+    var phi_3721_: f32;
+    var phi_3722_: bool;
+    var phi_3723_: bool;
+    var phi_3727_: bool;
+    var phi_3728_: f32;
+    var phi_3729_: bool;
+    var phi_3757_: vec3<f32>;
+    var phi_3758_: vec3<f32>;
+    var phi_3783_: vec3<f32>;
+    var phi_3784_: vec3<f32>;
+    var phi_3809_: vec3<f32>;
+    var phi_3810_: vec3<f32>;
+    var phi_3866_: f32;
+    var phi_3875_: f32;
+    var phi_3884_: f32;
+    var phi_3893_: f32;
+    var phi_3900_: f32;
     var phi_3907_: f32;
-    var phi_3912_: f32;
-    var phi_3917_: f32;
+    var phi_3920_: f32;
     var phi_3929_: f32;
-    var phi_3934_: f32;
-    var phi_3939_: f32;
-    var phi_3944_: f32;
-    var phi_3949_: lt_bvh_triangle_Intersection;
-    var phi_3950_: bool;
-    var phi_3951_: lt_bvh_triangle_Intersection;
-    var phi_3952_: bool;
-    var phi_3956_: lt_bvh_triangle_Intersection;
-    var phi_3957_: bool;
-    var phi_3958_: lt_bvh_triangle_Intersection;
-    var phi_3959_: bool;
-    var phi_3960_: bool;
-    var phi_3964_: bool;
-    var phi_3968_: lt_bvh_triangle_Intersection;
-    var phi_4182_: f32;
-    var phi_4185_: bool;
-    var phi_4186_: bool;
-    var phi_4187_: bool;
-    var phi_4191_: bool;
-    var phi_4192_: bool;
-    var phi_4193_: bool;
-    var phi_4194_: bool;
-    var phi_4195_: bool;
-    var phi_4196_: bool;
-    var phi_4197_: bool;
-    var phi_4198_: bool;
-    var phi_4199_: bool;
-    var phi_4200_: bool;
-    var phi_3398_: u32;
-    var phi_3401_: bool;
-    var phi_4204_: bool;
-    var phi_4205_: bool;
-    var local_12: bool;
-    var phi_4247_: bool;
-    var phi_4248_: bool;
-    var phi_4279_: u32;
-    var phi_4280_: u32;
-    var phi_3066_: u32;
-    var phi_3069_: bool;
+    var phi_3938_: f32;
+    var phi_3947_: f32;
+    var phi_3954_: f32;
+    var phi_3961_: f32;
+    var phi_3978_: f32;
+    var phi_3983_: f32;
+    var phi_3988_: f32;
+    var phi_3996_: f32;
+    var phi_4001_: f32;
+    var phi_4006_: f32;
+    var phi_4018_: f32;
+    var phi_4023_: f32;
+    var phi_4028_: f32;
+    var phi_4033_: f32;
+    var phi_4038_: lt_bvh_triangle_Intersection;
+    var phi_4039_: bool;
+    var phi_4040_: lt_bvh_triangle_Intersection;
+    var phi_4041_: bool;
+    var phi_4045_: lt_bvh_triangle_Intersection;
+    var phi_4046_: bool;
+    var phi_4047_: lt_bvh_triangle_Intersection;
+    var phi_4048_: bool;
+    var phi_4049_: bool;
+    var phi_4053_: bool;
+    var phi_4057_: lt_bvh_triangle_Intersection;
+    var phi_4271_: f32;
+    var phi_4274_: bool;
+    var phi_4275_: bool;
+    var phi_4276_: bool;
+    var phi_4280_: bool;
     var phi_4281_: bool;
     var phi_4282_: bool;
     var phi_4283_: bool;
-    var local_13: bool;
+    var phi_4284_: bool;
+    var phi_4285_: bool;
+    var phi_4286_: bool;
     var phi_4287_: bool;
-    var phi_4291_: bool;
-    var phi_4292_: bool;
+    var phi_4288_: bool;
+    var phi_4289_: bool;
+    var phi_3487_: u32;
+    var phi_3490_: bool;
     var phi_4293_: bool;
     var phi_4294_: bool;
-    var phi_4298_: bool;
-    var phi_4299_: bool;
-    var phi_4300_: bool;
-    var phi_4304_: f32;
-    var phi_4305_: f32;
-    var local_14: u32;
+    var local_14: bool;
+    var phi_4336_: bool;
+    var phi_4337_: bool;
+    var phi_4368_: u32;
+    var phi_4369_: u32;
+    var phi_3155_: u32;
+    var phi_3158_: bool;
+    var phi_4370_: bool;
+    var phi_4371_: bool;
+    var phi_4372_: bool;
     var local_15: bool;
-    var local_16: bool;
+    var phi_4376_: bool;
+    var phi_4380_: bool;
+    var phi_4381_: bool;
+    var phi_4382_: bool;
+    var phi_4383_: bool;
+    var phi_4387_: bool;
+    var phi_4388_: bool;
+    var phi_4389_: bool;
+    var phi_4393_: f32;
+    var phi_4394_: f32;
+    var local_16: u32;
     var local_17: u32;
     var local_18: u32;
     var local_19: bool;
@@ -1139,2821 +1127,2832 @@ fn function_() {
     var local_24: bool;
     var local_25: bool;
     var local_26: bool;
+    var local_27: bool;
+    var local_28: bool;
 
-    let _e85 = id_1;
-    let _e92 = arrayLength((&nodes.member));
-    let _e95 = arrayLength((&triangles.member));
-    let _e101 = arrayLength((&rows.member));
-    let _e105 = arrayLength((&vertices.member));
-    let _e108 = arrayLength((&materials.member));
-    let _e111 = arrayLength((&alpha_texels.member));
-    let _e114 = p.member.size[0u];
-    let _e116 = p.member.size[1u];
-    let _e117 = lt_shaders_entry_pixel_index(_e85, _e114, _e116);
-    if (bitcast<i32>(_e117.word) != 0i) {
-        if (_e117.shift < arrayLength((&samples.member))) {
+    let _e84 = id_1;
+    let _e91 = arrayLength((&nodes.member));
+    let _e94 = arrayLength((&triangles.member));
+    let _e100 = arrayLength((&rows.member));
+    let _e104 = arrayLength((&vertices.member));
+    let _e107 = arrayLength((&materials.member));
+    let _e110 = arrayLength((&alpha_texels.member));
+    let _e113 = p.member.size[0u];
+    let _e115 = p.member.size[1u];
+    let _e116 = lt_shaders_entry_pixel_index(_e84, _e113, _e115);
+    if (bitcast<i32>(_e116.word) != 0i) {
+        if (_e116.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e125 = samples.member[(0u + _e117.shift)];
-        local_4 = abi_Sample(_e125.position, _e125.magnitude, _e125.normal, _e125.flags, _e125.shading_normal, _e125.albedo);
-        let _e134 = _lt_shaders_abi_Sample_is_valid((&local_4));
-        if _e134 {
-            let _e136 = local_4.position;
-            let _e138 = p.member.light.place;
-            let _e144 = p.member.light.place[3u];
-            let _e151 = (_e138.x - (_e136.x * _e144));
-            let _e152 = (_e138.y - (_e136.y * _e144));
-            let _e153 = (_e138.z - (_e136.z * _e144));
-            let _e155 = local_4.normal;
-            if ((((_e155.x * _e151) + (_e155.y * _e152)) + (_e155.z * _e153)) > 0f) {
-                let _e169 = (((_e151 * _e151) + (_e152 * _e152)) + (_e153 * _e153));
-                let _e171 = p.member.light.axis;
-                let _e183 = p.member.light.place[3u];
-                if (_e183 == 0f) {
-                    phi_822_ = true;
+        let _e124 = samples.member[(0u + _e116.shift)];
+        local_4 = abi_Sample(_e124.position, _e124.magnitude, _e124.normal, _e124.flags, _e124.shading_normal, _e124.albedo);
+        let _e133 = _lt_shaders_abi_Sample_is_valid((&local_4));
+        if _e133 {
+            let _e135 = local_4.position;
+            let _e137 = p.member.light.place;
+            let _e143 = p.member.light.place[3u];
+            let _e150 = (_e137.x - (_e135.x * _e143));
+            let _e151 = (_e137.y - (_e135.y * _e143));
+            let _e152 = (_e137.z - (_e135.z * _e143));
+            let _e154 = local_4.normal;
+            if ((((_e154.x * _e150) + (_e154.y * _e151)) + (_e154.z * _e152)) > 0f) {
+                let _e168 = (((_e150 * _e150) + (_e151 * _e151)) + (_e152 * _e152));
+                let _e170 = p.member.light.axis;
+                let _e182 = p.member.light.place[3u];
+                if (_e182 == 0f) {
+                    phi_821_ = true;
                 } else {
-                    let _e186 = p.member.light.range_squared;
-                    if (_e169 <= _e186) {
-                        let _e189 = p.member.light.cos_outer;
-                        phi_821_ = (-((((_e151 * _e171.x) + (_e152 * _e171.y)) + (_e153 * _e171.z))) >= (_e189 * sqrt(_e169)));
+                    let _e185 = p.member.light.range_squared;
+                    if (_e168 <= _e185) {
+                        let _e188 = p.member.light.cos_outer;
+                        phi_820_ = (-((((_e150 * _e170.x) + (_e151 * _e170.y)) + (_e152 * _e170.z))) >= (_e188 * sqrt(_e168)));
                     } else {
-                        phi_821_ = false;
+                        phi_820_ = false;
                     }
-                    let _e194 = phi_821_;
-                    phi_822_ = _e194;
+                    let _e193 = phi_820_;
+                    phi_821_ = _e193;
                 }
-                let _e196 = phi_822_;
-                if _e196 {
-                    let _e198 = local_4.flags;
-                    let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e212 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e206.unnamed.visibility, false), _e206.unnamed_1);
-                    phi_833_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e212.unnamed, ((_e198 & 1u) == 0u));
-                    phi_834_ = false;
+                let _e195 = phi_821_;
+                if _e195 {
+                    let _e197 = local_4.flags;
+                    let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
+                    phi_832_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, ((_e197 & 1u) == 0u));
+                    phi_833_ = false;
                 } else {
-                    phi_833_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_834_ = true;
+                    phi_832_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_833_ = true;
                 }
-                let _e217 = phi_833_;
-                let _e219 = phi_834_;
-                phi_835_ = _e217;
-                phi_836_ = _e219;
+                let _e216 = phi_832_;
+                let _e218 = phi_833_;
+                phi_834_ = _e216;
+                phi_835_ = _e218;
             } else {
-                phi_835_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_836_ = true;
+                phi_834_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_835_ = true;
             }
-            let _e221 = phi_835_;
-            let _e223 = phi_836_;
-            if _e223 {
-                let _e229 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e235 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e229.unnamed.visibility, false), _e229.unnamed_1);
-                phi_843_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e235.unnamed, true);
+            let _e220 = phi_834_;
+            let _e222 = phi_835_;
+            if _e222 {
+                let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
+                phi_842_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
             } else {
-                phi_843_ = _e221;
+                phi_842_ = _e220;
             }
-            let _e240 = phi_843_;
-            phi_847_ = _e240;
+            let _e239 = phi_842_;
+            phi_846_ = _e239;
         } else {
-            let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e252 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e246.unnamed.visibility, false), _e246.unnamed_1);
-            phi_847_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e252.unnamed, true);
+            let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
+            phi_846_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
         }
-        let _e257 = phi_847_;
-        let _e261 = space.member;
-        if _e257.unnamed_1 {
-            phi_4305_ = _e257.unnamed.visibility;
+        let _e256 = phi_846_;
+        let _e260 = space.member;
+        if _e256.unnamed_1 {
+            phi_4394_ = _e256.unnamed.visibility;
         } else {
-            let _e264 = local_4.position;
-            let _e266 = local_4.normal;
-            let _e268 = local_4.magnitude;
-            let _e270 = ((8f / 8388608f) * _e268);
-            let _e272 = (_e266.x * _e270);
-            let _e274 = (_e266.y * _e270);
-            let _e276 = (_e266.z * _e270);
-            let _e278 = (_e264.x + _e272);
-            let _e280 = (_e264.y + _e274);
-            let _e282 = (_e264.z + _e276);
-            let _e286 = p.member.light.place;
-            if (_e286.w == 0f) {
-                phi_900_ = 300000000000000000000000000000000000000f;
+            let _e263 = local_4.position;
+            let _e265 = local_4.normal;
+            let _e267 = local_4.magnitude;
+            let _e269 = ((8f / 8388608f) * _e267);
+            let _e271 = (_e265.x * _e269);
+            let _e273 = (_e265.y * _e269);
+            let _e275 = (_e265.z * _e269);
+            let _e277 = (_e263.x + _e271);
+            let _e279 = (_e263.y + _e273);
+            let _e281 = (_e263.z + _e275);
+            let _e285 = p.member.light.place;
+            if (_e285.w == 0f) {
+                phi_899_ = 300000000000000000000000000000000000000f;
             } else {
-                phi_900_ = 1f;
+                phi_899_ = 1f;
             }
-            let _e290 = phi_900_;
-            let _e298 = (_e286.x - (_e278 * _e286.w));
-            let _e299 = (_e286.y - (_e280 * _e286.w));
-            let _e300 = (_e286.z - (_e282 * _e286.w));
-            let _e301 = vec3<f32>(_e298, _e299, _e300);
+            let _e289 = phi_899_;
+            let _e297 = (_e285.x - (_e277 * _e285.w));
+            let _e298 = (_e285.y - (_e279 * _e285.w));
+            let _e299 = (_e285.z - (_e281 * _e285.w));
+            let _e300 = vec3<f32>(_e297, _e298, _e299);
+            let _e301 = abs(_e297);
             let _e302 = abs(_e298);
             let _e303 = abs(_e299);
-            let _e304 = abs(_e300);
-            if (abs(_e278) < 1000000000000000f) {
-                if (abs(_e280) < 1000000000000000f) {
-                    phi_933_ = (abs(_e282) < 1000000000000000f);
-                    phi_934_ = false;
+            if (abs(_e277) < 1000000000000000f) {
+                if (abs(_e279) < 1000000000000000f) {
+                    phi_932_ = (abs(_e281) < 1000000000000000f);
+                    phi_933_ = false;
                 } else {
-                    phi_933_ = bool();
-                    phi_934_ = true;
+                    phi_932_ = bool();
+                    phi_933_ = true;
                 }
-                let _e312 = phi_933_;
-                let _e314 = phi_934_;
-                phi_935_ = _e312;
-                phi_936_ = _e314;
+                let _e311 = phi_932_;
+                let _e313 = phi_933_;
+                phi_934_ = _e311;
+                phi_935_ = _e313;
             } else {
-                phi_935_ = bool();
-                phi_936_ = true;
+                phi_934_ = bool();
+                phi_935_ = true;
             }
-            let _e316 = phi_935_;
-            let _e318 = phi_936_;
-            if _e318 {
-                phi_940_ = false;
+            let _e315 = phi_934_;
+            let _e317 = phi_935_;
+            if _e317 {
+                phi_939_ = false;
             } else {
-                phi_940_ = _e316;
+                phi_939_ = _e315;
             }
-            let _e320 = phi_940_;
-            if _e320 {
-                if (_e302 < 1000000000000000f) {
-                    if (_e303 < 1000000000000000f) {
-                        phi_953_ = (_e304 < 1000000000000000f);
-                        phi_954_ = false;
+            let _e319 = phi_939_;
+            if _e319 {
+                if (_e301 < 1000000000000000f) {
+                    if (_e302 < 1000000000000000f) {
+                        phi_952_ = (_e303 < 1000000000000000f);
+                        phi_953_ = false;
                     } else {
-                        phi_953_ = bool();
-                        phi_954_ = true;
+                        phi_952_ = bool();
+                        phi_953_ = true;
                     }
-                    let _e325 = phi_953_;
-                    let _e327 = phi_954_;
-                    phi_955_ = _e325;
-                    phi_956_ = _e327;
+                    let _e324 = phi_952_;
+                    let _e326 = phi_953_;
+                    phi_954_ = _e324;
+                    phi_955_ = _e326;
                 } else {
-                    phi_955_ = bool();
-                    phi_956_ = true;
+                    phi_954_ = bool();
+                    phi_955_ = true;
                 }
-                let _e329 = phi_955_;
-                let _e331 = phi_956_;
-                if _e331 {
-                    phi_960_ = false;
+                let _e328 = phi_954_;
+                let _e330 = phi_955_;
+                if _e330 {
+                    phi_959_ = false;
                 } else {
-                    phi_960_ = _e329;
+                    phi_959_ = _e328;
                 }
-                let _e333 = phi_960_;
-                if _e333 {
-                    if (_e302 > 0f) {
-                        phi_974_ = bool();
-                        phi_975_ = true;
+                let _e332 = phi_959_;
+                if _e332 {
+                    if (_e301 > 0f) {
+                        phi_973_ = bool();
+                        phi_974_ = true;
                     } else {
-                        let _e335 = (_e303 > 0f);
-                        if _e335 {
-                            phi_973_ = bool();
+                        let _e334 = (_e302 > 0f);
+                        if _e334 {
+                            phi_972_ = bool();
                         } else {
-                            phi_973_ = (_e304 > 0f);
+                            phi_972_ = (_e303 > 0f);
                         }
-                        let _e338 = phi_973_;
-                        phi_974_ = _e338;
-                        phi_975_ = _e335;
+                        let _e337 = phi_972_;
+                        phi_973_ = _e337;
+                        phi_974_ = _e334;
                     }
-                    let _e340 = phi_974_;
-                    let _e342 = phi_975_;
-                    if _e342 {
-                        phi_979_ = true;
+                    let _e339 = phi_973_;
+                    let _e341 = phi_974_;
+                    if _e341 {
+                        phi_978_ = true;
                     } else {
-                        phi_979_ = _e340;
+                        phi_978_ = _e339;
                     }
-                    let _e344 = phi_979_;
-                    phi_980_ = _e344;
-                    phi_981_ = false;
+                    let _e343 = phi_978_;
+                    phi_979_ = _e343;
+                    phi_980_ = false;
                 } else {
-                    phi_980_ = bool();
-                    phi_981_ = true;
+                    phi_979_ = bool();
+                    phi_980_ = true;
                 }
-                let _e346 = phi_980_;
-                let _e348 = phi_981_;
-                phi_982_ = _e346;
-                phi_983_ = _e348;
+                let _e345 = phi_979_;
+                let _e347 = phi_980_;
+                phi_981_ = _e345;
+                phi_982_ = _e347;
             } else {
-                phi_982_ = bool();
-                phi_983_ = true;
+                phi_981_ = bool();
+                phi_982_ = true;
             }
-            let _e350 = phi_982_;
-            let _e352 = phi_983_;
-            if _e352 {
-                phi_987_ = false;
+            let _e349 = phi_981_;
+            let _e351 = phi_982_;
+            if _e351 {
+                phi_986_ = false;
             } else {
-                phi_987_ = _e350;
+                phi_986_ = _e349;
             }
-            let _e354 = phi_987_;
-            if _e354 {
-                if (_e261.low.x <= _e278) {
-                    if (_e278 <= _e261.high.x) {
-                        if (_e261.low.y <= _e280) {
-                            phi_1010_ = (_e280 <= _e261.high.y);
-                            phi_1011_ = false;
+            let _e353 = phi_986_;
+            if _e353 {
+                if (_e260.low.x <= _e277) {
+                    if (_e277 <= _e260.high.x) {
+                        if (_e260.low.y <= _e279) {
+                            phi_1009_ = (_e279 <= _e260.high.y);
+                            phi_1010_ = false;
                         } else {
-                            phi_1010_ = bool();
-                            phi_1011_ = true;
+                            phi_1009_ = bool();
+                            phi_1010_ = true;
                         }
-                        let _e372 = phi_1010_;
-                        let _e374 = phi_1011_;
-                        phi_1012_ = _e372;
-                        phi_1013_ = _e374;
+                        let _e371 = phi_1009_;
+                        let _e373 = phi_1010_;
+                        phi_1011_ = _e371;
+                        phi_1012_ = _e373;
                     } else {
-                        phi_1012_ = bool();
-                        phi_1013_ = true;
+                        phi_1011_ = bool();
+                        phi_1012_ = true;
                     }
-                    let _e376 = phi_1012_;
-                    let _e378 = phi_1013_;
-                    phi_1014_ = _e376;
-                    phi_1015_ = _e378;
+                    let _e375 = phi_1011_;
+                    let _e377 = phi_1012_;
+                    phi_1013_ = _e375;
+                    phi_1014_ = _e377;
                 } else {
-                    phi_1014_ = bool();
-                    phi_1015_ = true;
+                    phi_1013_ = bool();
+                    phi_1014_ = true;
                 }
-                let _e380 = phi_1014_;
-                let _e382 = phi_1015_;
-                if _e382 {
-                    phi_1019_ = false;
+                let _e379 = phi_1013_;
+                let _e381 = phi_1014_;
+                if _e381 {
+                    phi_1018_ = false;
                 } else {
-                    phi_1019_ = _e380;
+                    phi_1018_ = _e379;
                 }
-                let _e384 = phi_1019_;
-                if (abs(_e298) > 0.000000000000000000000000000001f) {
-                    phi_1033_ = bool();
-                    phi_1034_ = true;
+                let _e383 = phi_1018_;
+                if (abs(_e297) > 0.000000000000000000000000000001f) {
+                    phi_1032_ = bool();
+                    phi_1033_ = true;
                 } else {
-                    let _e389 = (abs(_e299) > 0.000000000000000000000000000001f);
-                    if _e389 {
-                        phi_1032_ = bool();
+                    let _e388 = (abs(_e298) > 0.000000000000000000000000000001f);
+                    if _e388 {
+                        phi_1031_ = bool();
                     } else {
-                        phi_1032_ = (abs(_e300) > 0.000000000000000000000000000001f);
+                        phi_1031_ = (abs(_e299) > 0.000000000000000000000000000001f);
                     }
-                    let _e392 = phi_1032_;
-                    phi_1033_ = _e392;
-                    phi_1034_ = _e389;
+                    let _e391 = phi_1031_;
+                    phi_1032_ = _e391;
+                    phi_1033_ = _e388;
                 }
-                let _e394 = phi_1033_;
-                let _e396 = phi_1034_;
-                if _e396 {
-                    phi_1038_ = true;
+                let _e393 = phi_1032_;
+                let _e395 = phi_1033_;
+                if _e395 {
+                    phi_1037_ = true;
                 } else {
-                    phi_1038_ = _e394;
+                    phi_1037_ = _e393;
                 }
-                let _e398 = phi_1038_;
-                if _e384 {
-                    if (_e261.low.z <= _e282) {
-                        if (_e282 <= _e261.high.z) {
-                            if (_e261.is_parallel == 0u) {
-                                phi_1055_ = _e398;
+                let _e397 = phi_1037_;
+                if _e383 {
+                    if (_e260.low.z <= _e281) {
+                        if (_e281 <= _e260.high.z) {
+                            if (_e260.is_parallel == 0u) {
+                                phi_1054_ = _e397;
                             } else {
-                                phi_1055_ = true;
+                                phi_1054_ = true;
                             }
-                            let _e404 = phi_1055_;
-                            phi_1056_ = _e404;
-                            phi_1057_ = false;
+                            let _e403 = phi_1054_;
+                            phi_1055_ = _e403;
+                            phi_1056_ = false;
                         } else {
-                            phi_1056_ = bool();
-                            phi_1057_ = true;
+                            phi_1055_ = bool();
+                            phi_1056_ = true;
                         }
-                        let _e406 = phi_1056_;
-                        let _e408 = phi_1057_;
-                        phi_1058_ = _e406;
-                        phi_1059_ = _e408;
+                        let _e405 = phi_1055_;
+                        let _e407 = phi_1056_;
+                        phi_1057_ = _e405;
+                        phi_1058_ = _e407;
                     } else {
-                        phi_1058_ = bool();
-                        phi_1059_ = true;
+                        phi_1057_ = bool();
+                        phi_1058_ = true;
                     }
-                    let _e410 = phi_1058_;
-                    let _e412 = phi_1059_;
-                    phi_1060_ = _e410;
-                    phi_1061_ = _e412;
+                    let _e409 = phi_1057_;
+                    let _e411 = phi_1058_;
+                    phi_1059_ = _e409;
+                    phi_1060_ = _e411;
                 } else {
-                    phi_1060_ = bool();
-                    phi_1061_ = true;
+                    phi_1059_ = bool();
+                    phi_1060_ = true;
                 }
-                let _e414 = phi_1060_;
-                let _e416 = phi_1061_;
-                if _e416 {
-                    phi_1065_ = false;
+                let _e413 = phi_1059_;
+                let _e415 = phi_1060_;
+                if _e415 {
+                    phi_1064_ = false;
                 } else {
-                    phi_1065_ = _e414;
+                    phi_1064_ = _e413;
                 }
-                let _e418 = phi_1065_;
-                if _e418 {
-                    if (_e261.is_parallel == 0u) {
+                let _e417 = phi_1064_;
+                if _e417 {
+                    if (_e260.is_parallel == 0u) {
+                        let _e420 = abs(_e297);
                         let _e421 = abs(_e298);
                         let _e422 = abs(_e299);
-                        let _e423 = abs(_e300);
-                        if (_e421 >= _e422) {
-                            if (_e421 >= _e423) {
-                                phi_1085_ = false;
+                        if (_e420 >= _e421) {
+                            if (_e420 >= _e422) {
+                                phi_1084_ = false;
                             } else {
-                                phi_1085_ = true;
+                                phi_1084_ = true;
                             }
-                            let _e427 = phi_1085_;
-                            phi_1086_ = _e427;
+                            let _e426 = phi_1084_;
+                            phi_1085_ = _e426;
                         } else {
-                            phi_1086_ = true;
+                            phi_1085_ = true;
                         }
-                        let _e429 = phi_1086_;
-                        if _e429 {
-                            if (_e422 >= _e423) {
-                                phi_1094_ = 1u;
-                                phi_1095_ = _e299;
+                        let _e428 = phi_1085_;
+                        if _e428 {
+                            if (_e421 >= _e422) {
+                                phi_1093_ = 1u;
+                                phi_1094_ = _e298;
                             } else {
-                                phi_1094_ = 2u;
-                                phi_1095_ = _e300;
+                                phi_1093_ = 2u;
+                                phi_1094_ = _e299;
                             }
-                            let _e432 = phi_1094_;
-                            let _e434 = phi_1095_;
-                            phi_1096_ = _e432;
-                            phi_1097_ = _e434;
+                            let _e431 = phi_1093_;
+                            let _e433 = phi_1094_;
+                            phi_1095_ = _e431;
+                            phi_1096_ = _e433;
                         } else {
-                            phi_1096_ = 0u;
-                            phi_1097_ = _e298;
+                            phi_1095_ = 0u;
+                            phi_1096_ = _e297;
                         }
-                        let _e436 = phi_1096_;
-                        let _e438 = phi_1097_;
-                        if (_e438 < 0f) {
-                            phi_1102_ = -1f;
+                        let _e435 = phi_1095_;
+                        let _e437 = phi_1096_;
+                        if (_e437 < 0f) {
+                            phi_1101_ = -1f;
                         } else {
-                            phi_1102_ = 1f;
+                            phi_1101_ = 1f;
                         }
-                        let _e441 = phi_1102_;
-                        let _e442 = (_e441 < 0f);
-                        if (_e436 == 0u) {
-                            if _e442 {
-                                phi_1113_ = _e261.roots.y;
+                        let _e440 = phi_1101_;
+                        let _e441 = (_e440 < 0f);
+                        if (_e435 == 0u) {
+                            if _e441 {
+                                phi_1112_ = _e260.roots.y;
                             } else {
-                                phi_1113_ = _e261.roots.x;
+                                phi_1112_ = _e260.roots.x;
                             }
-                            let _e449 = phi_1113_;
-                            phi_1131_ = _e449;
+                            let _e448 = phi_1112_;
+                            phi_1130_ = _e448;
                         } else {
-                            if (_e436 == 1u) {
-                                if _e442 {
-                                    phi_1123_ = _e261.roots.w;
+                            if (_e435 == 1u) {
+                                if _e441 {
+                                    phi_1122_ = _e260.roots.w;
                                 } else {
-                                    phi_1123_ = _e261.roots.z;
+                                    phi_1122_ = _e260.roots.z;
                                 }
-                                let _e456 = phi_1123_;
-                                phi_1130_ = _e456;
+                                let _e455 = phi_1122_;
+                                phi_1129_ = _e455;
                             } else {
-                                if _e442 {
-                                    phi_1129_ = _e261.roots_z.y;
+                                if _e441 {
+                                    phi_1128_ = _e260.roots_z.y;
                                 } else {
-                                    phi_1129_ = _e261.roots_z.x;
+                                    phi_1128_ = _e260.roots_z.x;
                                 }
-                                let _e462 = phi_1129_;
-                                phi_1130_ = _e462;
+                                let _e461 = phi_1128_;
+                                phi_1129_ = _e461;
                             }
-                            let _e464 = phi_1130_;
-                            phi_1131_ = _e464;
+                            let _e463 = phi_1129_;
+                            phi_1130_ = _e463;
                         }
-                        let _e466 = phi_1131_;
-                        if (_e436 == 0u) {
-                            phi_1143_ = vec3<f32>(_e299, _e300, _e298);
+                        let _e465 = phi_1130_;
+                        if (_e435 == 0u) {
+                            phi_1142_ = vec3<f32>(_e298, _e299, _e297);
                         } else {
-                            if (_e436 == 1u) {
-                                phi_1142_ = vec3<f32>(_e300, _e298, _e299);
+                            if (_e435 == 1u) {
+                                phi_1141_ = vec3<f32>(_e299, _e297, _e298);
                             } else {
-                                phi_1142_ = _e301;
+                                phi_1141_ = _e300;
                             }
-                            let _e472 = phi_1142_;
-                            phi_1143_ = _e472;
+                            let _e471 = phi_1141_;
+                            phi_1142_ = _e471;
                         }
-                        let _e474 = phi_1143_;
-                        phi_1189_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e474.x / _e474.z), (_e474.y / _e474.z), (_e441 / _e474.z)), _e466);
+                        let _e473 = phi_1142_;
+                        phi_1187_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e473.x / _e473.z), (_e473.y / _e473.z), (_e440 / _e473.z)), _e465);
                     } else {
-                        if (_e261.axis == 0u) {
-                            phi_1166_ = vec3<f32>(_e280, _e282, _e278);
+                        if (_e260.axis == 0u) {
+                            phi_1165_ = vec3<f32>(_e279, _e281, _e277);
                         } else {
-                            if (_e261.axis == 1u) {
-                                phi_1165_ = vec3<f32>(_e282, _e278, _e280);
+                            if (_e260.axis == 1u) {
+                                phi_1164_ = vec3<f32>(_e281, _e277, _e279);
                             } else {
-                                phi_1165_ = (_e264 + vec3<f32>(_e272, _e274, _e276));
+                                phi_1164_ = (_e263 + vec3<f32>(_e271, _e273, _e275));
                             }
-                            let _e491 = phi_1165_;
-                            phi_1166_ = _e491;
+                            let _e490 = phi_1164_;
+                            phi_1165_ = _e490;
                         }
-                        let _e493 = phi_1166_;
-                        let _e505 = (_e493.z - _e261.middle.z);
-                        phi_1189_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e493.x - _e261.middle.x) - (_e261.shear.x * _e505)), ((_e493.y - _e261.middle.y) - (_e261.shear.y * _e505)), (_e261.sign * _e505)), _e261.roots.x);
+                        let _e492 = phi_1165_;
+                        let _e507 = (_e492.z - _e260.middle.z);
+                        phi_1187_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e492.x - _e260.middle.x) - (_e260.shear.x * _e507)), ((_e492.y - _e260.middle.y) - (_e260.shear.y * _e507)), (_e260.sign * _e507)), _e260.roots.x);
                     }
-                    let _e518 = phi_1189_;
+                    let _e518 = phi_1187_;
                     if (_e518.unnamed_1 == 4294967295u) {
-                        phi_2629_ = false;
-                        phi_2630_ = true;
+                        phi_2723_ = false;
                     } else {
-                        if (0u < _e92) {
+                        if (0u < _e91) {
                         } else {
                             return;
                         }
-                        let _e526 = nodes.member[0u].frame[0u];
-                        let _e530 = nodes.member[0u].frame[1u];
-                        let _e534 = nodes.member[0u].frame[2u];
-                        let _e538 = nodes.member[0u].frame[0u];
-                        let _e542 = nodes.member[0u].frame[1u];
-                        let _e546 = nodes.member[0u].frame[2u];
-                        let _e550 = nodes.member[0u].frame[3u];
-                        let _e584 = core_intrinsics_maximum_number_nsz_f32_(abs(_e298), abs(_e299));
-                        let _e585 = core_intrinsics_maximum_number_nsz_f32_(_e584, abs(_e300));
-                        let _e586 = (_e585 * 0.0000000000009094947f);
-                        if (abs(_e298) < _e586) {
-                            phi_1257_ = _e586;
+                        let _e535 = nodes.member[0u].frame[0u];
+                        let _e539 = nodes.member[0u].frame[1u];
+                        let _e543 = nodes.member[0u].frame[2u];
+                        let _e547 = nodes.member[0u].frame[0u];
+                        let _e551 = nodes.member[0u].frame[1u];
+                        let _e555 = nodes.member[0u].frame[2u];
+                        let _e559 = nodes.member[0u].frame[3u];
+                        let _e593 = core_intrinsics_maximum_number_nsz_f32_(abs(_e297), abs(_e298));
+                        let _e594 = core_intrinsics_maximum_number_nsz_f32_(_e593, abs(_e299));
+                        let _e595 = (_e594 * 0.0000000000009094947f);
+                        if (abs(_e297) < _e595) {
+                            phi_1262_ = _e595;
                         } else {
-                            phi_1257_ = abs(_e298);
+                            phi_1262_ = abs(_e297);
                         }
-                        let _e591 = phi_1257_;
+                        let _e600 = phi_1262_;
+                        if (_e297 < 0f) {
+                            phi_1269_ = (-1f / _e600);
+                        } else {
+                            phi_1269_ = (1f / _e600);
+                        }
+                        let _e605 = phi_1269_;
+                        if (abs(_e298) < _e595) {
+                            phi_1276_ = _e595;
+                        } else {
+                            phi_1276_ = abs(_e298);
+                        }
+                        let _e610 = phi_1276_;
                         if (_e298 < 0f) {
-                            phi_1264_ = (-1f / _e591);
+                            phi_1283_ = (-1f / _e610);
                         } else {
-                            phi_1264_ = (1f / _e591);
+                            phi_1283_ = (1f / _e610);
                         }
-                        let _e596 = phi_1264_;
-                        if (abs(_e299) < _e586) {
-                            phi_1271_ = _e586;
+                        let _e615 = phi_1283_;
+                        if (abs(_e299) < _e595) {
+                            phi_1290_ = _e595;
                         } else {
-                            phi_1271_ = abs(_e299);
+                            phi_1290_ = abs(_e299);
                         }
-                        let _e601 = phi_1271_;
+                        let _e620 = phi_1290_;
                         if (_e299 < 0f) {
-                            phi_1278_ = (-1f / _e601);
+                            phi_1297_ = (-1f / _e620);
                         } else {
-                            phi_1278_ = (1f / _e601);
+                            phi_1297_ = (1f / _e620);
                         }
-                        let _e606 = phi_1278_;
-                        if (abs(_e300) < _e586) {
-                            phi_1285_ = _e586;
+                        let _e625 = phi_1297_;
+                        let _e629 = abs((bitcast<f32>(_e535) - _e277));
+                        let _e630 = abs((bitcast<f32>(_e539) - _e279));
+                        let _e631 = abs((bitcast<f32>(_e543) - _e281));
+                        let _e635 = abs(((bitcast<f32>(_e547) + (bitcast<f32>((((_e559 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e277));
+                        let _e636 = abs(((bitcast<f32>(_e551) + (bitcast<f32>((((_e559 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e279));
+                        let _e637 = abs(((bitcast<f32>(_e555) + (bitcast<f32>((((_e559 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e281));
+                        if (_e629 > _e635) {
+                            phi_1314_ = _e629;
                         } else {
-                            phi_1285_ = abs(_e300);
+                            phi_1314_ = _e635;
                         }
-                        let _e611 = phi_1285_;
-                        if (_e300 < 0f) {
-                            phi_1292_ = (-1f / _e611);
+                        let _e640 = phi_1314_;
+                        if (_e630 > _e636) {
+                            phi_1319_ = _e630;
                         } else {
-                            phi_1292_ = (1f / _e611);
+                            phi_1319_ = _e636;
                         }
-                        let _e616 = phi_1292_;
-                        let _e620 = abs((bitcast<f32>(_e526) - _e278));
-                        let _e621 = abs((bitcast<f32>(_e530) - _e280));
-                        let _e622 = abs((bitcast<f32>(_e534) - _e282));
-                        let _e626 = abs(((bitcast<f32>(_e538) + (bitcast<f32>((((_e550 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e278));
-                        let _e627 = abs(((bitcast<f32>(_e542) + (bitcast<f32>((((_e550 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e280));
-                        let _e628 = abs(((bitcast<f32>(_e546) + (bitcast<f32>((((_e550 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e282));
-                        if (_e620 > _e626) {
-                            phi_1309_ = _e620;
-                        } else {
-                            phi_1309_ = _e626;
-                        }
-                        let _e631 = phi_1309_;
-                        if (_e621 > _e627) {
-                            phi_1314_ = _e621;
-                        } else {
-                            phi_1314_ = _e627;
-                        }
-                        let _e634 = phi_1314_;
-                        if (_e622 > _e628) {
-                            phi_1319_ = _e622;
-                        } else {
-                            phi_1319_ = _e628;
-                        }
-                        let _e637 = phi_1319_;
-                        if (_e631 > _e634) {
+                        let _e643 = phi_1319_;
+                        if (_e631 > _e637) {
                             phi_1324_ = _e631;
                         } else {
-                            phi_1324_ = _e634;
+                            phi_1324_ = _e637;
                         }
-                        let _e640 = phi_1324_;
-                        if (_e640 > _e637) {
+                        let _e646 = phi_1324_;
+                        if (_e640 > _e643) {
                             phi_1329_ = _e640;
                         } else {
-                            phi_1329_ = _e637;
+                            phi_1329_ = _e643;
                         }
-                        let _e643 = phi_1329_;
-                        let _e650 = (_e643 * 0.0000009536743f);
-                        let _e651 = (abs(_e596) * _e650);
-                        let _e652 = (abs(_e606) * _e650);
-                        let _e653 = (abs(_e616) * _e650);
-                        let _e654 = abs(_e298);
-                        let _e655 = abs(_e299);
-                        let _e656 = abs(_e300);
-                        if (_e654 >= _e655) {
-                            if (_e654 >= _e656) {
-                                phi_1351_ = false;
-                            } else {
-                                phi_1351_ = true;
-                            }
-                            let _e660 = phi_1351_;
-                            phi_1352_ = _e660;
+                        let _e649 = phi_1329_;
+                        if (_e649 > _e646) {
+                            phi_1334_ = _e649;
                         } else {
-                            phi_1352_ = true;
+                            phi_1334_ = _e646;
                         }
-                        let _e662 = phi_1352_;
-                        if _e662 {
-                            if (_e655 >= _e656) {
-                                phi_1360_ = 1u;
+                        let _e652 = phi_1334_;
+                        let _e659 = (_e652 * 0.0000009536743f);
+                        let _e660 = (abs(_e605) * _e659);
+                        let _e661 = (abs(_e615) * _e659);
+                        let _e662 = (abs(_e625) * _e659);
+                        let _e663 = abs(_e297);
+                        let _e664 = abs(_e298);
+                        let _e665 = abs(_e299);
+                        if (_e663 >= _e664) {
+                            if (_e663 >= _e665) {
+                                phi_1356_ = false;
                             } else {
-                                phi_1360_ = 2u;
+                                phi_1356_ = true;
                             }
-                            let _e665 = phi_1360_;
-                            phi_1361_ = _e665;
+                            let _e669 = phi_1356_;
+                            phi_1357_ = _e669;
                         } else {
-                            phi_1361_ = 0u;
+                            phi_1357_ = true;
                         }
-                        let _e667 = phi_1361_;
-                        if (_e667 == 0u) {
-                            phi_1373_ = vec3<f32>(_e299, _e300, _e298);
-                        } else {
-                            if (_e667 == 1u) {
-                                phi_1372_ = vec3<f32>(_e300, _e298, _e299);
+                        let _e671 = phi_1357_;
+                        if _e671 {
+                            if (_e664 >= _e665) {
+                                phi_1365_ = 1u;
                             } else {
-                                phi_1372_ = _e301;
+                                phi_1365_ = 2u;
                             }
-                            let _e673 = phi_1372_;
-                            phi_1373_ = _e673;
+                            let _e674 = phi_1365_;
+                            phi_1366_ = _e674;
+                        } else {
+                            phi_1366_ = 0u;
                         }
-                        let _e675 = phi_1373_;
-                        let _e678 = (_e675.x / _e675.z);
-                        let _e681 = (_e675.y / _e675.z);
+                        let _e676 = phi_1366_;
+                        if (_e676 == 0u) {
+                            phi_1378_ = vec3<f32>(_e298, _e299, _e297);
+                        } else {
+                            if (_e676 == 1u) {
+                                phi_1377_ = vec3<f32>(_e299, _e297, _e298);
+                            } else {
+                                phi_1377_ = _e300;
+                            }
+                            let _e682 = phi_1377_;
+                            phi_1378_ = _e682;
+                        }
+                        let _e684 = phi_1378_;
+                        let _e687 = (_e684.x / _e684.z);
+                        let _e690 = (_e684.y / _e684.z);
                         local_3 = array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                        phi_1385_ = ((_e518.unnamed_1 << bitcast<u32>(8i)) | 1u);
-                        phi_1388_ = 0u;
+                        phi_1390_ = ((_e518.unnamed_1 << bitcast<u32>(8i)) | 1u);
+                        phi_1393_ = 0u;
                         loop {
-                            let _e688 = phi_1385_;
-                            let _e690 = phi_1388_;
-                            let _e691 = (_e688 == 0u);
-                            local_8 = _e691;
-                            if _e691 {
-                                phi_1386_ = u32();
-                                phi_1389_ = u32();
-                                phi_2610_ = false;
-                                phi_2611_ = false;
-                                phi_2612_ = false;
-                            } else {
-                                phi_1397_ = _e688;
-                                phi_1400_ = 0u;
-                                phi_1402_ = 0u;
-                                phi_1404_ = _e690;
-                                loop {
-                                    let _e693 = phi_1397_;
-                                    let _e695 = phi_1400_;
-                                    let _e697 = phi_1402_;
-                                    let _e699 = phi_1404_;
-                                    local_14 = _e697;
-                                    local_6 = _e695;
-                                    local_17 = _e693;
-                                    local_18 = _e699;
-                                    let _e700 = (_e693 == 0u);
-                                    local_5 = _e700;
-                                    if _e700 {
-                                        phi_1398_ = u32();
-                                        phi_1401_ = u32();
-                                        phi_1403_ = u32();
-                                        phi_1405_ = u32();
-                                        phi_1751_ = false;
+                            let _e697 = phi_1390_;
+                            let _e699 = phi_1393_;
+                            phi_1398_ = _e697;
+                            phi_1400_ = 0u;
+                            phi_1402_ = 0u;
+                            phi_1404_ = _e699;
+                            loop {
+                                let _e701 = phi_1398_;
+                                let _e703 = phi_1400_;
+                                let _e705 = phi_1402_;
+                                let _e707 = phi_1404_;
+                                let _e714 = (((_e701 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e701), 32u, (_e701 == 0u))) * 5u);
+                                if (_e714 < _e100) {
+                                } else {
+                                    return;
+                                }
+                                let _e718 = rows.member[(0u + _e714)];
+                                let _e719 = (_e714 + 1u);
+                                if (_e719 < _e100) {
+                                } else {
+                                    return;
+                                }
+                                let _e723 = rows.member[(0u + _e719)];
+                                let _e724 = (_e714 + 2u);
+                                if (_e724 < _e100) {
+                                } else {
+                                    return;
+                                }
+                                let _e728 = rows.member[(0u + _e724)];
+                                let _e729 = (_e714 + 3u);
+                                if (_e729 < _e100) {
+                                } else {
+                                    return;
+                                }
+                                let _e733 = rows.member[(0u + _e729)];
+                                let _e734 = (_e714 + 4u);
+                                if (_e734 < _e100) {
+                                } else {
+                                    return;
+                                }
+                                let _e738 = rows.member[(0u + _e734)];
+                                let _e739 = lt_bvh_Node(_e718, _e723, _e728, _e733, _e738);
+                                let _e741 = (_e701 & (_e701 - 1u));
+                                let _e753 = (_e518.unnamed.positive_exponent - bitcast<f32>(_e739.frame.x));
+                                let _e756 = bitcast<f32>((((_e739.z.z >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                if (_e753 > 0f) {
+                                    if (_e753 < (255f * _e756)) {
+                                        phi_1476_ = (_e753 / _e756);
                                     } else {
-                                        let _e701 = (_e697 == 0u);
-                                        if _e701 {
-                                            let _e708 = (((_e693 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e693), 32u, (_e693 == 0u))) * 4u);
-                                            if (_e708 < _e101) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e712 = rows.member[(0u + _e708)];
-                                            let _e713 = (_e708 + 1u);
-                                            if (_e713 < _e101) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e717 = rows.member[(0u + _e713)];
-                                            let _e718 = (_e708 + 2u);
-                                            if (_e718 < _e101) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e722 = rows.member[(0u + _e718)];
-                                            let _e723 = (_e708 + 3u);
-                                            if (_e723 < _e101) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e727 = rows.member[(0u + _e723)];
-                                            let _e728 = lt_bvh_LightNode(_e712, _e717, _e722, _e727);
-                                            let _e730 = (_e693 & (_e693 - 1u));
-                                            let _e742 = (_e518.unnamed.positive_exponent - bitcast<f32>(_e728.frame.x));
-                                            let _e745 = bitcast<f32>((((_e728.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                            if (_e742 > 0f) {
-                                                if (_e742 < (255f * _e745)) {
-                                                    phi_1477_ = (_e742 / _e745);
+                                        phi_1476_ = 255f;
+                                    }
+                                    let _e762 = phi_1476_;
+                                    phi_1477_ = _e762;
+                                } else {
+                                    phi_1477_ = 0f;
+                                }
+                                let _e764 = phi_1477_;
+                                let _e771 = select(select(u32(_e764), 0u, (_e764 < bitcast<f32>(0u))), 4294967295u, (_e764 > bitcast<f32>(1333788671u)));
+                                if (f32(_e771) < _e764) {
+                                    phi_1491_ = (_e771 + 1u);
+                                } else {
+                                    phi_1491_ = _e771;
+                                }
+                                let _e776 = phi_1491_;
+                                let _e777 = (_e771 * 16843009u);
+                                let _e778 = (_e776 * 16843009u);
+                                let _e788 = (_e518.unnamed.negative_exponent - bitcast<f32>(_e739.frame.y));
+                                let _e791 = bitcast<f32>((((_e739.z.z >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                if (_e788 > 0f) {
+                                    if (_e788 < (255f * _e791)) {
+                                        phi_1514_ = (_e788 / _e791);
+                                    } else {
+                                        phi_1514_ = 255f;
+                                    }
+                                    let _e797 = phi_1514_;
+                                    phi_1515_ = _e797;
+                                } else {
+                                    phi_1515_ = 0f;
+                                }
+                                let _e799 = phi_1515_;
+                                let _e806 = select(select(u32(_e799), 0u, (_e799 < bitcast<f32>(0u))), 4294967295u, (_e799 > bitcast<f32>(1333788671u)));
+                                if (f32(_e806) < _e799) {
+                                    phi_1529_ = (_e806 + 1u);
+                                } else {
+                                    phi_1529_ = _e806;
+                                }
+                                let _e811 = phi_1529_;
+                                let _e812 = (_e806 * 16843009u);
+                                let _e813 = (_e811 * 16843009u);
+                                let _e822 = (((_e260.diagonal.x * _e518.unnamed.positive_exponent) + (_e260.diagonal.y * _e518.unnamed.negative_exponent)) - bitcast<f32>(_e739.frame.z));
+                                let _e825 = bitcast<f32>((((_e739.z.z >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                if (_e822 > 0f) {
+                                    if (_e822 < (255f * _e825)) {
+                                        phi_1551_ = (_e822 / _e825);
+                                    } else {
+                                        phi_1551_ = 255f;
+                                    }
+                                    let _e831 = phi_1551_;
+                                    phi_1552_ = _e831;
+                                } else {
+                                    phi_1552_ = 0f;
+                                }
+                                let _e833 = phi_1552_;
+                                let _e840 = select(select(u32(_e833), 0u, (_e833 < bitcast<f32>(0u))), 4294967295u, (_e833 > bitcast<f32>(1333788671u)));
+                                if (f32(_e840) < _e833) {
+                                    phi_1566_ = (_e840 + 1u);
+                                } else {
+                                    phi_1566_ = _e840;
+                                }
+                                let _e845 = phi_1566_;
+                                let _e846 = (_e840 * 16843009u);
+                                let _e847 = (_e845 * 16843009u);
+                                let _e857 = (_e518.unnamed.min_variance - bitcast<f32>(_e739.frame.w));
+                                let _e860 = bitcast<f32>((((_e739.z.z >> bitcast<u32>(((3u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                if (_e857 > 0f) {
+                                    if (_e857 < (255f * _e860)) {
+                                        phi_1589_ = (_e857 / _e860);
+                                    } else {
+                                        phi_1589_ = 255f;
+                                    }
+                                    let _e866 = phi_1589_;
+                                    phi_1590_ = _e866;
+                                } else {
+                                    phi_1590_ = 0f;
+                                }
+                                let _e868 = phi_1590_;
+                                let _e875 = select(select(u32(_e868), 0u, (_e868 < bitcast<f32>(0u))), 4294967295u, (_e868 > bitcast<f32>(1333788671u)));
+                                if (f32(_e875) < _e868) {
+                                    phi_1604_ = (_e875 + 1u);
+                                } else {
+                                    phi_1604_ = _e875;
+                                }
+                                let _e880 = phi_1604_;
+                                let _e881 = (_e880 * 16843009u);
+                                let _e1062 = (((((((((((_e777 & ~(_e739.links.x)) | (~((_e739.links.x ^ _e777)) & ((_e777 | 2155905152u) - (_e739.links.x & 2139062143u)))) & ((_e739.links.z & ~(_e778)) | (~((_e778 ^ _e739.links.z)) & ((_e739.links.z | 2155905152u) - (_e778 & 2139062143u))))) & (((_e812 & ~(_e739.x.x)) | (~((_e739.x.x ^ _e812)) & ((_e812 | 2155905152u) - (_e739.x.x & 2139062143u)))) & ((_e739.x.z & ~(_e813)) | (~((_e813 ^ _e739.x.z)) & ((_e739.x.z | 2155905152u) - (_e813 & 2139062143u)))))) & (((_e846 & ~(_e739.y.x)) | (~((_e739.y.x ^ _e846)) & ((_e846 | 2155905152u) - (_e739.y.x & 2139062143u)))) & ((_e739.y.z & ~(_e847)) | (~((_e847 ^ _e739.y.z)) & ((_e739.y.z | 2155905152u) - (_e847 & 2139062143u)))))) & ((_e739.z.x & ~(_e881)) | (~((_e881 ^ _e739.z.x)) & ((_e739.z.x | 2155905152u) - (_e881 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e777 & ~(_e739.links.y)) | (~((_e739.links.y ^ _e777)) & ((_e777 | 2155905152u) - (_e739.links.y & 2139062143u)))) & ((_e739.links.w & ~(_e778)) | (~((_e778 ^ _e739.links.w)) & ((_e739.links.w | 2155905152u) - (_e778 & 2139062143u))))) & (((_e812 & ~(_e739.x.y)) | (~((_e739.x.y ^ _e812)) & ((_e812 | 2155905152u) - (_e739.x.y & 2139062143u)))) & ((_e739.x.w & ~(_e813)) | (~((_e813 ^ _e739.x.w)) & ((_e739.x.w | 2155905152u) - (_e813 & 2139062143u)))))) & (((_e846 & ~(_e739.y.y)) | (~((_e739.y.y ^ _e846)) & ((_e846 | 2155905152u) - (_e739.y.y & 2139062143u)))) & ((_e739.y.w & ~(_e847)) | (~((_e847 ^ _e739.y.w)) & ((_e739.y.w | 2155905152u) - (_e847 & 2139062143u)))))) & ((_e739.z.y & ~(_e881)) | (~((_e881 ^ _e739.z.y)) & ((_e739.z.y | 2155905152u) - (_e881 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                                if ((_e739.z.w & 2147483648u) != 0u) {
+                                    phi_1804_ = _e741;
+                                    phi_1401_ = (_e739.z.w & 2147483647u);
+                                    phi_1403_ = _e1062;
+                                    phi_1805_ = _e707;
+                                } else {
+                                    if (_e1062 == 0u) {
+                                        phi_1802_ = _e741;
+                                        phi_1803_ = _e707;
+                                    } else {
+                                        if ((_e741 & 255u) == 0u) {
+                                            phi_1797_ = _e707;
+                                        } else {
+                                            if (_e707 < 32u) {
+                                                if (_e707 < 32u) {
                                                 } else {
-                                                    phi_1477_ = 255f;
+                                                    return;
                                                 }
-                                                let _e751 = phi_1477_;
-                                                phi_1478_ = _e751;
+                                                local_3[(0u + _e707)] = _e741;
+                                                phi_1796_ = (_e707 + 1u);
                                             } else {
-                                                phi_1478_ = 0f;
+                                                phi_1796_ = _e707;
                                             }
-                                            let _e753 = phi_1478_;
-                                            let _e760 = select(select(u32(_e753), 0u, (_e753 < bitcast<f32>(0u))), 4294967295u, (_e753 > bitcast<f32>(1333788671u)));
-                                            if (f32(_e760) < _e753) {
-                                                phi_1492_ = (_e760 + 1u);
+                                            let _e1079 = phi_1796_;
+                                            phi_1797_ = _e1079;
+                                        }
+                                        let _e1081 = phi_1797_;
+                                        phi_1802_ = (((_e739.z.w & 2147483647u) << bitcast<u32>(8i)) | _e1062);
+                                        phi_1803_ = _e1081;
+                                    }
+                                    let _e1089 = phi_1802_;
+                                    let _e1091 = phi_1803_;
+                                    phi_1804_ = _e1089;
+                                    phi_1401_ = _e703;
+                                    phi_1403_ = _e705;
+                                    phi_1805_ = _e1091;
+                                }
+                                let _e1093 = phi_1804_;
+                                let _e1095 = phi_1401_;
+                                let _e1097 = phi_1403_;
+                                let _e1099 = phi_1805_;
+                                local_6 = _e1097;
+                                local_18 = _e1097;
+                                local_7 = _e1095;
+                                if ((_e1093 & 255u) == 0u) {
+                                    if (_e1099 > 0u) {
+                                        let _e1103 = (_e1099 - 1u);
+                                        if (_e1103 < 32u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e1107 = local_3[(0u + _e1103)];
+                                        phi_1823_ = _e1107;
+                                        phi_1824_ = _e1103;
+                                    } else {
+                                        phi_1823_ = 0u;
+                                        phi_1824_ = _e1099;
+                                    }
+                                    let _e1109 = phi_1823_;
+                                    let _e1111 = phi_1824_;
+                                    phi_1391_ = _e1109;
+                                    phi_1394_ = _e1111;
+                                } else {
+                                    phi_1391_ = _e1093;
+                                    phi_1394_ = _e1099;
+                                }
+                                let _e1113 = phi_1391_;
+                                let _e1115 = phi_1394_;
+                                local_16 = _e1113;
+                                local_17 = _e1115;
+                                local_9 = _e1113;
+                                if (_e1097 == 0u) {
+                                    let _e1117 = (_e1113 == 0u);
+                                    if _e1117 {
+                                        phi_1833_ = false;
+                                    } else {
+                                        phi_1833_ = true;
+                                    }
+                                    let _e1119 = phi_1833_;
+                                    phi_1834_ = _e1119;
+                                    phi_1835_ = _e1117;
+                                } else {
+                                    phi_1834_ = false;
+                                    phi_1835_ = false;
+                                }
+                                let _e1121 = phi_1834_;
+                                let _e1123 = phi_1835_;
+                                local_5 = _e1123;
+                                continue;
+                                continuing {
+                                    phi_1398_ = _e1113;
+                                    phi_1400_ = _e1095;
+                                    phi_1402_ = _e1097;
+                                    phi_1404_ = _e1115;
+                                    break if !(_e1121);
+                                }
+                            }
+                            let _e1126 = local_5;
+                            if _e1126 {
+                            }
+                            let _e1128 = local_6;
+                            if (_e1128 == 0u) {
+                                phi_2697_ = true;
+                                phi_2698_ = false;
+                                phi_2699_ = false;
+                            } else {
+                                let _e3608 = local_18;
+                                phi_1844_ = _e3608;
+                                loop {
+                                    let _e1131 = phi_1844_;
+                                    let _e1134 = select(firstTrailingBit(_e1131), 32u, (_e1131 == 0u));
+                                    let _e1138 = local_7;
+                                    let _e1139 = (_e1138 + (_e1134 >> bitcast<u32>(2i)));
+                                    if (_e1139 < _e100) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e1144 = rows.member[(0u + _e1139)][0u];
+                                    let _e1148 = rows.member[(0u + _e1139)][1u];
+                                    let _e1152 = rows.member[(0u + _e1139)][2u];
+                                    let _e1156 = rows.member[(0u + _e1139)][3u];
+                                    if ((_e1134 & 2u) == 0u) {
+                                        phi_1879_ = _e1148;
+                                        phi_1880_ = _e1144;
+                                    } else {
+                                        phi_1879_ = _e1156;
+                                        phi_1880_ = _e1152;
+                                    }
+                                    let _e1160 = phi_1879_;
+                                    let _e1162 = phi_1880_;
+                                    if ((_e1134 & 1u) == 0u) {
+                                        phi_1886_ = _e1162;
+                                    } else {
+                                        phi_1886_ = _e1160;
+                                    }
+                                    let _e1166 = phi_1886_;
+                                    let _e1168 = (_e1131 & (_e1131 - 1u));
+                                    if (_e1166 < _e94) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e1173 = triangles.member[(0u + _e1166)].v0_;
+                                    let _e1175 = (_e1173.x - _e277);
+                                    let _e1177 = (_e1173.y - _e279);
+                                    let _e1179 = (_e1173.z - _e281);
+                                    if (_e676 == 0u) {
+                                        phi_1915_ = vec3<f32>(_e1177, _e1179, _e1175);
+                                    } else {
+                                        if (_e676 == 1u) {
+                                            phi_1914_ = vec3<f32>(_e1179, _e1175, _e1177);
+                                        } else {
+                                            phi_1914_ = (_e1173 - vec3<f32>(_e277, _e279, _e281));
+                                        }
+                                        let _e1187 = phi_1914_;
+                                        phi_1915_ = _e1187;
+                                    }
+                                    let _e1189 = phi_1915_;
+                                    let _e1193 = (_e1189.x - (_e687 * _e1189.z));
+                                    let _e1197 = (_e1189.y - (_e690 * _e1189.z));
+                                    let _e1199 = triangles.member[(0u + _e1166)].v1_;
+                                    let _e1201 = (_e1199.x - _e277);
+                                    let _e1203 = (_e1199.y - _e279);
+                                    let _e1205 = (_e1199.z - _e281);
+                                    if (_e676 == 0u) {
+                                        phi_1945_ = vec3<f32>(_e1203, _e1205, _e1201);
+                                    } else {
+                                        if (_e676 == 1u) {
+                                            phi_1944_ = vec3<f32>(_e1205, _e1201, _e1203);
+                                        } else {
+                                            phi_1944_ = (_e1199 - vec3<f32>(_e277, _e279, _e281));
+                                        }
+                                        let _e1213 = phi_1944_;
+                                        phi_1945_ = _e1213;
+                                    }
+                                    let _e1215 = phi_1945_;
+                                    let _e1219 = (_e1215.x - (_e687 * _e1215.z));
+                                    let _e1223 = (_e1215.y - (_e690 * _e1215.z));
+                                    let _e1225 = triangles.member[(0u + _e1166)].v2_;
+                                    let _e1227 = (_e1225.x - _e277);
+                                    let _e1229 = (_e1225.y - _e279);
+                                    let _e1231 = (_e1225.z - _e281);
+                                    if (_e676 == 0u) {
+                                        phi_1975_ = vec3<f32>(_e1229, _e1231, _e1227);
+                                    } else {
+                                        if (_e676 == 1u) {
+                                            phi_1974_ = vec3<f32>(_e1231, _e1227, _e1229);
+                                        } else {
+                                            phi_1974_ = (_e1225 - vec3<f32>(_e277, _e279, _e281));
+                                        }
+                                        let _e1239 = phi_1974_;
+                                        phi_1975_ = _e1239;
+                                    }
+                                    let _e1241 = phi_1975_;
+                                    let _e1245 = (_e1241.x - (_e687 * _e1241.z));
+                                    let _e1249 = (_e1241.y - (_e690 * _e1241.z));
+                                    if (_e1219 < _e1245) {
+                                        phi_1994_ = true;
+                                    } else {
+                                        if (_e1219 == _e1245) {
+                                            phi_1993_ = (_e1223 < _e1249);
+                                        } else {
+                                            phi_1993_ = false;
+                                        }
+                                        let _e1254 = phi_1993_;
+                                        phi_1994_ = _e1254;
+                                    }
+                                    let _e1256 = phi_1994_;
+                                    if _e1256 {
+                                        phi_1998_ = _e1249;
+                                        phi_1999_ = _e1245;
+                                        phi_2000_ = _e1223;
+                                        phi_2001_ = _e1219;
+                                    } else {
+                                        phi_1998_ = _e1223;
+                                        phi_1999_ = _e1219;
+                                        phi_2000_ = _e1249;
+                                        phi_2001_ = _e1245;
+                                    }
+                                    let _e1258 = phi_1998_;
+                                    let _e1260 = phi_1999_;
+                                    let _e1262 = phi_2000_;
+                                    let _e1264 = phi_2001_;
+                                    let _e1267 = ((_e1264 * _e1258) - (_e1262 * _e1260));
+                                    if _e1256 {
+                                        phi_2009_ = -(_e1267);
+                                    } else {
+                                        phi_2009_ = _e1267;
+                                    }
+                                    let _e1270 = phi_2009_;
+                                    if (_e1245 < _e1193) {
+                                        phi_2020_ = true;
+                                    } else {
+                                        if (_e1245 == _e1193) {
+                                            phi_2019_ = (_e1249 < _e1197);
+                                        } else {
+                                            phi_2019_ = false;
+                                        }
+                                        let _e1275 = phi_2019_;
+                                        phi_2020_ = _e1275;
+                                    }
+                                    let _e1277 = phi_2020_;
+                                    if _e1277 {
+                                        phi_2024_ = _e1197;
+                                        phi_2025_ = _e1193;
+                                        phi_2026_ = _e1249;
+                                        phi_2027_ = _e1245;
+                                    } else {
+                                        phi_2024_ = _e1249;
+                                        phi_2025_ = _e1245;
+                                        phi_2026_ = _e1197;
+                                        phi_2027_ = _e1193;
+                                    }
+                                    let _e1279 = phi_2024_;
+                                    let _e1281 = phi_2025_;
+                                    let _e1283 = phi_2026_;
+                                    let _e1285 = phi_2027_;
+                                    let _e1288 = ((_e1285 * _e1279) - (_e1283 * _e1281));
+                                    if _e1277 {
+                                        phi_2035_ = -(_e1288);
+                                    } else {
+                                        phi_2035_ = _e1288;
+                                    }
+                                    let _e1291 = phi_2035_;
+                                    if (_e1193 < _e1219) {
+                                        phi_2046_ = true;
+                                    } else {
+                                        if (_e1193 == _e1219) {
+                                            phi_2045_ = (_e1197 < _e1223);
+                                        } else {
+                                            phi_2045_ = false;
+                                        }
+                                        let _e1296 = phi_2045_;
+                                        phi_2046_ = _e1296;
+                                    }
+                                    let _e1298 = phi_2046_;
+                                    if _e1298 {
+                                        phi_2050_ = _e1223;
+                                        phi_2051_ = _e1219;
+                                        phi_2052_ = _e1197;
+                                        phi_2053_ = _e1193;
+                                    } else {
+                                        phi_2050_ = _e1197;
+                                        phi_2051_ = _e1193;
+                                        phi_2052_ = _e1223;
+                                        phi_2053_ = _e1219;
+                                    }
+                                    let _e1300 = phi_2050_;
+                                    let _e1302 = phi_2051_;
+                                    let _e1304 = phi_2052_;
+                                    let _e1306 = phi_2053_;
+                                    let _e1309 = ((_e1306 * _e1300) - (_e1304 * _e1302));
+                                    if _e1298 {
+                                        phi_2061_ = -(_e1309);
+                                    } else {
+                                        phi_2061_ = _e1309;
+                                    }
+                                    let _e1312 = phi_2061_;
+                                    if (_e1270 >= 0f) {
+                                        if (_e1291 >= 0f) {
+                                            if (_e1312 >= 0f) {
+                                                phi_2076_ = ((_e1270 + _e1291) + _e1312);
+                                                phi_2077_ = false;
                                             } else {
-                                                phi_1492_ = _e760;
+                                                phi_2076_ = f32();
+                                                phi_2077_ = true;
                                             }
-                                            let _e765 = phi_1492_;
-                                            let _e766 = (_e760 * 16843009u);
-                                            let _e767 = (_e765 * 16843009u);
-                                            let _e777 = (_e518.unnamed.negative_exponent - bitcast<f32>(_e728.frame.y));
-                                            let _e780 = bitcast<f32>((((_e728.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                            if (_e777 > 0f) {
-                                                if (_e777 < (255f * _e780)) {
-                                                    phi_1515_ = (_e777 / _e780);
-                                                } else {
-                                                    phi_1515_ = 255f;
+                                            let _e1319 = phi_2076_;
+                                            let _e1321 = phi_2077_;
+                                            phi_2078_ = _e1319;
+                                            phi_2079_ = _e1321;
+                                        } else {
+                                            phi_2078_ = f32();
+                                            phi_2079_ = true;
+                                        }
+                                        let _e1323 = phi_2078_;
+                                        let _e1325 = phi_2079_;
+                                        phi_2080_ = _e1323;
+                                        phi_2081_ = _e1325;
+                                    } else {
+                                        phi_2080_ = f32();
+                                        phi_2081_ = true;
+                                    }
+                                    let _e1327 = phi_2080_;
+                                    let _e1329 = phi_2081_;
+                                    if _e1329 {
+                                        if (_e1270 <= 0f) {
+                                            if (_e1291 <= 0f) {
+                                                let _e1332 = (_e1312 <= 0f);
+                                                if _e1332 {
                                                 }
-                                                let _e786 = phi_1515_;
-                                                phi_1516_ = _e786;
+                                                phi_2099_ = ((_e1270 + _e1291) + _e1312);
+                                                phi_2100_ = false;
+                                                phi_2101_ = _e1332;
                                             } else {
-                                                phi_1516_ = 0f;
+                                                phi_2099_ = f32();
+                                                phi_2100_ = true;
+                                                phi_2101_ = false;
                                             }
-                                            let _e788 = phi_1516_;
-                                            let _e795 = select(select(u32(_e788), 0u, (_e788 < bitcast<f32>(0u))), 4294967295u, (_e788 > bitcast<f32>(1333788671u)));
-                                            if (f32(_e795) < _e788) {
-                                                phi_1530_ = (_e795 + 1u);
+                                            let _e1336 = phi_2099_;
+                                            let _e1338 = phi_2100_;
+                                            let _e1340 = phi_2101_;
+                                            phi_2102_ = _e1336;
+                                            phi_2103_ = _e1338;
+                                            phi_2104_ = _e1340;
+                                        } else {
+                                            phi_2102_ = f32();
+                                            phi_2103_ = true;
+                                            phi_2104_ = false;
+                                        }
+                                        let _e1342 = phi_2102_;
+                                        let _e1344 = phi_2103_;
+                                        let _e1346 = phi_2104_;
+                                        if _e1344 {
+                                            phi_2108_ = false;
+                                        } else {
+                                            phi_2108_ = _e1346;
+                                        }
+                                        let _e1348 = phi_2108_;
+                                        phi_2109_ = _e1342;
+                                        phi_2110_ = _e1348;
+                                    } else {
+                                        phi_2109_ = _e1327;
+                                        phi_2110_ = true;
+                                    }
+                                    let _e1350 = phi_2109_;
+                                    let _e1352 = phi_2110_;
+                                    if _e1352 {
+                                        let _e1353 = (_e1350 == 0f);
+                                        if _e1353 {
+                                            phi_2426_ = lt_bvh_triangle_Intersection();
+                                            phi_2427_ = false;
+                                        } else {
+                                            let _e1355 = triangles.member[(0u + _e1166)].v0_;
+                                            let _e1357 = (_e1355.x - _e277);
+                                            let _e1359 = (_e1355.y - _e279);
+                                            let _e1361 = (_e1355.z - _e281);
+                                            if (_e676 == 0u) {
+                                                phi_2139_ = vec3<f32>(_e1359, _e1361, _e1357);
                                             } else {
-                                                phi_1530_ = _e795;
-                                            }
-                                            let _e800 = phi_1530_;
-                                            let _e801 = (_e795 * 16843009u);
-                                            let _e802 = (_e800 * 16843009u);
-                                            let _e812 = (_e518.unnamed.min_variance - bitcast<f32>(_e728.frame.z));
-                                            let _e815 = bitcast<f32>((((_e728.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                            if (_e812 > 0f) {
-                                                if (_e812 < (255f * _e815)) {
-                                                    phi_1553_ = (_e812 / _e815);
+                                                if (_e676 == 1u) {
+                                                    phi_2138_ = vec3<f32>(_e1361, _e1357, _e1359);
                                                 } else {
-                                                    phi_1553_ = 255f;
+                                                    phi_2138_ = (_e1355 - vec3<f32>(_e277, _e279, _e281));
                                                 }
-                                                let _e821 = phi_1553_;
-                                                phi_1554_ = _e821;
-                                            } else {
-                                                phi_1554_ = 0f;
+                                                let _e1369 = phi_2138_;
+                                                phi_2139_ = _e1369;
                                             }
-                                            let _e823 = phi_1554_;
-                                            let _e830 = select(select(u32(_e823), 0u, (_e823 < bitcast<f32>(0u))), 4294967295u, (_e823 > bitcast<f32>(1333788671u)));
-                                            if (f32(_e830) < _e823) {
-                                                phi_1568_ = (_e830 + 1u);
+                                            let _e1371 = phi_2139_;
+                                            let _e1373 = triangles.member[(0u + _e1166)].v1_;
+                                            let _e1375 = triangles.member[(0u + _e1166)].v0_;
+                                            let _e1378 = (_e1373.x - _e1375.x);
+                                            let _e1381 = (_e1373.y - _e1375.y);
+                                            let _e1384 = (_e1373.z - _e1375.z);
+                                            if (_e676 == 0u) {
+                                                phi_2165_ = vec3<f32>(_e1381, _e1384, _e1378);
                                             } else {
-                                                phi_1568_ = _e830;
-                                            }
-                                            let _e835 = phi_1568_;
-                                            let _e836 = (_e835 * 16843009u);
-                                            let _e969 = (((((((((((_e766 & ~(_e728.x.x)) | (~((_e728.x.x ^ _e766)) & ((_e766 | 2155905152u) - (_e728.x.x & 2139062143u)))) & ((_e728.x.z & ~(_e767)) | (~((_e767 ^ _e728.x.z)) & ((_e728.x.z | 2155905152u) - (_e767 & 2139062143u))))) & ((_e801 & ~(_e728.y.x)) | (~((_e728.y.x ^ _e801)) & ((_e801 | 2155905152u) - (_e728.y.x & 2139062143u))))) & ((_e728.y.z & ~(_e802)) | (~((_e802 ^ _e728.y.z)) & ((_e728.y.z | 2155905152u) - (_e802 & 2139062143u))))) & ((_e728.rest.x & ~(_e836)) | (~((_e836 ^ _e728.rest.x)) & ((_e728.rest.x | 2155905152u) - (_e836 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e766 & ~(_e728.x.y)) | (~((_e728.x.y ^ _e766)) & ((_e766 | 2155905152u) - (_e728.x.y & 2139062143u)))) & ((_e728.x.w & ~(_e767)) | (~((_e767 ^ _e728.x.w)) & ((_e728.x.w | 2155905152u) - (_e767 & 2139062143u))))) & ((_e801 & ~(_e728.y.y)) | (~((_e728.y.y ^ _e801)) & ((_e801 | 2155905152u) - (_e728.y.y & 2139062143u))))) & ((_e728.y.w & ~(_e802)) | (~((_e802 ^ _e728.y.w)) & ((_e728.y.w | 2155905152u) - (_e802 & 2139062143u))))) & ((_e728.rest.y & ~(_e836)) | (~((_e836 ^ _e728.rest.y)) & ((_e728.rest.y | 2155905152u) - (_e836 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                                            if ((_e728.frame.w & 16777216u) != 0u) {
-                                                phi_1722_ = _e730;
-                                                phi_1723_ = _e728.rest.z;
-                                                phi_1724_ = _e969;
-                                                phi_1725_ = _e699;
-                                            } else {
-                                                if (_e969 == 0u) {
-                                                    phi_1720_ = _e730;
-                                                    phi_1721_ = _e699;
+                                                if (_e676 == 1u) {
+                                                    phi_2164_ = vec3<f32>(_e1384, _e1378, _e1381);
                                                 } else {
-                                                    if ((_e730 & 255u) == 0u) {
-                                                        phi_1716_ = _e699;
+                                                    phi_2164_ = (_e1373 - _e1375);
+                                                }
+                                                let _e1391 = phi_2164_;
+                                                phi_2165_ = _e1391;
+                                            }
+                                            let _e1393 = phi_2165_;
+                                            let _e1395 = triangles.member[(0u + _e1166)].v2_;
+                                            let _e1397 = triangles.member[(0u + _e1166)].v0_;
+                                            let _e1400 = (_e1395.x - _e1397.x);
+                                            let _e1403 = (_e1395.y - _e1397.y);
+                                            let _e1406 = (_e1395.z - _e1397.z);
+                                            if (_e676 == 0u) {
+                                                phi_2191_ = vec3<f32>(_e1403, _e1406, _e1400);
+                                            } else {
+                                                if (_e676 == 1u) {
+                                                    phi_2190_ = vec3<f32>(_e1406, _e1400, _e1403);
+                                                } else {
+                                                    phi_2190_ = (_e1395 - _e1397);
+                                                }
+                                                let _e1413 = phi_2190_;
+                                                phi_2191_ = _e1413;
+                                            }
+                                            let _e1415 = phi_2191_;
+                                            let _e1422 = ((_e1393.y * _e1415.z) - (_e1393.z * _e1415.y));
+                                            let _e1429 = ((_e1393.z * _e1415.x) - (_e1393.x * _e1415.z));
+                                            let _e1436 = ((_e1393.x * _e1415.y) - (_e1393.y * _e1415.x));
+                                            let _e1450 = (((1f / _e684.z) * (((_e1422 * _e1371.x) + (_e1429 * _e1371.y)) + (_e1436 * _e1371.z))) / (((_e1422 * _e687) + (_e1429 * _e690)) + _e1436));
+                                            if (_e1450 > 0f) {
+                                                if (_e1450 < _e289) {
+                                                    let _e1454 = triangles.member[(0u + _e1166)].v0_;
+                                                    let _e1456 = triangles.member[(0u + _e1166)].v1_;
+                                                    if (_e1454.x < _e1456.x) {
+                                                        phi_2247_ = _e1454.x;
                                                     } else {
-                                                        if (_e699 < 32u) {
-                                                            if (_e699 < 32u) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            local_3[(0u + _e699)] = _e730;
-                                                            phi_1715_ = (_e699 + 1u);
-                                                        } else {
-                                                            phi_1715_ = _e699;
-                                                        }
-                                                        let _e985 = phi_1715_;
-                                                        phi_1716_ = _e985;
+                                                        phi_2247_ = _e1456.x;
                                                     }
-                                                    let _e987 = phi_1716_;
-                                                    phi_1720_ = ((_e728.rest.z << bitcast<u32>(8i)) | _e969);
-                                                    phi_1721_ = _e987;
+                                                    let _e1463 = phi_2247_;
+                                                    if (_e1454.y < _e1456.y) {
+                                                        phi_2256_ = _e1454.y;
+                                                    } else {
+                                                        phi_2256_ = _e1456.y;
+                                                    }
+                                                    let _e1470 = phi_2256_;
+                                                    if (_e1454.z < _e1456.z) {
+                                                        phi_2265_ = _e1454.z;
+                                                    } else {
+                                                        phi_2265_ = _e1456.z;
+                                                    }
+                                                    let _e1477 = phi_2265_;
+                                                    let _e1479 = triangles.member[(0u + _e1166)].v2_;
+                                                    if (_e1463 < _e1479.x) {
+                                                        phi_2274_ = _e1463;
+                                                    } else {
+                                                        phi_2274_ = _e1479.x;
+                                                    }
+                                                    let _e1484 = phi_2274_;
+                                                    if (_e1470 < _e1479.y) {
+                                                        phi_2281_ = _e1470;
+                                                    } else {
+                                                        phi_2281_ = _e1479.y;
+                                                    }
+                                                    let _e1489 = phi_2281_;
+                                                    if (_e1477 < _e1479.z) {
+                                                        phi_2288_ = _e1477;
+                                                    } else {
+                                                        phi_2288_ = _e1479.z;
+                                                    }
+                                                    let _e1494 = phi_2288_;
+                                                    let _e1496 = triangles.member[(0u + _e1166)].v0_;
+                                                    let _e1498 = triangles.member[(0u + _e1166)].v1_;
+                                                    if (_e1496.x > _e1498.x) {
+                                                        phi_2301_ = _e1496.x;
+                                                    } else {
+                                                        phi_2301_ = _e1498.x;
+                                                    }
+                                                    let _e1505 = phi_2301_;
+                                                    if (_e1496.y > _e1498.y) {
+                                                        phi_2310_ = _e1496.y;
+                                                    } else {
+                                                        phi_2310_ = _e1498.y;
+                                                    }
+                                                    let _e1512 = phi_2310_;
+                                                    if (_e1496.z > _e1498.z) {
+                                                        phi_2319_ = _e1496.z;
+                                                    } else {
+                                                        phi_2319_ = _e1498.z;
+                                                    }
+                                                    let _e1519 = phi_2319_;
+                                                    let _e1521 = triangles.member[(0u + _e1166)].v2_;
+                                                    if (_e1505 > _e1521.x) {
+                                                        phi_2328_ = _e1505;
+                                                    } else {
+                                                        phi_2328_ = _e1521.x;
+                                                    }
+                                                    let _e1526 = phi_2328_;
+                                                    if (_e1512 > _e1521.y) {
+                                                        phi_2335_ = _e1512;
+                                                    } else {
+                                                        phi_2335_ = _e1521.y;
+                                                    }
+                                                    let _e1531 = phi_2335_;
+                                                    if (_e1519 > _e1521.z) {
+                                                        phi_2342_ = _e1519;
+                                                    } else {
+                                                        phi_2342_ = _e1521.z;
+                                                    }
+                                                    let _e1536 = phi_2342_;
+                                                    let _e1540 = ((_e1484 - _e277) * _e605);
+                                                    let _e1541 = ((_e1489 - _e279) * _e615);
+                                                    let _e1542 = ((_e1494 - _e281) * _e625);
+                                                    let _e1546 = ((_e1526 - _e277) * _e605);
+                                                    let _e1547 = ((_e1531 - _e279) * _e615);
+                                                    let _e1548 = ((_e1536 - _e281) * _e625);
+                                                    if (_e1540 < _e1546) {
+                                                        phi_2359_ = _e1540;
+                                                    } else {
+                                                        phi_2359_ = _e1546;
+                                                    }
+                                                    let _e1551 = phi_2359_;
+                                                    if (_e1541 < _e1547) {
+                                                        phi_2364_ = _e1541;
+                                                    } else {
+                                                        phi_2364_ = _e1547;
+                                                    }
+                                                    let _e1554 = phi_2364_;
+                                                    if (_e1542 < _e1548) {
+                                                        phi_2369_ = _e1542;
+                                                    } else {
+                                                        phi_2369_ = _e1548;
+                                                    }
+                                                    let _e1557 = phi_2369_;
+                                                    if (_e1540 > _e1546) {
+                                                        phi_2377_ = _e1540;
+                                                    } else {
+                                                        phi_2377_ = _e1546;
+                                                    }
+                                                    let _e1563 = phi_2377_;
+                                                    if (_e1541 > _e1547) {
+                                                        phi_2382_ = _e1541;
+                                                    } else {
+                                                        phi_2382_ = _e1547;
+                                                    }
+                                                    let _e1566 = phi_2382_;
+                                                    if (_e1542 > _e1548) {
+                                                        phi_2387_ = _e1542;
+                                                    } else {
+                                                        phi_2387_ = _e1548;
+                                                    }
+                                                    let _e1569 = phi_2387_;
+                                                    let _e1573 = core_intrinsics_maximum_number_nsz_f32_((_e1551 - _e660), (_e1554 - _e661));
+                                                    let _e1574 = core_intrinsics_maximum_number_nsz_f32_(_e1573, (_e1557 - _e662));
+                                                    let _e1575 = core_intrinsics_minimum_number_nsz_f32_((_e1563 + _e660), (_e1566 + _e661));
+                                                    let _e1576 = core_intrinsics_minimum_number_nsz_f32_(_e1575, (_e1569 + _e662));
+                                                    if (_e1574 > -300000000000000000000000000000000000000f) {
+                                                        phi_2399_ = _e1574;
+                                                    } else {
+                                                        phi_2399_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1579 = phi_2399_;
+                                                    if (_e1576 < 300000000000000000000000000000000000000f) {
+                                                        phi_2404_ = _e1576;
+                                                    } else {
+                                                        phi_2404_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1582 = phi_2404_;
+                                                    if (_e1450 < _e1579) {
+                                                        phi_2409_ = _e1579;
+                                                    } else {
+                                                        phi_2409_ = _e1450;
+                                                    }
+                                                    let _e1585 = phi_2409_;
+                                                    if (_e1585 > _e1582) {
+                                                        phi_2414_ = _e1582;
+                                                    } else {
+                                                        phi_2414_ = _e1585;
+                                                    }
+                                                    let _e1588 = phi_2414_;
+                                                    phi_2419_ = lt_bvh_triangle_Intersection(_e1588, (_e1291 / _e1350), (_e1312 / _e1350), (_e1579 <= _e1582));
+                                                    phi_2420_ = false;
+                                                } else {
+                                                    phi_2419_ = lt_bvh_triangle_Intersection();
+                                                    phi_2420_ = true;
                                                 }
-                                                let _e994 = phi_1720_;
-                                                let _e996 = phi_1721_;
-                                                phi_1722_ = _e994;
-                                                phi_1723_ = _e695;
-                                                phi_1724_ = _e697;
-                                                phi_1725_ = _e996;
+                                                let _e1594 = phi_2419_;
+                                                let _e1596 = phi_2420_;
+                                                phi_2421_ = _e1594;
+                                                phi_2422_ = _e1596;
+                                            } else {
+                                                phi_2421_ = lt_bvh_triangle_Intersection();
+                                                phi_2422_ = true;
                                             }
-                                            let _e998 = phi_1722_;
-                                            let _e1000 = phi_1723_;
-                                            let _e1002 = phi_1724_;
-                                            let _e1004 = phi_1725_;
-                                            if ((_e998 & 255u) == 0u) {
-                                                if (_e1004 > 0u) {
-                                                    let _e1008 = (_e1004 - 1u);
-                                                    if (_e1008 < 32u) {
+                                            let _e1598 = phi_2421_;
+                                            let _e1600 = phi_2422_;
+                                            if _e1600 {
+                                            }
+                                            phi_2426_ = _e1598;
+                                            phi_2427_ = _e1600;
+                                        }
+                                        let _e1602 = phi_2426_;
+                                        let _e1604 = phi_2427_;
+                                        phi_2428_ = _e1602;
+                                        phi_2429_ = _e1353;
+                                        phi_2430_ = _e1604;
+                                    } else {
+                                        phi_2428_ = lt_bvh_triangle_Intersection();
+                                        phi_2429_ = true;
+                                        phi_2430_ = false;
+                                    }
+                                    let _e1606 = phi_2428_;
+                                    let _e1608 = phi_2429_;
+                                    let _e1610 = phi_2430_;
+                                    if _e1608 {
+                                        phi_2434_ = true;
+                                    } else {
+                                        phi_2434_ = _e1610;
+                                    }
+                                    let _e1612 = phi_2434_;
+                                    if _e1612 {
+                                        phi_2438_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_2438_ = _e1606;
+                                    }
+                                    let _e1614 = phi_2438_;
+                                    if _e1614.is_hit {
+                                        if (_e1614.t > 0f) {
+                                            if (_e1614.t < _e289) {
+                                                let _e1621 = triangles.member[(0u + _e1166)].i0_;
+                                                let _e1623 = ((_e1621 & 2147483648u) == 0u);
+                                                if _e1623 {
+                                                    phi_2661_ = false;
+                                                    phi_2662_ = false;
+                                                } else {
+                                                    if (_e1166 < _e94) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1012 = local_3[(0u + _e1008)];
-                                                    phi_1743_ = _e1012;
-                                                    phi_1744_ = _e1008;
-                                                } else {
-                                                    phi_1743_ = 0u;
-                                                    phi_1744_ = _e1004;
-                                                }
-                                                let _e1014 = phi_1743_;
-                                                let _e1016 = phi_1744_;
-                                                phi_1745_ = _e1014;
-                                                phi_1746_ = _e1016;
-                                            } else {
-                                                phi_1745_ = _e998;
-                                                phi_1746_ = _e1004;
-                                            }
-                                            let _e1018 = phi_1745_;
-                                            let _e1020 = phi_1746_;
-                                            phi_1747_ = _e1018;
-                                            phi_1748_ = _e1000;
-                                            phi_1749_ = _e1002;
-                                            phi_1750_ = _e1020;
-                                        } else {
-                                            phi_1747_ = u32();
-                                            phi_1748_ = u32();
-                                            phi_1749_ = u32();
-                                            phi_1750_ = u32();
-                                        }
-                                        let _e1022 = phi_1747_;
-                                        let _e1024 = phi_1748_;
-                                        let _e1026 = phi_1749_;
-                                        let _e1028 = phi_1750_;
-                                        phi_1398_ = _e1022;
-                                        phi_1401_ = _e1024;
-                                        phi_1403_ = _e1026;
-                                        phi_1405_ = _e1028;
-                                        phi_1751_ = _e701;
-                                    }
-                                    let _e1030 = phi_1398_;
-                                    let _e1032 = phi_1401_;
-                                    let _e1034 = phi_1403_;
-                                    let _e1036 = phi_1405_;
-                                    let _e1038 = phi_1751_;
-                                    continue;
-                                    continuing {
-                                        phi_1397_ = _e1030;
-                                        phi_1400_ = _e1032;
-                                        phi_1402_ = _e1034;
-                                        phi_1404_ = _e1036;
-                                        break if !(_e1038);
-                                    }
-                                }
-                                let _e1041 = local_5;
-                                if _e1041 {
-                                }
-                                let _e3519 = local_14;
-                                phi_1756_ = _e3519;
-                                loop {
-                                    let _e1043 = phi_1756_;
-                                    let _e1044 = (_e1043 == 0u);
-                                    local_7 = _e1044;
-                                    local_19 = _e1044;
-                                    if _e1044 {
-                                        phi_1757_ = u32();
-                                        phi_2602_ = false;
-                                        phi_2603_ = false;
-                                        phi_2604_ = false;
-                                    } else {
-                                        let _e1047 = select(firstTrailingBit(_e1043), 32u, (_e1043 == 0u));
-                                        let _e1051 = local_6;
-                                        let _e1052 = (_e1051 + (_e1047 >> bitcast<u32>(2i)));
-                                        if (_e1052 < _e101) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e1057 = rows.member[(0u + _e1052)][0u];
-                                        let _e1061 = rows.member[(0u + _e1052)][1u];
-                                        let _e1065 = rows.member[(0u + _e1052)][2u];
-                                        let _e1069 = rows.member[(0u + _e1052)][3u];
-                                        if ((_e1047 & 2u) == 0u) {
-                                            phi_1795_ = _e1061;
-                                            phi_1796_ = _e1057;
-                                        } else {
-                                            phi_1795_ = _e1069;
-                                            phi_1796_ = _e1065;
-                                        }
-                                        let _e1073 = phi_1795_;
-                                        let _e1075 = phi_1796_;
-                                        if ((_e1047 & 1u) == 0u) {
-                                            phi_1802_ = _e1075;
-                                        } else {
-                                            phi_1802_ = _e1073;
-                                        }
-                                        let _e1079 = phi_1802_;
-                                        if (_e1079 < _e95) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e1086 = triangles.member[(0u + _e1079)].v0_;
-                                        let _e1088 = (_e1086.x - _e278);
-                                        let _e1090 = (_e1086.y - _e280);
-                                        let _e1092 = (_e1086.z - _e282);
-                                        if (_e667 == 0u) {
-                                            phi_1832_ = vec3<f32>(_e1090, _e1092, _e1088);
-                                        } else {
-                                            if (_e667 == 1u) {
-                                                phi_1831_ = vec3<f32>(_e1092, _e1088, _e1090);
-                                            } else {
-                                                phi_1831_ = (_e1086 - vec3<f32>(_e278, _e280, _e282));
-                                            }
-                                            let _e1100 = phi_1831_;
-                                            phi_1832_ = _e1100;
-                                        }
-                                        let _e1102 = phi_1832_;
-                                        let _e1106 = (_e1102.x - (_e678 * _e1102.z));
-                                        let _e1110 = (_e1102.y - (_e681 * _e1102.z));
-                                        let _e1112 = triangles.member[(0u + _e1079)].v1_;
-                                        let _e1114 = (_e1112.x - _e278);
-                                        let _e1116 = (_e1112.y - _e280);
-                                        let _e1118 = (_e1112.z - _e282);
-                                        if (_e667 == 0u) {
-                                            phi_1862_ = vec3<f32>(_e1116, _e1118, _e1114);
-                                        } else {
-                                            if (_e667 == 1u) {
-                                                phi_1861_ = vec3<f32>(_e1118, _e1114, _e1116);
-                                            } else {
-                                                phi_1861_ = (_e1112 - vec3<f32>(_e278, _e280, _e282));
-                                            }
-                                            let _e1126 = phi_1861_;
-                                            phi_1862_ = _e1126;
-                                        }
-                                        let _e1128 = phi_1862_;
-                                        let _e1132 = (_e1128.x - (_e678 * _e1128.z));
-                                        let _e1136 = (_e1128.y - (_e681 * _e1128.z));
-                                        let _e1138 = triangles.member[(0u + _e1079)].v2_;
-                                        let _e1140 = (_e1138.x - _e278);
-                                        let _e1142 = (_e1138.y - _e280);
-                                        let _e1144 = (_e1138.z - _e282);
-                                        if (_e667 == 0u) {
-                                            phi_1892_ = vec3<f32>(_e1142, _e1144, _e1140);
-                                        } else {
-                                            if (_e667 == 1u) {
-                                                phi_1891_ = vec3<f32>(_e1144, _e1140, _e1142);
-                                            } else {
-                                                phi_1891_ = (_e1138 - vec3<f32>(_e278, _e280, _e282));
-                                            }
-                                            let _e1152 = phi_1891_;
-                                            phi_1892_ = _e1152;
-                                        }
-                                        let _e1154 = phi_1892_;
-                                        let _e1158 = (_e1154.x - (_e678 * _e1154.z));
-                                        let _e1162 = (_e1154.y - (_e681 * _e1154.z));
-                                        if (_e1132 < _e1158) {
-                                            phi_1911_ = true;
-                                        } else {
-                                            if (_e1132 == _e1158) {
-                                                phi_1910_ = (_e1136 < _e1162);
-                                            } else {
-                                                phi_1910_ = false;
-                                            }
-                                            let _e1167 = phi_1910_;
-                                            phi_1911_ = _e1167;
-                                        }
-                                        let _e1169 = phi_1911_;
-                                        if _e1169 {
-                                            phi_1915_ = _e1162;
-                                            phi_1916_ = _e1158;
-                                            phi_1917_ = _e1136;
-                                            phi_1918_ = _e1132;
-                                        } else {
-                                            phi_1915_ = _e1136;
-                                            phi_1916_ = _e1132;
-                                            phi_1917_ = _e1162;
-                                            phi_1918_ = _e1158;
-                                        }
-                                        let _e1171 = phi_1915_;
-                                        let _e1173 = phi_1916_;
-                                        let _e1175 = phi_1917_;
-                                        let _e1177 = phi_1918_;
-                                        let _e1180 = ((_e1177 * _e1171) - (_e1175 * _e1173));
-                                        if _e1169 {
-                                            phi_1926_ = -(_e1180);
-                                        } else {
-                                            phi_1926_ = _e1180;
-                                        }
-                                        let _e1183 = phi_1926_;
-                                        if (_e1158 < _e1106) {
-                                            phi_1937_ = true;
-                                        } else {
-                                            if (_e1158 == _e1106) {
-                                                phi_1936_ = (_e1162 < _e1110);
-                                            } else {
-                                                phi_1936_ = false;
-                                            }
-                                            let _e1188 = phi_1936_;
-                                            phi_1937_ = _e1188;
-                                        }
-                                        let _e1190 = phi_1937_;
-                                        if _e1190 {
-                                            phi_1941_ = _e1110;
-                                            phi_1942_ = _e1106;
-                                            phi_1943_ = _e1162;
-                                            phi_1944_ = _e1158;
-                                        } else {
-                                            phi_1941_ = _e1162;
-                                            phi_1942_ = _e1158;
-                                            phi_1943_ = _e1110;
-                                            phi_1944_ = _e1106;
-                                        }
-                                        let _e1192 = phi_1941_;
-                                        let _e1194 = phi_1942_;
-                                        let _e1196 = phi_1943_;
-                                        let _e1198 = phi_1944_;
-                                        let _e1201 = ((_e1198 * _e1192) - (_e1196 * _e1194));
-                                        if _e1190 {
-                                            phi_1952_ = -(_e1201);
-                                        } else {
-                                            phi_1952_ = _e1201;
-                                        }
-                                        let _e1204 = phi_1952_;
-                                        if (_e1106 < _e1132) {
-                                            phi_1963_ = true;
-                                        } else {
-                                            if (_e1106 == _e1132) {
-                                                phi_1962_ = (_e1110 < _e1136);
-                                            } else {
-                                                phi_1962_ = false;
-                                            }
-                                            let _e1209 = phi_1962_;
-                                            phi_1963_ = _e1209;
-                                        }
-                                        let _e1211 = phi_1963_;
-                                        if _e1211 {
-                                            phi_1967_ = _e1136;
-                                            phi_1968_ = _e1132;
-                                            phi_1969_ = _e1110;
-                                            phi_1970_ = _e1106;
-                                        } else {
-                                            phi_1967_ = _e1110;
-                                            phi_1968_ = _e1106;
-                                            phi_1969_ = _e1136;
-                                            phi_1970_ = _e1132;
-                                        }
-                                        let _e1213 = phi_1967_;
-                                        let _e1215 = phi_1968_;
-                                        let _e1217 = phi_1969_;
-                                        let _e1219 = phi_1970_;
-                                        let _e1222 = ((_e1219 * _e1213) - (_e1217 * _e1215));
-                                        if _e1211 {
-                                            phi_1978_ = -(_e1222);
-                                        } else {
-                                            phi_1978_ = _e1222;
-                                        }
-                                        let _e1225 = phi_1978_;
-                                        if (_e1183 >= 0f) {
-                                            if (_e1204 >= 0f) {
-                                                if (_e1225 >= 0f) {
-                                                    phi_1993_ = ((_e1183 + _e1204) + _e1225);
-                                                    phi_1994_ = false;
-                                                } else {
-                                                    phi_1993_ = f32();
-                                                    phi_1994_ = true;
-                                                }
-                                                let _e1232 = phi_1993_;
-                                                let _e1234 = phi_1994_;
-                                                phi_1995_ = _e1232;
-                                                phi_1996_ = _e1234;
-                                            } else {
-                                                phi_1995_ = f32();
-                                                phi_1996_ = true;
-                                            }
-                                            let _e1236 = phi_1995_;
-                                            let _e1238 = phi_1996_;
-                                            phi_1997_ = _e1236;
-                                            phi_1998_ = _e1238;
-                                        } else {
-                                            phi_1997_ = f32();
-                                            phi_1998_ = true;
-                                        }
-                                        let _e1240 = phi_1997_;
-                                        let _e1242 = phi_1998_;
-                                        if _e1242 {
-                                            if (_e1183 <= 0f) {
-                                                if (_e1204 <= 0f) {
-                                                    let _e1245 = (_e1225 <= 0f);
-                                                    if _e1245 {
-                                                    }
-                                                    phi_2016_ = ((_e1183 + _e1204) + _e1225);
-                                                    phi_2017_ = false;
-                                                    phi_2018_ = _e1245;
-                                                } else {
-                                                    phi_2016_ = f32();
-                                                    phi_2017_ = true;
-                                                    phi_2018_ = false;
-                                                }
-                                                let _e1249 = phi_2016_;
-                                                let _e1251 = phi_2017_;
-                                                let _e1253 = phi_2018_;
-                                                phi_2019_ = _e1249;
-                                                phi_2020_ = _e1251;
-                                                phi_2021_ = _e1253;
-                                            } else {
-                                                phi_2019_ = f32();
-                                                phi_2020_ = true;
-                                                phi_2021_ = false;
-                                            }
-                                            let _e1255 = phi_2019_;
-                                            let _e1257 = phi_2020_;
-                                            let _e1259 = phi_2021_;
-                                            if _e1257 {
-                                                phi_2025_ = false;
-                                            } else {
-                                                phi_2025_ = _e1259;
-                                            }
-                                            let _e1261 = phi_2025_;
-                                            phi_2026_ = _e1255;
-                                            phi_2027_ = _e1261;
-                                        } else {
-                                            phi_2026_ = _e1240;
-                                            phi_2027_ = true;
-                                        }
-                                        let _e1263 = phi_2026_;
-                                        let _e1265 = phi_2027_;
-                                        if _e1265 {
-                                            let _e1266 = (_e1263 == 0f);
-                                            if _e1266 {
-                                                phi_2343_ = lt_bvh_triangle_Intersection();
-                                                phi_2344_ = false;
-                                            } else {
-                                                let _e1268 = triangles.member[(0u + _e1079)].v0_;
-                                                let _e1270 = (_e1268.x - _e278);
-                                                let _e1272 = (_e1268.y - _e280);
-                                                let _e1274 = (_e1268.z - _e282);
-                                                if (_e667 == 0u) {
-                                                    phi_2056_ = vec3<f32>(_e1272, _e1274, _e1270);
-                                                } else {
-                                                    if (_e667 == 1u) {
-                                                        phi_2055_ = vec3<f32>(_e1274, _e1270, _e1272);
+                                                    let _e1630 = triangles.member[(0u + _e1166)].i0_;
+                                                    let _e1631 = (_e1630 & 2147483647u);
+                                                    let _e1633 = triangles.member[(0u + _e1166)].i1_;
+                                                    let _e1635 = triangles.member[(0u + _e1166)].i2_;
+                                                    if (_e1631 < _e104) {
                                                     } else {
-                                                        phi_2055_ = (_e1268 - vec3<f32>(_e278, _e280, _e282));
+                                                        return;
                                                     }
-                                                    let _e1282 = phi_2055_;
-                                                    phi_2056_ = _e1282;
-                                                }
-                                                let _e1284 = phi_2056_;
-                                                let _e1286 = triangles.member[(0u + _e1079)].v1_;
-                                                let _e1288 = triangles.member[(0u + _e1079)].v0_;
-                                                let _e1291 = (_e1286.x - _e1288.x);
-                                                let _e1294 = (_e1286.y - _e1288.y);
-                                                let _e1297 = (_e1286.z - _e1288.z);
-                                                if (_e667 == 0u) {
-                                                    phi_2082_ = vec3<f32>(_e1294, _e1297, _e1291);
-                                                } else {
-                                                    if (_e667 == 1u) {
-                                                        phi_2081_ = vec3<f32>(_e1297, _e1291, _e1294);
+                                                    let _e1639 = vertices.member[(0u + _e1631)];
+                                                    if (_e1633 < _e104) {
                                                     } else {
-                                                        phi_2081_ = (_e1286 - _e1288);
+                                                        return;
                                                     }
-                                                    let _e1304 = phi_2081_;
-                                                    phi_2082_ = _e1304;
-                                                }
-                                                let _e1306 = phi_2082_;
-                                                let _e1308 = triangles.member[(0u + _e1079)].v2_;
-                                                let _e1310 = triangles.member[(0u + _e1079)].v0_;
-                                                let _e1313 = (_e1308.x - _e1310.x);
-                                                let _e1316 = (_e1308.y - _e1310.y);
-                                                let _e1319 = (_e1308.z - _e1310.z);
-                                                if (_e667 == 0u) {
-                                                    phi_2108_ = vec3<f32>(_e1316, _e1319, _e1313);
-                                                } else {
-                                                    if (_e667 == 1u) {
-                                                        phi_2107_ = vec3<f32>(_e1319, _e1313, _e1316);
+                                                    let _e1643 = vertices.member[(0u + _e1633)];
+                                                    if (_e1635 < _e104) {
                                                     } else {
-                                                        phi_2107_ = (_e1308 - _e1310);
+                                                        return;
                                                     }
-                                                    let _e1326 = phi_2107_;
-                                                    phi_2108_ = _e1326;
-                                                }
-                                                let _e1328 = phi_2108_;
-                                                let _e1335 = ((_e1306.y * _e1328.z) - (_e1306.z * _e1328.y));
-                                                let _e1342 = ((_e1306.z * _e1328.x) - (_e1306.x * _e1328.z));
-                                                let _e1349 = ((_e1306.x * _e1328.y) - (_e1306.y * _e1328.x));
-                                                let _e1363 = (((1f / _e675.z) * (((_e1335 * _e1284.x) + (_e1342 * _e1284.y)) + (_e1349 * _e1284.z))) / (((_e1335 * _e678) + (_e1342 * _e681)) + _e1349));
-                                                if (_e1363 > 0f) {
-                                                    if (_e1363 < _e290) {
-                                                        let _e1367 = triangles.member[(0u + _e1079)].v0_;
-                                                        let _e1369 = triangles.member[(0u + _e1079)].v1_;
-                                                        if (_e1367.x < _e1369.x) {
-                                                            phi_2164_ = _e1367.x;
-                                                        } else {
-                                                            phi_2164_ = _e1369.x;
-                                                        }
-                                                        let _e1376 = phi_2164_;
-                                                        if (_e1367.y < _e1369.y) {
-                                                            phi_2173_ = _e1367.y;
-                                                        } else {
-                                                            phi_2173_ = _e1369.y;
-                                                        }
-                                                        let _e1383 = phi_2173_;
-                                                        if (_e1367.z < _e1369.z) {
-                                                            phi_2182_ = _e1367.z;
-                                                        } else {
-                                                            phi_2182_ = _e1369.z;
-                                                        }
-                                                        let _e1390 = phi_2182_;
-                                                        let _e1392 = triangles.member[(0u + _e1079)].v2_;
-                                                        if (_e1376 < _e1392.x) {
-                                                            phi_2191_ = _e1376;
-                                                        } else {
-                                                            phi_2191_ = _e1392.x;
-                                                        }
-                                                        let _e1397 = phi_2191_;
-                                                        if (_e1383 < _e1392.y) {
-                                                            phi_2198_ = _e1383;
-                                                        } else {
-                                                            phi_2198_ = _e1392.y;
-                                                        }
-                                                        let _e1402 = phi_2198_;
-                                                        if (_e1390 < _e1392.z) {
-                                                            phi_2205_ = _e1390;
-                                                        } else {
-                                                            phi_2205_ = _e1392.z;
-                                                        }
-                                                        let _e1407 = phi_2205_;
-                                                        let _e1409 = triangles.member[(0u + _e1079)].v0_;
-                                                        let _e1411 = triangles.member[(0u + _e1079)].v1_;
-                                                        if (_e1409.x > _e1411.x) {
-                                                            phi_2218_ = _e1409.x;
-                                                        } else {
-                                                            phi_2218_ = _e1411.x;
-                                                        }
-                                                        let _e1418 = phi_2218_;
-                                                        if (_e1409.y > _e1411.y) {
-                                                            phi_2227_ = _e1409.y;
-                                                        } else {
-                                                            phi_2227_ = _e1411.y;
-                                                        }
-                                                        let _e1425 = phi_2227_;
-                                                        if (_e1409.z > _e1411.z) {
-                                                            phi_2236_ = _e1409.z;
-                                                        } else {
-                                                            phi_2236_ = _e1411.z;
-                                                        }
-                                                        let _e1432 = phi_2236_;
-                                                        let _e1434 = triangles.member[(0u + _e1079)].v2_;
-                                                        if (_e1418 > _e1434.x) {
-                                                            phi_2245_ = _e1418;
-                                                        } else {
-                                                            phi_2245_ = _e1434.x;
-                                                        }
-                                                        let _e1439 = phi_2245_;
-                                                        if (_e1425 > _e1434.y) {
-                                                            phi_2252_ = _e1425;
-                                                        } else {
-                                                            phi_2252_ = _e1434.y;
-                                                        }
-                                                        let _e1444 = phi_2252_;
-                                                        if (_e1432 > _e1434.z) {
-                                                            phi_2259_ = _e1432;
-                                                        } else {
-                                                            phi_2259_ = _e1434.z;
-                                                        }
-                                                        let _e1449 = phi_2259_;
-                                                        let _e1453 = ((_e1397 - _e278) * _e596);
-                                                        let _e1454 = ((_e1402 - _e280) * _e606);
-                                                        let _e1455 = ((_e1407 - _e282) * _e616);
-                                                        let _e1459 = ((_e1439 - _e278) * _e596);
-                                                        let _e1460 = ((_e1444 - _e280) * _e606);
-                                                        let _e1461 = ((_e1449 - _e282) * _e616);
-                                                        if (_e1453 < _e1459) {
-                                                            phi_2276_ = _e1453;
-                                                        } else {
-                                                            phi_2276_ = _e1459;
-                                                        }
-                                                        let _e1464 = phi_2276_;
-                                                        if (_e1454 < _e1460) {
-                                                            phi_2281_ = _e1454;
-                                                        } else {
-                                                            phi_2281_ = _e1460;
-                                                        }
-                                                        let _e1467 = phi_2281_;
-                                                        if (_e1455 < _e1461) {
-                                                            phi_2286_ = _e1455;
-                                                        } else {
-                                                            phi_2286_ = _e1461;
-                                                        }
-                                                        let _e1470 = phi_2286_;
-                                                        if (_e1453 > _e1459) {
-                                                            phi_2294_ = _e1453;
-                                                        } else {
-                                                            phi_2294_ = _e1459;
-                                                        }
-                                                        let _e1476 = phi_2294_;
-                                                        if (_e1454 > _e1460) {
-                                                            phi_2299_ = _e1454;
-                                                        } else {
-                                                            phi_2299_ = _e1460;
-                                                        }
-                                                        let _e1479 = phi_2299_;
-                                                        if (_e1455 > _e1461) {
-                                                            phi_2304_ = _e1455;
-                                                        } else {
-                                                            phi_2304_ = _e1461;
-                                                        }
-                                                        let _e1482 = phi_2304_;
-                                                        let _e1486 = core_intrinsics_maximum_number_nsz_f32_((_e1464 - _e651), (_e1467 - _e652));
-                                                        let _e1487 = core_intrinsics_maximum_number_nsz_f32_(_e1486, (_e1470 - _e653));
-                                                        let _e1488 = core_intrinsics_minimum_number_nsz_f32_((_e1476 + _e651), (_e1479 + _e652));
-                                                        let _e1489 = core_intrinsics_minimum_number_nsz_f32_(_e1488, (_e1482 + _e653));
-                                                        if (_e1487 > -300000000000000000000000000000000000000f) {
-                                                            phi_2316_ = _e1487;
-                                                        } else {
-                                                            phi_2316_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1492 = phi_2316_;
-                                                        if (_e1489 < 300000000000000000000000000000000000000f) {
-                                                            phi_2321_ = _e1489;
-                                                        } else {
-                                                            phi_2321_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1495 = phi_2321_;
-                                                        if (_e1363 < _e1492) {
-                                                            phi_2326_ = _e1492;
-                                                        } else {
-                                                            phi_2326_ = _e1363;
-                                                        }
-                                                        let _e1498 = phi_2326_;
-                                                        if (_e1498 > _e1495) {
-                                                            phi_2331_ = _e1495;
-                                                        } else {
-                                                            phi_2331_ = _e1498;
-                                                        }
-                                                        let _e1501 = phi_2331_;
-                                                        phi_2336_ = lt_bvh_triangle_Intersection(_e1501, (_e1204 / _e1263), (_e1225 / _e1263), (_e1492 <= _e1495));
-                                                        phi_2337_ = false;
+                                                    let _e1647 = vertices.member[(0u + _e1635)];
+                                                    let _e1648 = array<abi_Vertex, 3>(_e1639, _e1643, _e1647);
+                                                    if (_e1648[0].material < _e107) {
                                                     } else {
-                                                        phi_2336_ = lt_bvh_triangle_Intersection();
-                                                        phi_2337_ = true;
+                                                        return;
                                                     }
-                                                    let _e1507 = phi_2336_;
-                                                    let _e1509 = phi_2337_;
-                                                    phi_2338_ = _e1507;
-                                                    phi_2339_ = _e1509;
-                                                } else {
-                                                    phi_2338_ = lt_bvh_triangle_Intersection();
-                                                    phi_2339_ = true;
-                                                }
-                                                let _e1511 = phi_2338_;
-                                                let _e1513 = phi_2339_;
-                                                if _e1513 {
-                                                }
-                                                phi_2343_ = _e1511;
-                                                phi_2344_ = _e1513;
-                                            }
-                                            let _e1515 = phi_2343_;
-                                            let _e1517 = phi_2344_;
-                                            phi_2345_ = _e1515;
-                                            phi_2346_ = _e1266;
-                                            phi_2347_ = _e1517;
-                                        } else {
-                                            phi_2345_ = lt_bvh_triangle_Intersection();
-                                            phi_2346_ = true;
-                                            phi_2347_ = false;
-                                        }
-                                        let _e1519 = phi_2345_;
-                                        let _e1521 = phi_2346_;
-                                        let _e1523 = phi_2347_;
-                                        if _e1521 {
-                                            phi_2351_ = true;
-                                        } else {
-                                            phi_2351_ = _e1523;
-                                        }
-                                        let _e1525 = phi_2351_;
-                                        if _e1525 {
-                                            phi_2355_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                        } else {
-                                            phi_2355_ = _e1519;
-                                        }
-                                        let _e1527 = phi_2355_;
-                                        if _e1527.is_hit {
-                                            if (_e1527.t > 0f) {
-                                                if (_e1527.t < _e290) {
-                                                    let _e1534 = triangles.member[(0u + _e1079)].i0_;
-                                                    let _e1536 = ((_e1534 & 2147483648u) == 0u);
-                                                    if _e1536 {
-                                                        phi_2578_ = false;
-                                                        phi_2579_ = false;
-                                                    } else {
-                                                        if (_e1079 < _e95) {
+                                                    let _e1654 = materials.member[(0u + _e1648[0].material)];
+                                                    if ((_e1654.flags & 1u) == 1u) {
+                                                        let _e1659 = ((1f - _e1614.u) - _e1614.v);
+                                                        if (_e1654.cutoff <= 0f) {
+                                                            phi_2655_ = true;
                                                         } else {
-                                                            return;
-                                                        }
-                                                        let _e1543 = triangles.member[(0u + _e1079)].i0_;
-                                                        let _e1544 = (_e1543 & 2147483647u);
-                                                        let _e1546 = triangles.member[(0u + _e1079)].i1_;
-                                                        let _e1548 = triangles.member[(0u + _e1079)].i2_;
-                                                        if (_e1544 < _e105) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1552 = vertices.member[(0u + _e1544)];
-                                                        if (_e1546 < _e105) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1556 = vertices.member[(0u + _e1546)];
-                                                        if (_e1548 < _e105) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1560 = vertices.member[(0u + _e1548)];
-                                                        let _e1561 = array<abi_Vertex, 3>(_e1552, _e1556, _e1560);
-                                                        if (_e1561[0].material < _e108) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        let _e1567 = materials.member[(0u + _e1561[0].material)];
-                                                        if ((_e1567.flags & 1u) == 1u) {
-                                                            let _e1572 = ((1f - _e1527.u) - _e1527.v);
-                                                            if (_e1567.cutoff <= 0f) {
-                                                                phi_2572_ = true;
+                                                            let _e1686 = (_e1654.base_color.w * ((((f32((_e1648[0].color >> bitcast<u32>(24i))) * _e1659) + (f32((_e1648[1].color >> bitcast<u32>(24i))) * _e1614.u)) + (f32((_e1648[2].color >> bitcast<u32>(24i))) * _e1614.v)) * (1f / 255f)));
+                                                            if (_e1654.alpha_size == 0u) {
+                                                                phi_2652_ = _e1686;
                                                             } else {
-                                                                let _e1599 = (_e1567.base_color.w * ((((f32((_e1561[0].color >> bitcast<u32>(24i))) * _e1572) + (f32((_e1561[1].color >> bitcast<u32>(24i))) * _e1527.u)) + (f32((_e1561[2].color >> bitcast<u32>(24i))) * _e1527.v)) * (1f / 255f)));
-                                                                if (_e1567.alpha_size == 0u) {
-                                                                    phi_2569_ = _e1599;
+                                                                local_2.offset = _e1654.alpha_offset;
+                                                                local_2.size = _e1654.alpha_size;
+                                                                local_2.flags = _e1654.flags;
+                                                                let _e1717 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1648[0].u * _e1659) + (_e1648[1].u * _e1614.u)) + (_e1648[2].u * _e1614.v)), (((_e1648[0].v * _e1659) + (_e1648[1].v * _e1614.u)) + (_e1648[2].v * _e1614.v)));
+                                                                let _e1721 = (_e1717.indices[0] >> bitcast<u32>(2i));
+                                                                if (_e1721 < _e110) {
                                                                 } else {
-                                                                    local_2.offset = _e1567.alpha_offset;
-                                                                    local_2.size = _e1567.alpha_size;
-                                                                    local_2.flags = _e1567.flags;
-                                                                    let _e1630 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1561[0].u * _e1572) + (_e1561[1].u * _e1527.u)) + (_e1561[2].u * _e1527.v)), (((_e1561[0].v * _e1572) + (_e1561[1].v * _e1527.u)) + (_e1561[2].v * _e1527.v)));
-                                                                    let _e1634 = (_e1630.indices[0] >> bitcast<u32>(2i));
-                                                                    if (_e1634 < _e111) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1638 = alpha_texels.member[(0u + _e1634)];
-                                                                    let _e1654 = (_e1630.indices[1] >> bitcast<u32>(2i));
-                                                                    if (_e1654 < _e111) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1658 = alpha_texels.member[(0u + _e1654)];
-                                                                    let _e1675 = (_e1630.indices[2] >> bitcast<u32>(2i));
-                                                                    if (_e1675 < _e111) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1679 = alpha_texels.member[(0u + _e1675)];
-                                                                    let _e1696 = (_e1630.indices[3] >> bitcast<u32>(2i));
-                                                                    if (_e1696 < _e111) {
-                                                                    } else {
-                                                                        return;
-                                                                    }
-                                                                    let _e1700 = alpha_texels.member[(0u + _e1696)];
-                                                                    phi_2569_ = (_e1599 * (((((f32(((_e1638 >> bitcast<u32>((((_e1630.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1630.weights.x) + ((f32(((_e1658 >> bitcast<u32>((((_e1630.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1630.weights.y)) + ((f32(((_e1679 >> bitcast<u32>((((_e1630.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1630.weights.z)) + ((f32(((_e1700 >> bitcast<u32>((((_e1630.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1630.weights.w)));
+                                                                    return;
                                                                 }
-                                                                let _e1716 = phi_2569_;
-                                                                phi_2572_ = (_e1716 >= _e1567.cutoff);
+                                                                let _e1725 = alpha_texels.member[(0u + _e1721)];
+                                                                let _e1741 = (_e1717.indices[1] >> bitcast<u32>(2i));
+                                                                if (_e1741 < _e110) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1745 = alpha_texels.member[(0u + _e1741)];
+                                                                let _e1762 = (_e1717.indices[2] >> bitcast<u32>(2i));
+                                                                if (_e1762 < _e110) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1766 = alpha_texels.member[(0u + _e1762)];
+                                                                let _e1783 = (_e1717.indices[3] >> bitcast<u32>(2i));
+                                                                if (_e1783 < _e110) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1787 = alpha_texels.member[(0u + _e1783)];
+                                                                phi_2652_ = (_e1686 * (((((f32(((_e1725 >> bitcast<u32>((((_e1717.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1717.weights.x) + ((f32(((_e1745 >> bitcast<u32>((((_e1717.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1717.weights.y)) + ((f32(((_e1766 >> bitcast<u32>((((_e1717.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1717.weights.z)) + ((f32(((_e1787 >> bitcast<u32>((((_e1717.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1717.weights.w)));
                                                             }
-                                                            let _e1720 = phi_2572_;
-                                                            phi_2573_ = _e1720;
-                                                        } else {
-                                                            phi_2573_ = false;
+                                                            let _e1803 = phi_2652_;
+                                                            phi_2655_ = (_e1803 >= _e1654.cutoff);
                                                         }
-                                                        let _e1722 = phi_2573_;
-                                                        if _e1722 {
-                                                            phi_2577_ = false;
-                                                        } else {
-                                                            phi_2577_ = true;
-                                                        }
-                                                        let _e1724 = phi_2577_;
-                                                        phi_2578_ = _e1724;
-                                                        phi_2579_ = _e1722;
+                                                        let _e1807 = phi_2655_;
+                                                        phi_2656_ = _e1807;
+                                                    } else {
+                                                        phi_2656_ = false;
                                                     }
-                                                    let _e1726 = phi_2578_;
-                                                    let _e1728 = phi_2579_;
-                                                    phi_2580_ = _e1726;
-                                                    phi_2581_ = _e1536;
-                                                    phi_2582_ = _e1728;
-                                                } else {
-                                                    phi_2580_ = true;
-                                                    phi_2581_ = false;
-                                                    phi_2582_ = false;
+                                                    let _e1809 = phi_2656_;
+                                                    if _e1809 {
+                                                        phi_2660_ = false;
+                                                    } else {
+                                                        phi_2660_ = true;
+                                                    }
+                                                    let _e1811 = phi_2660_;
+                                                    phi_2661_ = _e1811;
+                                                    phi_2662_ = _e1809;
                                                 }
-                                                let _e1730 = phi_2580_;
-                                                let _e1732 = phi_2581_;
-                                                let _e1734 = phi_2582_;
-                                                phi_2583_ = false;
-                                                phi_2584_ = _e1730;
-                                                phi_2585_ = _e1732;
-                                                phi_2586_ = _e1734;
+                                                let _e1813 = phi_2661_;
+                                                let _e1815 = phi_2662_;
+                                                phi_2663_ = _e1813;
+                                                phi_2664_ = _e1623;
+                                                phi_2665_ = _e1815;
                                             } else {
-                                                phi_2583_ = true;
-                                                phi_2584_ = false;
-                                                phi_2585_ = false;
-                                                phi_2586_ = false;
+                                                phi_2663_ = true;
+                                                phi_2664_ = false;
+                                                phi_2665_ = false;
                                             }
-                                            let _e1736 = phi_2583_;
-                                            let _e1738 = phi_2584_;
-                                            let _e1740 = phi_2585_;
-                                            let _e1742 = phi_2586_;
-                                            phi_2587_ = _e1736;
-                                            phi_2588_ = _e1738;
-                                            phi_2589_ = _e1740;
-                                            phi_2590_ = _e1742;
+                                            let _e1817 = phi_2663_;
+                                            let _e1819 = phi_2664_;
+                                            let _e1821 = phi_2665_;
+                                            phi_2666_ = false;
+                                            phi_2667_ = _e1817;
+                                            phi_2668_ = _e1819;
+                                            phi_2669_ = _e1821;
                                         } else {
-                                            phi_2587_ = true;
-                                            phi_2588_ = false;
-                                            phi_2589_ = false;
-                                            phi_2590_ = false;
+                                            phi_2666_ = true;
+                                            phi_2667_ = false;
+                                            phi_2668_ = false;
+                                            phi_2669_ = false;
                                         }
-                                        let _e1744 = phi_2587_;
-                                        let _e1746 = phi_2588_;
-                                        let _e1748 = phi_2589_;
-                                        let _e1750 = phi_2590_;
-                                        if _e1744 {
-                                            phi_2594_ = true;
-                                            phi_2595_ = false;
-                                            phi_2596_ = false;
-                                        } else {
-                                            phi_2594_ = _e1746;
-                                            phi_2595_ = _e1748;
-                                            phi_2596_ = _e1750;
-                                        }
-                                        let _e1752 = phi_2594_;
-                                        let _e1754 = phi_2595_;
-                                        let _e1756 = phi_2596_;
-                                        if _e1752 {
-                                            phi_2600_ = false;
-                                            phi_2601_ = false;
-                                        } else {
-                                            phi_2600_ = _e1754;
-                                            phi_2601_ = _e1756;
-                                        }
-                                        let _e1758 = phi_2600_;
-                                        let _e1760 = phi_2601_;
-                                        phi_1757_ = (_e1043 & (_e1043 - 1u));
-                                        phi_2602_ = _e1752;
-                                        phi_2603_ = _e1758;
-                                        phi_2604_ = _e1760;
+                                        let _e1823 = phi_2666_;
+                                        let _e1825 = phi_2667_;
+                                        let _e1827 = phi_2668_;
+                                        let _e1829 = phi_2669_;
+                                        phi_2670_ = _e1823;
+                                        phi_2671_ = _e1825;
+                                        phi_2672_ = _e1827;
+                                        phi_2673_ = _e1829;
+                                    } else {
+                                        phi_2670_ = true;
+                                        phi_2671_ = false;
+                                        phi_2672_ = false;
+                                        phi_2673_ = false;
                                     }
-                                    let _e1762 = phi_1757_;
-                                    let _e1764 = phi_2602_;
-                                    let _e1766 = phi_2603_;
-                                    let _e1768 = phi_2604_;
-                                    local_15 = _e1766;
-                                    local_16 = _e1768;
+                                    let _e1831 = phi_2670_;
+                                    let _e1833 = phi_2671_;
+                                    let _e1835 = phi_2672_;
+                                    let _e1837 = phi_2673_;
+                                    if _e1831 {
+                                        phi_2677_ = true;
+                                        phi_2678_ = false;
+                                        phi_2679_ = false;
+                                    } else {
+                                        phi_2677_ = _e1833;
+                                        phi_2678_ = _e1835;
+                                        phi_2679_ = _e1837;
+                                    }
+                                    let _e1839 = phi_2677_;
+                                    let _e1841 = phi_2678_;
+                                    let _e1843 = phi_2679_;
+                                    if _e1839 {
+                                        let _e1844 = (_e1168 == 0u);
+                                        if _e1844 {
+                                            phi_2687_ = false;
+                                        } else {
+                                            phi_2687_ = true;
+                                        }
+                                        let _e1846 = phi_2687_;
+                                        phi_2688_ = _e1846;
+                                        phi_2689_ = _e1844;
+                                        phi_2690_ = false;
+                                        phi_2691_ = false;
+                                    } else {
+                                        phi_2688_ = false;
+                                        phi_2689_ = false;
+                                        phi_2690_ = _e1841;
+                                        phi_2691_ = _e1843;
+                                    }
+                                    let _e1848 = phi_2688_;
+                                    let _e1850 = phi_2689_;
+                                    let _e1852 = phi_2690_;
+                                    let _e1854 = phi_2691_;
+                                    local_8 = _e1850;
+                                    local_19 = _e1852;
+                                    local_20 = _e1854;
+                                    local_21 = _e1850;
                                     continue;
                                     continuing {
-                                        phi_1756_ = _e1762;
-                                        break if !(_e1764);
+                                        phi_1844_ = _e1168;
+                                        break if !(_e1848);
                                     }
                                 }
-                                let _e1771 = local_7;
-                                if _e1771 {
-                                    phi_2608_ = false;
-                                    phi_2609_ = false;
+                                let _e1857 = local_8;
+                                if _e1857 {
+                                    phi_2695_ = false;
+                                    phi_2696_ = false;
                                 } else {
-                                    let _e3634 = local_15;
-                                    phi_2608_ = _e3634;
-                                    let _e3637 = local_16;
-                                    phi_2609_ = _e3637;
+                                    let _e3722 = local_19;
+                                    phi_2695_ = _e3722;
+                                    let _e3725 = local_20;
+                                    phi_2696_ = _e3725;
                                 }
-                                let _e1773 = phi_2608_;
-                                let _e1775 = phi_2609_;
-                                let _e3640 = local_17;
-                                phi_1386_ = _e3640;
-                                let _e3643 = local_18;
-                                phi_1389_ = _e3643;
-                                let _e3646 = local_19;
-                                phi_2610_ = _e3646;
-                                phi_2611_ = _e1773;
-                                phi_2612_ = _e1775;
+                                let _e1859 = phi_2695_;
+                                let _e1861 = phi_2696_;
+                                let _e3728 = local_21;
+                                phi_2697_ = _e3728;
+                                phi_2698_ = _e1859;
+                                phi_2699_ = _e1861;
                             }
-                            let _e1777 = phi_1386_;
-                            let _e1779 = phi_1389_;
-                            let _e1781 = phi_2610_;
-                            let _e1783 = phi_2611_;
-                            let _e1785 = phi_2612_;
-                            local_20 = _e1783;
-                            local_21 = _e1785;
+                            let _e1863 = phi_2697_;
+                            let _e1865 = phi_2698_;
+                            let _e1867 = phi_2699_;
+                            if _e1863 {
+                                let _e1869 = local_9;
+                                if (_e1869 == 0u) {
+                                    phi_2707_ = false;
+                                } else {
+                                    phi_2707_ = true;
+                                }
+                                let _e1872 = phi_2707_;
+                                phi_2708_ = _e1872;
+                                phi_2709_ = false;
+                                phi_2710_ = false;
+                            } else {
+                                phi_2708_ = false;
+                                phi_2709_ = _e1865;
+                                phi_2710_ = _e1867;
+                            }
+                            let _e1874 = phi_2708_;
+                            let _e1876 = phi_2709_;
+                            let _e1878 = phi_2710_;
+                            local_10 = _e1876;
+                            local_22 = _e1878;
+                            local_23 = _e1876;
                             continue;
                             continuing {
-                                phi_1385_ = _e1777;
-                                phi_1388_ = _e1779;
-                                break if !(_e1781);
+                                let _e3569 = local_16;
+                                phi_1390_ = _e3569;
+                                let _e3572 = local_17;
+                                phi_1393_ = _e3572;
+                                break if !(_e1874);
                             }
                         }
-                        let _e1788 = local_8;
-                        if _e1788 {
-                            phi_2616_ = false;
-                            phi_2617_ = false;
+                        let _e1881 = local_10;
+                        if _e1881 {
+                            phi_2714_ = false;
                         } else {
-                            let _e3652 = local_20;
-                            phi_2616_ = _e3652;
-                            let _e3655 = local_21;
-                            phi_2617_ = _e3655;
+                            let _e3739 = local_22;
+                            phi_2714_ = _e3739;
                         }
-                        let _e1790 = phi_2616_;
-                        let _e1792 = phi_2617_;
-                        if _e1790 {
-                            phi_2621_ = false;
+                        let _e1883 = phi_2714_;
+                        if _e1883 {
+                            phi_2718_ = true;
                         } else {
-                            phi_2621_ = _e1792;
+                            let _e3742 = local_23;
+                            phi_2718_ = _e3742;
                         }
-                        let _e1794 = phi_2621_;
-                        if _e1794 {
-                            phi_2625_ = true;
+                        let _e1885 = phi_2718_;
+                        if _e1885 {
+                            phi_2722_ = true;
                         } else {
-                            phi_2625_ = _e1790;
+                            phi_2722_ = false;
                         }
-                        let _e1796 = phi_2625_;
-                        if _e1796 {
-                        }
-                        phi_2629_ = true;
-                        phi_2630_ = _e1796;
+                        let _e1887 = phi_2722_;
+                        phi_2723_ = _e1887;
                     }
-                    let _e1798 = phi_2629_;
-                    let _e1800 = phi_2630_;
-                    if _e1800 {
-                        phi_2634_ = _e1798;
-                    } else {
-                        phi_2634_ = false;
-                    }
-                    let _e1802 = phi_2634_;
-                    phi_4299_ = _e1802;
+                    let _e1889 = phi_2723_;
+                    phi_4388_ = _e1889;
                 } else {
-                    let _e1803 = abs(_e298);
-                    let _e1804 = abs(_e299);
-                    let _e1805 = abs(_e300);
-                    if (abs(_e278) < 1000000000000000f) {
-                        if (abs(_e280) < 1000000000000000f) {
-                            phi_2650_ = (abs(_e282) < 1000000000000000f);
-                            phi_2651_ = false;
+                    let _e1890 = abs(_e297);
+                    let _e1891 = abs(_e298);
+                    let _e1892 = abs(_e299);
+                    if (abs(_e277) < 1000000000000000f) {
+                        if (abs(_e279) < 1000000000000000f) {
+                            phi_2739_ = (abs(_e281) < 1000000000000000f);
+                            phi_2740_ = false;
                         } else {
-                            phi_2650_ = bool();
-                            phi_2651_ = true;
+                            phi_2739_ = bool();
+                            phi_2740_ = true;
                         }
-                        let _e1813 = phi_2650_;
-                        let _e1815 = phi_2651_;
-                        phi_2652_ = _e1813;
-                        phi_2653_ = _e1815;
+                        let _e1900 = phi_2739_;
+                        let _e1902 = phi_2740_;
+                        phi_2741_ = _e1900;
+                        phi_2742_ = _e1902;
                     } else {
-                        phi_2652_ = bool();
-                        phi_2653_ = true;
+                        phi_2741_ = bool();
+                        phi_2742_ = true;
                     }
-                    let _e1817 = phi_2652_;
-                    let _e1819 = phi_2653_;
-                    if _e1819 {
-                        phi_2657_ = false;
+                    let _e1904 = phi_2741_;
+                    let _e1906 = phi_2742_;
+                    if _e1906 {
+                        phi_2746_ = false;
                     } else {
-                        phi_2657_ = _e1817;
+                        phi_2746_ = _e1904;
                     }
-                    let _e1821 = phi_2657_;
-                    if _e1821 {
-                        if (_e1803 < 1000000000000000f) {
-                            if (_e1804 < 1000000000000000f) {
-                                phi_2670_ = (_e1805 < 1000000000000000f);
-                                phi_2671_ = false;
+                    let _e1908 = phi_2746_;
+                    if _e1908 {
+                        if (_e1890 < 1000000000000000f) {
+                            if (_e1891 < 1000000000000000f) {
+                                phi_2759_ = (_e1892 < 1000000000000000f);
+                                phi_2760_ = false;
                             } else {
-                                phi_2670_ = bool();
-                                phi_2671_ = true;
+                                phi_2759_ = bool();
+                                phi_2760_ = true;
                             }
-                            let _e1826 = phi_2670_;
-                            let _e1828 = phi_2671_;
-                            phi_2672_ = _e1826;
-                            phi_2673_ = _e1828;
+                            let _e1913 = phi_2759_;
+                            let _e1915 = phi_2760_;
+                            phi_2761_ = _e1913;
+                            phi_2762_ = _e1915;
                         } else {
-                            phi_2672_ = bool();
-                            phi_2673_ = true;
+                            phi_2761_ = bool();
+                            phi_2762_ = true;
                         }
-                        let _e1830 = phi_2672_;
-                        let _e1832 = phi_2673_;
-                        if _e1832 {
-                            phi_2677_ = false;
+                        let _e1917 = phi_2761_;
+                        let _e1919 = phi_2762_;
+                        if _e1919 {
+                            phi_2766_ = false;
                         } else {
-                            phi_2677_ = _e1830;
+                            phi_2766_ = _e1917;
                         }
-                        let _e1834 = phi_2677_;
-                        if _e1834 {
-                            if (_e1803 > 0f) {
-                                phi_2691_ = bool();
-                                phi_2692_ = true;
+                        let _e1921 = phi_2766_;
+                        if _e1921 {
+                            if (_e1890 > 0f) {
+                                phi_2780_ = bool();
+                                phi_2781_ = true;
                             } else {
-                                let _e1836 = (_e1804 > 0f);
-                                if _e1836 {
-                                    phi_2690_ = bool();
+                                let _e1923 = (_e1891 > 0f);
+                                if _e1923 {
+                                    phi_2779_ = bool();
                                 } else {
-                                    phi_2690_ = (_e1805 > 0f);
+                                    phi_2779_ = (_e1892 > 0f);
                                 }
-                                let _e1839 = phi_2690_;
-                                phi_2691_ = _e1839;
-                                phi_2692_ = _e1836;
+                                let _e1926 = phi_2779_;
+                                phi_2780_ = _e1926;
+                                phi_2781_ = _e1923;
                             }
-                            let _e1841 = phi_2691_;
-                            let _e1843 = phi_2692_;
-                            if _e1843 {
-                                phi_2696_ = true;
+                            let _e1928 = phi_2780_;
+                            let _e1930 = phi_2781_;
+                            if _e1930 {
+                                phi_2785_ = true;
                             } else {
-                                phi_2696_ = _e1841;
+                                phi_2785_ = _e1928;
                             }
-                            let _e1845 = phi_2696_;
-                            phi_2697_ = _e1845;
-                            phi_2698_ = false;
+                            let _e1932 = phi_2785_;
+                            phi_2786_ = _e1932;
+                            phi_2787_ = false;
                         } else {
-                            phi_2697_ = bool();
-                            phi_2698_ = true;
+                            phi_2786_ = bool();
+                            phi_2787_ = true;
                         }
-                        let _e1847 = phi_2697_;
-                        let _e1849 = phi_2698_;
-                        phi_2699_ = _e1847;
-                        phi_2700_ = _e1849;
+                        let _e1934 = phi_2786_;
+                        let _e1936 = phi_2787_;
+                        phi_2788_ = _e1934;
+                        phi_2789_ = _e1936;
                     } else {
-                        phi_2699_ = bool();
-                        phi_2700_ = true;
+                        phi_2788_ = bool();
+                        phi_2789_ = true;
                     }
-                    let _e1851 = phi_2699_;
-                    let _e1853 = phi_2700_;
-                    if _e1853 {
-                        phi_2704_ = false;
+                    let _e1938 = phi_2788_;
+                    let _e1940 = phi_2789_;
+                    if _e1940 {
+                        phi_2793_ = false;
                     } else {
-                        phi_2704_ = _e1851;
+                        phi_2793_ = _e1938;
                     }
-                    let _e1855 = phi_2704_;
-                    if _e1855 {
-                        let _e1856 = (0u >= _e92);
-                        if _e1856 {
-                            phi_4292_ = bool();
+                    let _e1942 = phi_2793_;
+                    if _e1942 {
+                        let _e1943 = (0u >= _e91);
+                        if _e1943 {
+                            phi_4381_ = bool();
                         } else {
-                            if (0u < _e92) {
+                            if (0u < _e91) {
                             } else {
                                 return;
                             }
-                            let _e1862 = nodes.member[(0u + 0u)].frame[0u];
-                            let _e1866 = nodes.member[(0u + 0u)].frame[1u];
-                            let _e1870 = nodes.member[(0u + 0u)].frame[2u];
-                            let _e1874 = nodes.member[(0u + 0u)].frame[0u];
-                            let _e1878 = nodes.member[(0u + 0u)].frame[1u];
-                            let _e1882 = nodes.member[(0u + 0u)].frame[2u];
-                            let _e1886 = nodes.member[(0u + 0u)].frame[3u];
-                            let _e1920 = core_intrinsics_maximum_number_nsz_f32_(abs(_e298), abs(_e299));
-                            let _e1921 = core_intrinsics_maximum_number_nsz_f32_(_e1920, abs(_e300));
-                            let _e1922 = (_e1921 * 0.0000000000009094947f);
-                            if (abs(_e298) < _e1922) {
-                                phi_2774_ = _e1922;
+                            let _e1949 = nodes.member[(0u + 0u)].frame[0u];
+                            let _e1953 = nodes.member[(0u + 0u)].frame[1u];
+                            let _e1957 = nodes.member[(0u + 0u)].frame[2u];
+                            let _e1961 = nodes.member[(0u + 0u)].frame[0u];
+                            let _e1965 = nodes.member[(0u + 0u)].frame[1u];
+                            let _e1969 = nodes.member[(0u + 0u)].frame[2u];
+                            let _e1973 = nodes.member[(0u + 0u)].frame[3u];
+                            let _e2007 = core_intrinsics_maximum_number_nsz_f32_(abs(_e297), abs(_e298));
+                            let _e2008 = core_intrinsics_maximum_number_nsz_f32_(_e2007, abs(_e299));
+                            let _e2009 = (_e2008 * 0.0000000000009094947f);
+                            if (abs(_e297) < _e2009) {
+                                phi_2863_ = _e2009;
                             } else {
-                                phi_2774_ = abs(_e298);
+                                phi_2863_ = abs(_e297);
                             }
-                            let _e1927 = phi_2774_;
+                            let _e2014 = phi_2863_;
+                            if (_e297 < 0f) {
+                                phi_2870_ = (-1f / _e2014);
+                            } else {
+                                phi_2870_ = (1f / _e2014);
+                            }
+                            let _e2019 = phi_2870_;
+                            if (abs(_e298) < _e2009) {
+                                phi_2877_ = _e2009;
+                            } else {
+                                phi_2877_ = abs(_e298);
+                            }
+                            let _e2024 = phi_2877_;
                             if (_e298 < 0f) {
-                                phi_2781_ = (-1f / _e1927);
+                                phi_2884_ = (-1f / _e2024);
                             } else {
-                                phi_2781_ = (1f / _e1927);
+                                phi_2884_ = (1f / _e2024);
                             }
-                            let _e1932 = phi_2781_;
-                            if (abs(_e299) < _e1922) {
-                                phi_2788_ = _e1922;
+                            let _e2029 = phi_2884_;
+                            if (abs(_e299) < _e2009) {
+                                phi_2891_ = _e2009;
                             } else {
-                                phi_2788_ = abs(_e299);
+                                phi_2891_ = abs(_e299);
                             }
-                            let _e1937 = phi_2788_;
+                            let _e2034 = phi_2891_;
                             if (_e299 < 0f) {
-                                phi_2795_ = (-1f / _e1937);
+                                phi_2898_ = (-1f / _e2034);
                             } else {
-                                phi_2795_ = (1f / _e1937);
+                                phi_2898_ = (1f / _e2034);
                             }
-                            let _e1942 = phi_2795_;
-                            if (abs(_e300) < _e1922) {
-                                phi_2802_ = _e1922;
+                            let _e2039 = phi_2898_;
+                            let _e2043 = abs((bitcast<f32>(_e1949) - _e277));
+                            let _e2044 = abs((bitcast<f32>(_e1953) - _e279));
+                            let _e2045 = abs((bitcast<f32>(_e1957) - _e281));
+                            let _e2049 = abs(((bitcast<f32>(_e1961) + (bitcast<f32>((((_e1973 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e277));
+                            let _e2050 = abs(((bitcast<f32>(_e1965) + (bitcast<f32>((((_e1973 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e279));
+                            let _e2051 = abs(((bitcast<f32>(_e1969) + (bitcast<f32>((((_e1973 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e281));
+                            if (_e2043 > _e2049) {
+                                phi_2915_ = _e2043;
                             } else {
-                                phi_2802_ = abs(_e300);
+                                phi_2915_ = _e2049;
                             }
-                            let _e1947 = phi_2802_;
-                            if (_e300 < 0f) {
-                                phi_2809_ = (-1f / _e1947);
+                            let _e2054 = phi_2915_;
+                            if (_e2044 > _e2050) {
+                                phi_2920_ = _e2044;
                             } else {
-                                phi_2809_ = (1f / _e1947);
+                                phi_2920_ = _e2050;
                             }
-                            let _e1952 = phi_2809_;
-                            let _e1956 = abs((bitcast<f32>(_e1862) - _e278));
-                            let _e1957 = abs((bitcast<f32>(_e1866) - _e280));
-                            let _e1958 = abs((bitcast<f32>(_e1870) - _e282));
-                            let _e1962 = abs(((bitcast<f32>(_e1874) + (bitcast<f32>((((_e1886 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e278));
-                            let _e1963 = abs(((bitcast<f32>(_e1878) + (bitcast<f32>((((_e1886 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e280));
-                            let _e1964 = abs(((bitcast<f32>(_e1882) + (bitcast<f32>((((_e1886 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e282));
-                            if (_e1956 > _e1962) {
-                                phi_2826_ = _e1956;
+                            let _e2057 = phi_2920_;
+                            if (_e2045 > _e2051) {
+                                phi_2925_ = _e2045;
                             } else {
-                                phi_2826_ = _e1962;
+                                phi_2925_ = _e2051;
                             }
-                            let _e1967 = phi_2826_;
-                            if (_e1957 > _e1963) {
-                                phi_2831_ = _e1957;
+                            let _e2060 = phi_2925_;
+                            if (_e2054 > _e2057) {
+                                phi_2930_ = _e2054;
                             } else {
-                                phi_2831_ = _e1963;
+                                phi_2930_ = _e2057;
                             }
-                            let _e1970 = phi_2831_;
-                            if (_e1958 > _e1964) {
-                                phi_2836_ = _e1958;
+                            let _e2063 = phi_2930_;
+                            if (_e2063 > _e2060) {
+                                phi_2935_ = _e2063;
                             } else {
-                                phi_2836_ = _e1964;
+                                phi_2935_ = _e2060;
                             }
-                            let _e1973 = phi_2836_;
-                            if (_e1967 > _e1970) {
-                                phi_2841_ = _e1967;
-                            } else {
-                                phi_2841_ = _e1970;
-                            }
-                            let _e1976 = phi_2841_;
-                            if (_e1976 > _e1973) {
-                                phi_2846_ = _e1976;
-                            } else {
-                                phi_2846_ = _e1973;
-                            }
-                            let _e1979 = phi_2846_;
-                            let _e1983 = (_e1979 * 0.0000019073486f);
-                            let _e1984 = (abs(_e1932) * _e1983);
-                            let _e1985 = (abs(_e1942) * _e1983);
-                            let _e1986 = (abs(_e1952) * _e1983);
-                            let _e1990 = (_e1979 * 0.0000009536743f);
-                            let _e1991 = (abs(_e1932) * _e1990);
-                            let _e1992 = (abs(_e1942) * _e1990);
-                            let _e1993 = (abs(_e1952) * _e1990);
-                            let _e1994 = abs(_e298);
-                            let _e1995 = abs(_e299);
-                            let _e1996 = abs(_e300);
-                            if (_e1994 >= _e1995) {
-                                if (_e1994 >= _e1996) {
-                                    phi_2872_ = false;
+                            let _e2066 = phi_2935_;
+                            let _e2070 = (_e2066 * 0.0000019073486f);
+                            let _e2071 = (abs(_e2019) * _e2070);
+                            let _e2072 = (abs(_e2029) * _e2070);
+                            let _e2073 = (abs(_e2039) * _e2070);
+                            let _e2077 = (_e2066 * 0.0000009536743f);
+                            let _e2078 = (abs(_e2019) * _e2077);
+                            let _e2079 = (abs(_e2029) * _e2077);
+                            let _e2080 = (abs(_e2039) * _e2077);
+                            let _e2081 = abs(_e297);
+                            let _e2082 = abs(_e298);
+                            let _e2083 = abs(_e299);
+                            if (_e2081 >= _e2082) {
+                                if (_e2081 >= _e2083) {
+                                    phi_2961_ = false;
                                 } else {
-                                    phi_2872_ = true;
+                                    phi_2961_ = true;
                                 }
-                                let _e2000 = phi_2872_;
-                                phi_2873_ = _e2000;
+                                let _e2087 = phi_2961_;
+                                phi_2962_ = _e2087;
                             } else {
-                                phi_2873_ = true;
+                                phi_2962_ = true;
                             }
-                            let _e2002 = phi_2873_;
-                            if _e2002 {
-                                if (_e1995 >= _e1996) {
-                                    phi_2881_ = 1u;
+                            let _e2089 = phi_2962_;
+                            if _e2089 {
+                                if (_e2082 >= _e2083) {
+                                    phi_2970_ = 1u;
                                 } else {
-                                    phi_2881_ = 2u;
+                                    phi_2970_ = 2u;
                                 }
-                                let _e2005 = phi_2881_;
-                                phi_2882_ = _e2005;
+                                let _e2092 = phi_2970_;
+                                phi_2971_ = _e2092;
                             } else {
-                                phi_2882_ = 0u;
+                                phi_2971_ = 0u;
                             }
-                            let _e2007 = phi_2882_;
-                            if (_e2007 == 0u) {
-                                phi_2894_ = vec3<f32>(_e299, _e300, _e298);
+                            let _e2094 = phi_2971_;
+                            if (_e2094 == 0u) {
+                                phi_2983_ = vec3<f32>(_e298, _e299, _e297);
                             } else {
-                                if (_e2007 == 1u) {
-                                    phi_2893_ = vec3<f32>(_e300, _e298, _e299);
+                                if (_e2094 == 1u) {
+                                    phi_2982_ = vec3<f32>(_e299, _e297, _e298);
                                 } else {
-                                    phi_2893_ = _e301;
+                                    phi_2982_ = _e300;
                                 }
-                                let _e2013 = phi_2893_;
-                                phi_2894_ = _e2013;
+                                let _e2100 = phi_2982_;
+                                phi_2983_ = _e2100;
                             }
-                            let _e2015 = phi_2894_;
-                            let _e2018 = (_e2015.x / _e2015.z);
-                            let _e2021 = (_e2015.y / _e2015.z);
-                            if (_e1932 < 0f) {
-                                phi_2907_ = 0u;
+                            let _e2102 = phi_2983_;
+                            let _e2105 = (_e2102.x / _e2102.z);
+                            let _e2108 = (_e2102.y / _e2102.z);
+                            if (_e2019 < 0f) {
+                                phi_2996_ = 0u;
                             } else {
-                                phi_2907_ = 1u;
+                                phi_2996_ = 1u;
                             }
-                            let _e2026 = phi_2907_;
-                            if (_e1942 < 0f) {
-                                phi_2912_ = 0u;
+                            let _e2113 = phi_2996_;
+                            if (_e2029 < 0f) {
+                                phi_3001_ = 0u;
                             } else {
-                                phi_2912_ = 2u;
+                                phi_3001_ = 2u;
                             }
-                            let _e2029 = phi_2912_;
-                            if (_e1952 < 0f) {
-                                phi_2917_ = 0u;
+                            let _e2116 = phi_3001_;
+                            if (_e2039 < 0f) {
+                                phi_3006_ = 0u;
                             } else {
-                                phi_2917_ = 4u;
+                                phi_3006_ = 4u;
                             }
-                            let _e2032 = phi_2917_;
-                            let _e2034 = ((_e2026 | _e2029) | _e2032);
-                            let _e2035 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                            local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e2035.first[0], _e2035.first[1], _e2035.first[2], _e2035.first[3], _e2035.first[4], _e2035.first[5], _e2035.first[6], _e2035.first[7], _e2035.first[8], _e2035.first[9], _e2035.first[10], _e2035.first[11], _e2035.first[12], _e2035.first[13], _e2035.first[14], _e2035.first[15], _e2035.first[16], _e2035.first[17], _e2035.first[18], _e2035.first[19], _e2035.first[20], _e2035.first[21], _e2035.first[22], _e2035.first[23], _e2035.first[24], _e2035.first[25], _e2035.first[26], _e2035.first[27], _e2035.first[28], _e2035.first[29], _e2035.first[30], _e2035.first[31]), array<u32, 32>(_e2035.mask[0], _e2035.mask[1], _e2035.mask[2], _e2035.mask[3], _e2035.mask[4], _e2035.mask[5], _e2035.mask[6], _e2035.mask[7], _e2035.mask[8], _e2035.mask[9], _e2035.mask[10], _e2035.mask[11], _e2035.mask[12], _e2035.mask[13], _e2035.mask[14], _e2035.mask[15], _e2035.mask[16], _e2035.mask[17], _e2035.mask[18], _e2035.mask[19], _e2035.mask[20], _e2035.mask[21], _e2035.mask[22], _e2035.mask[23], _e2035.mask[24], _e2035.mask[25], _e2035.mask[26], _e2035.mask[27], _e2035.mask[28], _e2035.mask[29], _e2035.mask[30], _e2035.mask[31]), _e2035.len, _e2035.group, _e2035.group_mask);
-                            let _e2109 = local_1.group_mask;
-                            if ((_e2109 & 4278190080u) == 0u) {
-                                let _e2113 = local_1.len;
-                                if (_e2113 == 0u) {
-                                    phi_3031_ = false;
+                            let _e2119 = phi_3006_;
+                            let _e2121 = ((_e2113 | _e2116) | _e2119);
+                            let _e2122 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                            local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e2122.first[0], _e2122.first[1], _e2122.first[2], _e2122.first[3], _e2122.first[4], _e2122.first[5], _e2122.first[6], _e2122.first[7], _e2122.first[8], _e2122.first[9], _e2122.first[10], _e2122.first[11], _e2122.first[12], _e2122.first[13], _e2122.first[14], _e2122.first[15], _e2122.first[16], _e2122.first[17], _e2122.first[18], _e2122.first[19], _e2122.first[20], _e2122.first[21], _e2122.first[22], _e2122.first[23], _e2122.first[24], _e2122.first[25], _e2122.first[26], _e2122.first[27], _e2122.first[28], _e2122.first[29], _e2122.first[30], _e2122.first[31]), array<u32, 32>(_e2122.mask[0], _e2122.mask[1], _e2122.mask[2], _e2122.mask[3], _e2122.mask[4], _e2122.mask[5], _e2122.mask[6], _e2122.mask[7], _e2122.mask[8], _e2122.mask[9], _e2122.mask[10], _e2122.mask[11], _e2122.mask[12], _e2122.mask[13], _e2122.mask[14], _e2122.mask[15], _e2122.mask[16], _e2122.mask[17], _e2122.mask[18], _e2122.mask[19], _e2122.mask[20], _e2122.mask[21], _e2122.mask[22], _e2122.mask[23], _e2122.mask[24], _e2122.mask[25], _e2122.mask[26], _e2122.mask[27], _e2122.mask[28], _e2122.mask[29], _e2122.mask[30], _e2122.mask[31]), _e2122.len, _e2122.group, _e2122.group_mask);
+                            let _e2196 = local_1.group_mask;
+                            if ((_e2196 & 4278190080u) == 0u) {
+                                let _e2200 = local_1.len;
+                                if (_e2200 == 0u) {
+                                    phi_3120_ = false;
                                 } else {
-                                    let _e2117 = local_1.len;
-                                    local_1.len = (_e2117 - 1u);
-                                    let _e2120 = local_1.len;
-                                    if (_e2120 < 32u) {
+                                    let _e2204 = local_1.len;
+                                    local_1.len = (_e2204 - 1u);
+                                    let _e2207 = local_1.len;
+                                    if (_e2207 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2125 = local_1.first[(0u + _e2120)];
-                                    local_1.group = _e2125;
-                                    let _e2128 = local_1.len;
-                                    if (_e2128 < 32u) {
+                                    let _e2212 = local_1.first[(0u + _e2207)];
+                                    local_1.group = _e2212;
+                                    let _e2215 = local_1.len;
+                                    if (_e2215 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2133 = local_1.mask[(0u + _e2128)];
-                                    local_1.group_mask = _e2133;
-                                    phi_3031_ = true;
+                                    let _e2220 = local_1.mask[(0u + _e2215)];
+                                    local_1.group_mask = _e2220;
+                                    phi_3120_ = true;
                                 }
-                                let _e2136 = phi_3031_;
-                                phi_3032_ = _e2136;
+                                let _e2223 = phi_3120_;
+                                phi_3121_ = _e2223;
                             } else {
-                                phi_3032_ = true;
+                                phi_3121_ = true;
                             }
-                            let _e2138 = phi_3032_;
-                            if _e2138 {
-                                let _e2140 = local_1.group_mask;
-                                let _e2146 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2140)), 32u, (_e2140 == 0u)));
-                                let _e2150 = local_1.group_mask;
-                                let _e2164 = local_1.group_mask;
-                                local_1.group_mask = (_e2164 & ~((1u << bitcast<u32>((_e2146 & 31u)))));
-                                let _e2167 = local_1.group;
-                                phi_3063_ = (_e2167 + countOneBits(((_e2150 & ~((4294967295u << bitcast<u32>((((_e2146 - 24u) ^ 7u) & 31u))))) & 255u)));
+                            let _e2225 = phi_3121_;
+                            if _e2225 {
+                                let _e2227 = local_1.group_mask;
+                                let _e2233 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2227)), 32u, (_e2227 == 0u)));
+                                let _e2237 = local_1.group_mask;
+                                let _e2251 = local_1.group_mask;
+                                local_1.group_mask = (_e2251 & ~((1u << bitcast<u32>((_e2233 & 31u)))));
+                                let _e2254 = local_1.group;
+                                phi_3152_ = (_e2254 + countOneBits(((_e2237 & ~((4294967295u << bitcast<u32>((((_e2233 - 24u) ^ 7u) & 31u))))) & 255u)));
                             } else {
-                                phi_3063_ = 4294967295u;
+                                phi_3152_ = 4294967295u;
                             }
-                            let _e2170 = phi_3063_;
-                            phi_3065_ = _e2170;
-                            phi_3068_ = false;
+                            let _e2257 = phi_3152_;
+                            phi_3154_ = _e2257;
+                            phi_3157_ = false;
                             loop {
-                                let _e2172 = phi_3065_;
-                                let _e2174 = phi_3068_;
-                                local_26 = _e2174;
-                                if (_e2172 != 4294967295u) {
-                                    if (_e2172 < _e92) {
+                                let _e2259 = phi_3154_;
+                                let _e2261 = phi_3157_;
+                                local_28 = _e2261;
+                                if (_e2259 != 4294967295u) {
+                                    if (_e2259 < _e91) {
                                     } else {
                                         return;
                                     }
-                                    let _e2181 = nodes.member[(0u + _e2172)].frame[3u];
-                                    let _e2206 = (bitcast<f32>((((_e2181 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1932);
-                                    let _e2207 = (bitcast<f32>((((_e2181 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1942);
-                                    let _e2208 = (bitcast<f32>((((_e2181 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1952);
-                                    let _e2211 = nodes.member[(0u + _e2172)].frame[0u];
-                                    let _e2215 = nodes.member[(0u + _e2172)].frame[1u];
-                                    let _e2219 = nodes.member[(0u + _e2172)].frame[2u];
-                                    let _e2224 = ((bitcast<f32>(_e2211) - _e278) * _e1932);
-                                    let _e2225 = ((bitcast<f32>(_e2215) - _e280) * _e1942);
-                                    let _e2226 = ((bitcast<f32>(_e2219) - _e282) * _e1952);
-                                    let _e2234 = nodes.member[(0u + _e2172)].x;
-                                    if (_e1932 < 0f) {
-                                        let _e2245 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2234.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2251 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2245.unnamed.word, _e2234.w), _e2245.unnamed_1);
-                                        let _e2257 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2251.unnamed, lt_mask_LightPlace(_e2234.x, _e2251.unnamed_1.shift));
-                                        phi_3148_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2257.unnamed, lt_mask_LightPlace(_e2257.unnamed_1.word, _e2234.y));
+                                    let _e2268 = nodes.member[(0u + _e2259)].frame[3u];
+                                    let _e2293 = (bitcast<f32>((((_e2268 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e2019);
+                                    let _e2294 = (bitcast<f32>((((_e2268 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e2029);
+                                    let _e2295 = (bitcast<f32>((((_e2268 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e2039);
+                                    let _e2298 = nodes.member[(0u + _e2259)].frame[0u];
+                                    let _e2302 = nodes.member[(0u + _e2259)].frame[1u];
+                                    let _e2306 = nodes.member[(0u + _e2259)].frame[2u];
+                                    let _e2311 = ((bitcast<f32>(_e2298) - _e277) * _e2019);
+                                    let _e2312 = ((bitcast<f32>(_e2302) - _e279) * _e2029);
+                                    let _e2313 = ((bitcast<f32>(_e2306) - _e281) * _e2039);
+                                    let _e2321 = nodes.member[(0u + _e2259)].x;
+                                    if (_e2019 < 0f) {
+                                        let _e2332 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2321.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2338 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2332.unnamed.word, _e2321.w), _e2332.unnamed_1);
+                                        let _e2344 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2338.unnamed, lt_mask_LightPlace(_e2321.x, _e2338.unnamed_1.shift));
+                                        phi_3237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2344.unnamed, lt_mask_LightPlace(_e2344.unnamed_1.word, _e2321.y));
                                     } else {
-                                        let _e2273 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2234.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2279 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2273.unnamed.word, _e2234.y), _e2273.unnamed_1);
-                                        let _e2285 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2279.unnamed, lt_mask_LightPlace(_e2234.z, _e2279.unnamed_1.shift));
-                                        phi_3148_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2285.unnamed, lt_mask_LightPlace(_e2285.unnamed_1.word, _e2234.w));
+                                        let _e2360 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2321.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2366 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2360.unnamed.word, _e2321.y), _e2360.unnamed_1);
+                                        let _e2372 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2366.unnamed, lt_mask_LightPlace(_e2321.z, _e2366.unnamed_1.shift));
+                                        phi_3237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2372.unnamed, lt_mask_LightPlace(_e2372.unnamed_1.word, _e2321.w));
                                     }
-                                    let _e2293 = phi_3148_;
-                                    let _e2303 = nodes.member[(0u + _e2172)].y;
-                                    if (_e1942 < 0f) {
-                                        let _e2314 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2303.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2320 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2314.unnamed.word, _e2303.w), _e2314.unnamed_1);
-                                        let _e2326 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2320.unnamed, lt_mask_LightPlace(_e2303.x, _e2320.unnamed_1.shift));
-                                        phi_3175_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2326.unnamed, lt_mask_LightPlace(_e2326.unnamed_1.word, _e2303.y));
+                                    let _e2380 = phi_3237_;
+                                    let _e2390 = nodes.member[(0u + _e2259)].y;
+                                    if (_e2029 < 0f) {
+                                        let _e2401 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2390.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2407 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2401.unnamed.word, _e2390.w), _e2401.unnamed_1);
+                                        let _e2413 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2407.unnamed, lt_mask_LightPlace(_e2390.x, _e2407.unnamed_1.shift));
+                                        phi_3264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2413.unnamed, lt_mask_LightPlace(_e2413.unnamed_1.word, _e2390.y));
                                     } else {
-                                        let _e2342 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2303.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2348 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2342.unnamed.word, _e2303.y), _e2342.unnamed_1);
-                                        let _e2354 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2348.unnamed, lt_mask_LightPlace(_e2303.z, _e2348.unnamed_1.shift));
-                                        phi_3175_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2354.unnamed, lt_mask_LightPlace(_e2354.unnamed_1.word, _e2303.w));
+                                        let _e2429 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2390.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2435 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2429.unnamed.word, _e2390.y), _e2429.unnamed_1);
+                                        let _e2441 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2435.unnamed, lt_mask_LightPlace(_e2390.z, _e2435.unnamed_1.shift));
+                                        phi_3264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2441.unnamed, lt_mask_LightPlace(_e2441.unnamed_1.word, _e2390.w));
                                     }
-                                    let _e2362 = phi_3175_;
-                                    let _e2372 = nodes.member[(0u + _e2172)].z;
-                                    if (_e1952 < 0f) {
-                                        let _e2383 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2372.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2389 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2383.unnamed.word, _e2372.w), _e2383.unnamed_1);
-                                        let _e2395 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2389.unnamed, lt_mask_LightPlace(_e2372.x, _e2389.unnamed_1.shift));
-                                        phi_3202_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2395.unnamed, lt_mask_LightPlace(_e2395.unnamed_1.word, _e2372.y));
+                                    let _e2449 = phi_3264_;
+                                    let _e2459 = nodes.member[(0u + _e2259)].z;
+                                    if (_e2039 < 0f) {
+                                        let _e2470 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2459.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2476 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2470.unnamed.word, _e2459.w), _e2470.unnamed_1);
+                                        let _e2482 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2476.unnamed, lt_mask_LightPlace(_e2459.x, _e2476.unnamed_1.shift));
+                                        phi_3291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2482.unnamed, lt_mask_LightPlace(_e2482.unnamed_1.word, _e2459.y));
                                     } else {
-                                        let _e2411 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2372.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2417 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2411.unnamed.word, _e2372.y), _e2411.unnamed_1);
-                                        let _e2423 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2417.unnamed, lt_mask_LightPlace(_e2372.z, _e2417.unnamed_1.shift));
-                                        phi_3202_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2423.unnamed, lt_mask_LightPlace(_e2423.unnamed_1.word, _e2372.w));
+                                        let _e2498 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2459.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2504 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2498.unnamed.word, _e2459.y), _e2498.unnamed_1);
+                                        let _e2510 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2504.unnamed, lt_mask_LightPlace(_e2459.z, _e2504.unnamed_1.shift));
+                                        phi_3291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2510.unnamed, lt_mask_LightPlace(_e2510.unnamed_1.word, _e2459.w));
                                     }
-                                    let _e2431 = phi_3202_;
-                                    phi_3208_ = 0u;
-                                    phi_3211_ = 0u;
+                                    let _e2518 = phi_3291_;
+                                    phi_3297_ = 0u;
+                                    phi_3300_ = 0u;
                                     loop {
-                                        let _e2441 = phi_3208_;
-                                        let _e2443 = phi_3211_;
-                                        local_9 = _e2443;
-                                        local_10 = _e2443;
-                                        local_11 = _e2443;
-                                        let _e2444 = (_e2441 < 8u);
-                                        if _e2444 {
-                                            let _e2446 = (_e2441 >> bitcast<u32>(2i));
-                                            let _e2447 = (_e2441 & 3u);
-                                            if (_e2446 == 0u) {
-                                                phi_3225_ = _e2293.unnamed.word;
+                                        let _e2528 = phi_3297_;
+                                        let _e2530 = phi_3300_;
+                                        local_11 = _e2530;
+                                        local_12 = _e2530;
+                                        local_13 = _e2530;
+                                        let _e2531 = (_e2528 < 8u);
+                                        if _e2531 {
+                                            let _e2533 = (_e2528 >> bitcast<u32>(2i));
+                                            let _e2534 = (_e2528 & 3u);
+                                            if (_e2533 == 0u) {
+                                                phi_3314_ = _e2380.unnamed.word;
                                             } else {
-                                                phi_3225_ = _e2293.unnamed.shift;
+                                                phi_3314_ = _e2380.unnamed.shift;
                                             }
-                                            let _e2450 = phi_3225_;
-                                            if (_e2446 == 0u) {
-                                                phi_3235_ = _e2362.unnamed.word;
+                                            let _e2537 = phi_3314_;
+                                            if (_e2533 == 0u) {
+                                                phi_3324_ = _e2449.unnamed.word;
                                             } else {
-                                                phi_3235_ = _e2362.unnamed.shift;
+                                                phi_3324_ = _e2449.unnamed.shift;
                                             }
-                                            let _e2459 = phi_3235_;
-                                            if (_e2446 == 0u) {
-                                                phi_3245_ = _e2431.unnamed.word;
+                                            let _e2546 = phi_3324_;
+                                            if (_e2533 == 0u) {
+                                                phi_3334_ = _e2518.unnamed.word;
                                             } else {
-                                                phi_3245_ = _e2431.unnamed.shift;
+                                                phi_3334_ = _e2518.unnamed.shift;
                                             }
-                                            let _e2468 = phi_3245_;
-                                            let _e2481 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2450 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2206) + (_e2224 - _e1984)), ((f32(((_e2459 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2207) + (_e2225 - _e1985)));
-                                            let _e2482 = core_intrinsics_maximum_number_nsz_f32_(_e2481, ((f32(((_e2468 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2208) + (_e2226 - _e1986)));
-                                            if (_e2446 == 0u) {
-                                                phi_3263_ = _e2293.unnamed_1.word;
+                                            let _e2555 = phi_3334_;
+                                            let _e2568 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2537 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2293) + (_e2311 - _e2071)), ((f32(((_e2546 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2294) + (_e2312 - _e2072)));
+                                            let _e2569 = core_intrinsics_maximum_number_nsz_f32_(_e2568, ((f32(((_e2555 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2295) + (_e2313 - _e2073)));
+                                            if (_e2533 == 0u) {
+                                                phi_3352_ = _e2380.unnamed_1.word;
                                             } else {
-                                                phi_3263_ = _e2293.unnamed_1.shift;
+                                                phi_3352_ = _e2380.unnamed_1.shift;
                                             }
-                                            let _e2485 = phi_3263_;
-                                            if (_e2446 == 0u) {
-                                                phi_3273_ = _e2362.unnamed_1.word;
+                                            let _e2572 = phi_3352_;
+                                            if (_e2533 == 0u) {
+                                                phi_3362_ = _e2449.unnamed_1.word;
                                             } else {
-                                                phi_3273_ = _e2362.unnamed_1.shift;
+                                                phi_3362_ = _e2449.unnamed_1.shift;
                                             }
-                                            let _e2494 = phi_3273_;
-                                            if (_e2446 == 0u) {
-                                                phi_3283_ = _e2431.unnamed_1.word;
+                                            let _e2581 = phi_3362_;
+                                            if (_e2533 == 0u) {
+                                                phi_3372_ = _e2518.unnamed_1.word;
                                             } else {
-                                                phi_3283_ = _e2431.unnamed_1.shift;
+                                                phi_3372_ = _e2518.unnamed_1.shift;
                                             }
-                                            let _e2503 = phi_3283_;
-                                            let _e2516 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2485 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2206) + (_e2224 + _e1984)), ((f32(((_e2494 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2207) + (_e2225 + _e1985)));
-                                            let _e2517 = core_intrinsics_minimum_number_nsz_f32_(_e2516, ((f32(((_e2503 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u)) * _e2208) + (_e2226 + _e1986)));
-                                            if (_e2482 <= _e2517) {
-                                                if (_e2482 <= _e290) {
-                                                    if (_e2517 >= 0f) {
-                                                        if (_e2446 == 0u) {
-                                                            let _e2524 = nodes.member[(0u + _e2172)].links[2u];
-                                                            phi_3319_ = _e2524;
+                                            let _e2590 = phi_3372_;
+                                            let _e2603 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2572 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2293) + (_e2311 + _e2071)), ((f32(((_e2581 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2294) + (_e2312 + _e2072)));
+                                            let _e2604 = core_intrinsics_minimum_number_nsz_f32_(_e2603, ((f32(((_e2590 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2295) + (_e2313 + _e2073)));
+                                            if (_e2569 <= _e2604) {
+                                                if (_e2569 <= _e289) {
+                                                    if (_e2604 >= 0f) {
+                                                        if (_e2533 == 0u) {
+                                                            let _e2611 = nodes.member[(0u + _e2259)].links[2u];
+                                                            phi_3408_ = _e2611;
                                                         } else {
-                                                            let _e2527 = nodes.member[(0u + _e2172)].links[3u];
-                                                            phi_3319_ = _e2527;
+                                                            let _e2614 = nodes.member[(0u + _e2259)].links[3u];
+                                                            phi_3408_ = _e2614;
                                                         }
-                                                        let _e2529 = phi_3319_;
-                                                        let _e2534 = ((_e2529 >> bitcast<u32>(((_e2447 * 8u) & 31u))) & 255u);
-                                                        let _e2535 = (_e2534 & 31u);
-                                                        if (_e2535 >= 24u) {
-                                                            phi_3332_ = (24u + ((_e2535 - 24u) ^ _e2034));
+                                                        let _e2616 = phi_3408_;
+                                                        let _e2621 = ((_e2616 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u);
+                                                        let _e2622 = (_e2621 & 31u);
+                                                        if (_e2622 >= 24u) {
+                                                            phi_3421_ = (24u + ((_e2622 - 24u) ^ _e2121));
                                                         } else {
-                                                            phi_3332_ = _e2535;
+                                                            phi_3421_ = _e2622;
                                                         }
-                                                        let _e2541 = phi_3332_;
-                                                        phi_3337_ = (_e2443 | ((_e2534 >> bitcast<u32>(5i)) << bitcast<u32>((_e2541 & 31u))));
+                                                        let _e2628 = phi_3421_;
+                                                        phi_3426_ = (_e2530 | ((_e2621 >> bitcast<u32>(5i)) << bitcast<u32>((_e2628 & 31u))));
                                                     } else {
-                                                        phi_3337_ = _e2443;
+                                                        phi_3426_ = _e2530;
                                                     }
-                                                    let _e2549 = phi_3337_;
-                                                    phi_3338_ = _e2549;
+                                                    let _e2636 = phi_3426_;
+                                                    phi_3427_ = _e2636;
                                                 } else {
-                                                    phi_3338_ = _e2443;
+                                                    phi_3427_ = _e2530;
                                                 }
-                                                let _e2551 = phi_3338_;
-                                                phi_3339_ = _e2551;
+                                                let _e2638 = phi_3427_;
+                                                phi_3428_ = _e2638;
                                             } else {
-                                                phi_3339_ = _e2443;
+                                                phi_3428_ = _e2530;
                                             }
-                                            let _e2553 = phi_3339_;
-                                            phi_3209_ = (_e2441 + 1u);
-                                            phi_3212_ = _e2553;
+                                            let _e2640 = phi_3428_;
+                                            phi_3298_ = (_e2528 + 1u);
+                                            phi_3301_ = _e2640;
                                         } else {
-                                            phi_3209_ = u32();
-                                            phi_3212_ = u32();
+                                            phi_3298_ = u32();
+                                            phi_3301_ = u32();
                                         }
-                                        let _e2556 = phi_3209_;
-                                        let _e2558 = phi_3212_;
+                                        let _e2643 = phi_3298_;
+                                        let _e2645 = phi_3301_;
                                         continue;
                                         continuing {
-                                            phi_3208_ = _e2556;
-                                            phi_3211_ = _e2558;
-                                            break if !(_e2444);
+                                            phi_3297_ = _e2643;
+                                            phi_3300_ = _e2645;
+                                            break if !(_e2531);
                                         }
                                     }
-                                    let _e2562 = nodes.member[(0u + _e2172)].links[0u];
-                                    let _e2566 = nodes.member[(0u + _e2172)].frame[3u];
-                                    let _e2570 = local_9;
-                                    if ((_e2570 & 4278190080u) == 0u) {
+                                    let _e2649 = nodes.member[(0u + _e2259)].links[0u];
+                                    let _e2653 = nodes.member[(0u + _e2259)].frame[3u];
+                                    let _e2657 = local_11;
+                                    if ((_e2657 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2574 = local_1.group_mask;
-                                        if ((_e2574 & 4278190080u) == 0u) {
+                                        let _e2661 = local_1.group_mask;
+                                        if ((_e2661 & 4278190080u) == 0u) {
                                         } else {
-                                            let _e2578 = local_1.len;
-                                            if (_e2578 < 32u) {
-                                                let _e2581 = local_1.group;
-                                                let _e2583 = local_1.len;
-                                                if (_e2583 < 32u) {
+                                            let _e2665 = local_1.len;
+                                            if (_e2665 < 32u) {
+                                                let _e2668 = local_1.group;
+                                                let _e2670 = local_1.len;
+                                                if (_e2670 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                local_1.first[(0u + _e2583)] = _e2581;
-                                                let _e2589 = local_1.group_mask;
-                                                let _e2591 = local_1.len;
-                                                if (_e2591 < 32u) {
+                                                local_1.first[(0u + _e2670)] = _e2668;
+                                                let _e2676 = local_1.group_mask;
+                                                let _e2678 = local_1.len;
+                                                if (_e2678 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                local_1.mask[(0u + _e2591)] = _e2589;
-                                                let _e2598 = local_1.len;
-                                                local_1.len = (_e2598 + 1u);
+                                                local_1.mask[(0u + _e2678)] = _e2676;
+                                                let _e2685 = local_1.len;
+                                                local_1.len = (_e2685 + 1u);
                                             }
                                         }
-                                        local_1.group = (0u + _e2562);
-                                        let _e2602 = local_10;
-                                        local_1.group_mask = ((_e2602 & 4278190080u) | (_e2566 >> bitcast<u32>(24i)));
+                                        local_1.group = (0u + _e2649);
+                                        let _e2689 = local_12;
+                                        local_1.group_mask = ((_e2689 & 4278190080u) | (_e2653 >> bitcast<u32>(24i)));
                                     }
-                                    let _e2607 = local_11;
-                                    phi_3397_ = (_e2607 & 16777215u);
-                                    phi_3400_ = _e2174;
+                                    let _e2694 = local_13;
+                                    phi_3486_ = (_e2694 & 16777215u);
+                                    phi_3489_ = _e2261;
                                     loop {
-                                        let _e2610 = phi_3397_;
-                                        let _e2612 = phi_3400_;
-                                        local_22 = _e2612;
-                                        let _e2613 = (_e2610 == 0u);
-                                        local_12 = _e2613;
-                                        local_24 = _e2613;
-                                        if _e2613 {
-                                            phi_3398_ = u32();
-                                            phi_3401_ = bool();
-                                            phi_4204_ = bool();
-                                            phi_4205_ = false;
+                                        let _e2697 = phi_3486_;
+                                        let _e2699 = phi_3489_;
+                                        local_24 = _e2699;
+                                        let _e2700 = (_e2697 == 0u);
+                                        local_14 = _e2700;
+                                        local_26 = _e2700;
+                                        if _e2700 {
+                                            phi_3487_ = u32();
+                                            phi_3490_ = bool();
+                                            phi_4293_ = bool();
+                                            phi_4294_ = false;
                                         } else {
-                                            let _e2616 = nodes.member[(0u + _e2172)].links[1u];
-                                            let _e2621 = ((0u + _e2616) + select(firstTrailingBit(_e2610), 32u, (_e2610 == 0u)));
-                                            if (_e2621 < _e95) {
+                                            let _e2703 = nodes.member[(0u + _e2259)].links[1u];
+                                            let _e2708 = ((0u + _e2703) + select(firstTrailingBit(_e2697), 32u, (_e2697 == 0u)));
+                                            if (_e2708 < _e94) {
                                             } else {
                                                 return;
                                             }
-                                            let _e2628 = triangles.member[(0u + _e2621)].v0_;
-                                            let _e2630 = (_e2628.x - _e278);
-                                            let _e2632 = (_e2628.y - _e280);
-                                            let _e2634 = (_e2628.z - _e282);
-                                            if (_e2007 == 0u) {
-                                                phi_3445_ = vec3<f32>(_e2632, _e2634, _e2630);
+                                            let _e2715 = triangles.member[(0u + _e2708)].v0_;
+                                            let _e2717 = (_e2715.x - _e277);
+                                            let _e2719 = (_e2715.y - _e279);
+                                            let _e2721 = (_e2715.z - _e281);
+                                            if (_e2094 == 0u) {
+                                                phi_3534_ = vec3<f32>(_e2719, _e2721, _e2717);
                                             } else {
-                                                if (_e2007 == 1u) {
-                                                    phi_3444_ = vec3<f32>(_e2634, _e2630, _e2632);
+                                                if (_e2094 == 1u) {
+                                                    phi_3533_ = vec3<f32>(_e2721, _e2717, _e2719);
                                                 } else {
-                                                    phi_3444_ = (_e2628 - vec3<f32>(_e278, _e280, _e282));
+                                                    phi_3533_ = (_e2715 - vec3<f32>(_e277, _e279, _e281));
                                                 }
-                                                let _e2642 = phi_3444_;
-                                                phi_3445_ = _e2642;
+                                                let _e2729 = phi_3533_;
+                                                phi_3534_ = _e2729;
                                             }
-                                            let _e2644 = phi_3445_;
-                                            let _e2648 = (_e2644.x - (_e2018 * _e2644.z));
-                                            let _e2652 = (_e2644.y - (_e2021 * _e2644.z));
-                                            let _e2654 = triangles.member[(0u + _e2621)].v1_;
-                                            let _e2656 = (_e2654.x - _e278);
-                                            let _e2658 = (_e2654.y - _e280);
-                                            let _e2660 = (_e2654.z - _e282);
-                                            if (_e2007 == 0u) {
-                                                phi_3475_ = vec3<f32>(_e2658, _e2660, _e2656);
+                                            let _e2731 = phi_3534_;
+                                            let _e2735 = (_e2731.x - (_e2105 * _e2731.z));
+                                            let _e2739 = (_e2731.y - (_e2108 * _e2731.z));
+                                            let _e2741 = triangles.member[(0u + _e2708)].v1_;
+                                            let _e2743 = (_e2741.x - _e277);
+                                            let _e2745 = (_e2741.y - _e279);
+                                            let _e2747 = (_e2741.z - _e281);
+                                            if (_e2094 == 0u) {
+                                                phi_3564_ = vec3<f32>(_e2745, _e2747, _e2743);
                                             } else {
-                                                if (_e2007 == 1u) {
-                                                    phi_3474_ = vec3<f32>(_e2660, _e2656, _e2658);
+                                                if (_e2094 == 1u) {
+                                                    phi_3563_ = vec3<f32>(_e2747, _e2743, _e2745);
                                                 } else {
-                                                    phi_3474_ = (_e2654 - vec3<f32>(_e278, _e280, _e282));
+                                                    phi_3563_ = (_e2741 - vec3<f32>(_e277, _e279, _e281));
                                                 }
-                                                let _e2668 = phi_3474_;
-                                                phi_3475_ = _e2668;
+                                                let _e2755 = phi_3563_;
+                                                phi_3564_ = _e2755;
                                             }
-                                            let _e2670 = phi_3475_;
-                                            let _e2674 = (_e2670.x - (_e2018 * _e2670.z));
-                                            let _e2678 = (_e2670.y - (_e2021 * _e2670.z));
-                                            let _e2680 = triangles.member[(0u + _e2621)].v2_;
-                                            let _e2682 = (_e2680.x - _e278);
-                                            let _e2684 = (_e2680.y - _e280);
-                                            let _e2686 = (_e2680.z - _e282);
-                                            if (_e2007 == 0u) {
-                                                phi_3505_ = vec3<f32>(_e2684, _e2686, _e2682);
+                                            let _e2757 = phi_3564_;
+                                            let _e2761 = (_e2757.x - (_e2105 * _e2757.z));
+                                            let _e2765 = (_e2757.y - (_e2108 * _e2757.z));
+                                            let _e2767 = triangles.member[(0u + _e2708)].v2_;
+                                            let _e2769 = (_e2767.x - _e277);
+                                            let _e2771 = (_e2767.y - _e279);
+                                            let _e2773 = (_e2767.z - _e281);
+                                            if (_e2094 == 0u) {
+                                                phi_3594_ = vec3<f32>(_e2771, _e2773, _e2769);
                                             } else {
-                                                if (_e2007 == 1u) {
-                                                    phi_3504_ = vec3<f32>(_e2686, _e2682, _e2684);
+                                                if (_e2094 == 1u) {
+                                                    phi_3593_ = vec3<f32>(_e2773, _e2769, _e2771);
                                                 } else {
-                                                    phi_3504_ = (_e2680 - vec3<f32>(_e278, _e280, _e282));
+                                                    phi_3593_ = (_e2767 - vec3<f32>(_e277, _e279, _e281));
                                                 }
-                                                let _e2694 = phi_3504_;
-                                                phi_3505_ = _e2694;
+                                                let _e2781 = phi_3593_;
+                                                phi_3594_ = _e2781;
                                             }
-                                            let _e2696 = phi_3505_;
-                                            let _e2700 = (_e2696.x - (_e2018 * _e2696.z));
-                                            let _e2704 = (_e2696.y - (_e2021 * _e2696.z));
-                                            if (_e2674 < _e2700) {
-                                                phi_3524_ = true;
+                                            let _e2783 = phi_3594_;
+                                            let _e2787 = (_e2783.x - (_e2105 * _e2783.z));
+                                            let _e2791 = (_e2783.y - (_e2108 * _e2783.z));
+                                            if (_e2761 < _e2787) {
+                                                phi_3613_ = true;
                                             } else {
-                                                if (_e2674 == _e2700) {
-                                                    phi_3523_ = (_e2678 < _e2704);
+                                                if (_e2761 == _e2787) {
+                                                    phi_3612_ = (_e2765 < _e2791);
                                                 } else {
-                                                    phi_3523_ = false;
+                                                    phi_3612_ = false;
                                                 }
-                                                let _e2709 = phi_3523_;
-                                                phi_3524_ = _e2709;
+                                                let _e2796 = phi_3612_;
+                                                phi_3613_ = _e2796;
                                             }
-                                            let _e2711 = phi_3524_;
-                                            if _e2711 {
-                                                phi_3528_ = _e2704;
-                                                phi_3529_ = _e2700;
-                                                phi_3530_ = _e2678;
-                                                phi_3531_ = _e2674;
+                                            let _e2798 = phi_3613_;
+                                            if _e2798 {
+                                                phi_3617_ = _e2791;
+                                                phi_3618_ = _e2787;
+                                                phi_3619_ = _e2765;
+                                                phi_3620_ = _e2761;
                                             } else {
-                                                phi_3528_ = _e2678;
-                                                phi_3529_ = _e2674;
-                                                phi_3530_ = _e2704;
-                                                phi_3531_ = _e2700;
+                                                phi_3617_ = _e2765;
+                                                phi_3618_ = _e2761;
+                                                phi_3619_ = _e2791;
+                                                phi_3620_ = _e2787;
                                             }
-                                            let _e2713 = phi_3528_;
-                                            let _e2715 = phi_3529_;
-                                            let _e2717 = phi_3530_;
-                                            let _e2719 = phi_3531_;
-                                            let _e2722 = ((_e2719 * _e2713) - (_e2717 * _e2715));
-                                            if _e2711 {
-                                                phi_3539_ = -(_e2722);
+                                            let _e2800 = phi_3617_;
+                                            let _e2802 = phi_3618_;
+                                            let _e2804 = phi_3619_;
+                                            let _e2806 = phi_3620_;
+                                            let _e2809 = ((_e2806 * _e2800) - (_e2804 * _e2802));
+                                            if _e2798 {
+                                                phi_3628_ = -(_e2809);
                                             } else {
-                                                phi_3539_ = _e2722;
+                                                phi_3628_ = _e2809;
                                             }
-                                            let _e2725 = phi_3539_;
-                                            if (_e2700 < _e2648) {
-                                                phi_3550_ = true;
+                                            let _e2812 = phi_3628_;
+                                            if (_e2787 < _e2735) {
+                                                phi_3639_ = true;
                                             } else {
-                                                if (_e2700 == _e2648) {
-                                                    phi_3549_ = (_e2704 < _e2652);
+                                                if (_e2787 == _e2735) {
+                                                    phi_3638_ = (_e2791 < _e2739);
                                                 } else {
-                                                    phi_3549_ = false;
-                                                }
-                                                let _e2730 = phi_3549_;
-                                                phi_3550_ = _e2730;
-                                            }
-                                            let _e2732 = phi_3550_;
-                                            if _e2732 {
-                                                phi_3554_ = _e2652;
-                                                phi_3555_ = _e2648;
-                                                phi_3556_ = _e2704;
-                                                phi_3557_ = _e2700;
-                                            } else {
-                                                phi_3554_ = _e2704;
-                                                phi_3555_ = _e2700;
-                                                phi_3556_ = _e2652;
-                                                phi_3557_ = _e2648;
-                                            }
-                                            let _e2734 = phi_3554_;
-                                            let _e2736 = phi_3555_;
-                                            let _e2738 = phi_3556_;
-                                            let _e2740 = phi_3557_;
-                                            let _e2743 = ((_e2740 * _e2734) - (_e2738 * _e2736));
-                                            if _e2732 {
-                                                phi_3565_ = -(_e2743);
-                                            } else {
-                                                phi_3565_ = _e2743;
-                                            }
-                                            let _e2746 = phi_3565_;
-                                            if (_e2648 < _e2674) {
-                                                phi_3576_ = true;
-                                            } else {
-                                                if (_e2648 == _e2674) {
-                                                    phi_3575_ = (_e2652 < _e2678);
-                                                } else {
-                                                    phi_3575_ = false;
-                                                }
-                                                let _e2751 = phi_3575_;
-                                                phi_3576_ = _e2751;
-                                            }
-                                            let _e2753 = phi_3576_;
-                                            if _e2753 {
-                                                phi_3580_ = _e2678;
-                                                phi_3581_ = _e2674;
-                                                phi_3582_ = _e2652;
-                                                phi_3583_ = _e2648;
-                                            } else {
-                                                phi_3580_ = _e2652;
-                                                phi_3581_ = _e2648;
-                                                phi_3582_ = _e2678;
-                                                phi_3583_ = _e2674;
-                                            }
-                                            let _e2755 = phi_3580_;
-                                            let _e2757 = phi_3581_;
-                                            let _e2759 = phi_3582_;
-                                            let _e2761 = phi_3583_;
-                                            let _e2764 = ((_e2761 * _e2755) - (_e2759 * _e2757));
-                                            if _e2753 {
-                                                phi_3591_ = -(_e2764);
-                                            } else {
-                                                phi_3591_ = _e2764;
-                                            }
-                                            let _e2767 = phi_3591_;
-                                            if (_e2725 >= 0f) {
-                                                if (_e2746 >= 0f) {
-                                                    if (_e2767 >= 0f) {
-                                                        phi_3606_ = ((_e2725 + _e2746) + _e2767);
-                                                        phi_3607_ = false;
-                                                    } else {
-                                                        phi_3606_ = f32();
-                                                        phi_3607_ = true;
-                                                    }
-                                                    let _e2774 = phi_3606_;
-                                                    let _e2776 = phi_3607_;
-                                                    phi_3608_ = _e2774;
-                                                    phi_3609_ = _e2776;
-                                                } else {
-                                                    phi_3608_ = f32();
-                                                    phi_3609_ = true;
-                                                }
-                                                let _e2778 = phi_3608_;
-                                                let _e2780 = phi_3609_;
-                                                phi_3610_ = _e2778;
-                                                phi_3611_ = _e2780;
-                                            } else {
-                                                phi_3610_ = f32();
-                                                phi_3611_ = true;
-                                            }
-                                            let _e2782 = phi_3610_;
-                                            let _e2784 = phi_3611_;
-                                            if _e2784 {
-                                                if (_e2725 <= 0f) {
-                                                    if (_e2746 <= 0f) {
-                                                        let _e2787 = (_e2767 <= 0f);
-                                                        if _e2787 {
-                                                        }
-                                                        phi_3629_ = ((_e2725 + _e2746) + _e2767);
-                                                        phi_3630_ = false;
-                                                        phi_3631_ = _e2787;
-                                                    } else {
-                                                        phi_3629_ = f32();
-                                                        phi_3630_ = true;
-                                                        phi_3631_ = false;
-                                                    }
-                                                    let _e2791 = phi_3629_;
-                                                    let _e2793 = phi_3630_;
-                                                    let _e2795 = phi_3631_;
-                                                    phi_3632_ = _e2791;
-                                                    phi_3633_ = _e2793;
-                                                    phi_3634_ = _e2795;
-                                                } else {
-                                                    phi_3632_ = f32();
-                                                    phi_3633_ = true;
-                                                    phi_3634_ = false;
-                                                }
-                                                let _e2797 = phi_3632_;
-                                                let _e2799 = phi_3633_;
-                                                let _e2801 = phi_3634_;
-                                                if _e2799 {
                                                     phi_3638_ = false;
-                                                } else {
-                                                    phi_3638_ = _e2801;
                                                 }
-                                                let _e2803 = phi_3638_;
-                                                phi_3639_ = _e2797;
-                                                phi_3640_ = _e2803;
-                                            } else {
-                                                phi_3639_ = _e2782;
-                                                phi_3640_ = true;
+                                                let _e2817 = phi_3638_;
+                                                phi_3639_ = _e2817;
                                             }
-                                            let _e2805 = phi_3639_;
-                                            let _e2807 = phi_3640_;
-                                            if _e2807 {
-                                                let _e2808 = (_e2805 == 0f);
-                                                if _e2808 {
-                                                    phi_3956_ = lt_bvh_triangle_Intersection();
-                                                    phi_3957_ = false;
+                                            let _e2819 = phi_3639_;
+                                            if _e2819 {
+                                                phi_3643_ = _e2739;
+                                                phi_3644_ = _e2735;
+                                                phi_3645_ = _e2791;
+                                                phi_3646_ = _e2787;
+                                            } else {
+                                                phi_3643_ = _e2791;
+                                                phi_3644_ = _e2787;
+                                                phi_3645_ = _e2739;
+                                                phi_3646_ = _e2735;
+                                            }
+                                            let _e2821 = phi_3643_;
+                                            let _e2823 = phi_3644_;
+                                            let _e2825 = phi_3645_;
+                                            let _e2827 = phi_3646_;
+                                            let _e2830 = ((_e2827 * _e2821) - (_e2825 * _e2823));
+                                            if _e2819 {
+                                                phi_3654_ = -(_e2830);
+                                            } else {
+                                                phi_3654_ = _e2830;
+                                            }
+                                            let _e2833 = phi_3654_;
+                                            if (_e2735 < _e2761) {
+                                                phi_3665_ = true;
+                                            } else {
+                                                if (_e2735 == _e2761) {
+                                                    phi_3664_ = (_e2739 < _e2765);
                                                 } else {
-                                                    let _e2810 = triangles.member[(0u + _e2621)].v0_;
-                                                    let _e2812 = (_e2810.x - _e278);
-                                                    let _e2814 = (_e2810.y - _e280);
-                                                    let _e2816 = (_e2810.z - _e282);
-                                                    if (_e2007 == 0u) {
-                                                        phi_3669_ = vec3<f32>(_e2814, _e2816, _e2812);
-                                                    } else {
-                                                        if (_e2007 == 1u) {
-                                                            phi_3668_ = vec3<f32>(_e2816, _e2812, _e2814);
-                                                        } else {
-                                                            phi_3668_ = (_e2810 - vec3<f32>(_e278, _e280, _e282));
-                                                        }
-                                                        let _e2824 = phi_3668_;
-                                                        phi_3669_ = _e2824;
-                                                    }
-                                                    let _e2826 = phi_3669_;
-                                                    let _e2828 = triangles.member[(0u + _e2621)].v1_;
-                                                    let _e2830 = triangles.member[(0u + _e2621)].v0_;
-                                                    let _e2833 = (_e2828.x - _e2830.x);
-                                                    let _e2836 = (_e2828.y - _e2830.y);
-                                                    let _e2839 = (_e2828.z - _e2830.z);
-                                                    if (_e2007 == 0u) {
-                                                        phi_3695_ = vec3<f32>(_e2836, _e2839, _e2833);
-                                                    } else {
-                                                        if (_e2007 == 1u) {
-                                                            phi_3694_ = vec3<f32>(_e2839, _e2833, _e2836);
-                                                        } else {
-                                                            phi_3694_ = (_e2828 - _e2830);
-                                                        }
-                                                        let _e2846 = phi_3694_;
-                                                        phi_3695_ = _e2846;
-                                                    }
-                                                    let _e2848 = phi_3695_;
-                                                    let _e2850 = triangles.member[(0u + _e2621)].v2_;
-                                                    let _e2852 = triangles.member[(0u + _e2621)].v0_;
-                                                    let _e2855 = (_e2850.x - _e2852.x);
-                                                    let _e2858 = (_e2850.y - _e2852.y);
-                                                    let _e2861 = (_e2850.z - _e2852.z);
-                                                    if (_e2007 == 0u) {
-                                                        phi_3721_ = vec3<f32>(_e2858, _e2861, _e2855);
-                                                    } else {
-                                                        if (_e2007 == 1u) {
-                                                            phi_3720_ = vec3<f32>(_e2861, _e2855, _e2858);
-                                                        } else {
-                                                            phi_3720_ = (_e2850 - _e2852);
-                                                        }
-                                                        let _e2868 = phi_3720_;
-                                                        phi_3721_ = _e2868;
-                                                    }
-                                                    let _e2870 = phi_3721_;
-                                                    let _e2877 = ((_e2848.y * _e2870.z) - (_e2848.z * _e2870.y));
-                                                    let _e2884 = ((_e2848.z * _e2870.x) - (_e2848.x * _e2870.z));
-                                                    let _e2891 = ((_e2848.x * _e2870.y) - (_e2848.y * _e2870.x));
-                                                    let _e2905 = (((1f / _e2015.z) * (((_e2877 * _e2826.x) + (_e2884 * _e2826.y)) + (_e2891 * _e2826.z))) / (((_e2877 * _e2018) + (_e2884 * _e2021)) + _e2891));
-                                                    if (_e2905 > 0f) {
-                                                        if (_e2905 < _e290) {
-                                                            let _e2909 = triangles.member[(0u + _e2621)].v0_;
-                                                            let _e2911 = triangles.member[(0u + _e2621)].v1_;
-                                                            if (_e2909.x < _e2911.x) {
-                                                                phi_3777_ = _e2909.x;
-                                                            } else {
-                                                                phi_3777_ = _e2911.x;
-                                                            }
-                                                            let _e2918 = phi_3777_;
-                                                            if (_e2909.y < _e2911.y) {
-                                                                phi_3786_ = _e2909.y;
-                                                            } else {
-                                                                phi_3786_ = _e2911.y;
-                                                            }
-                                                            let _e2925 = phi_3786_;
-                                                            if (_e2909.z < _e2911.z) {
-                                                                phi_3795_ = _e2909.z;
-                                                            } else {
-                                                                phi_3795_ = _e2911.z;
-                                                            }
-                                                            let _e2932 = phi_3795_;
-                                                            let _e2934 = triangles.member[(0u + _e2621)].v2_;
-                                                            if (_e2918 < _e2934.x) {
-                                                                phi_3804_ = _e2918;
-                                                            } else {
-                                                                phi_3804_ = _e2934.x;
-                                                            }
-                                                            let _e2939 = phi_3804_;
-                                                            if (_e2925 < _e2934.y) {
-                                                                phi_3811_ = _e2925;
-                                                            } else {
-                                                                phi_3811_ = _e2934.y;
-                                                            }
-                                                            let _e2944 = phi_3811_;
-                                                            if (_e2932 < _e2934.z) {
-                                                                phi_3818_ = _e2932;
-                                                            } else {
-                                                                phi_3818_ = _e2934.z;
-                                                            }
-                                                            let _e2949 = phi_3818_;
-                                                            let _e2951 = triangles.member[(0u + _e2621)].v0_;
-                                                            let _e2953 = triangles.member[(0u + _e2621)].v1_;
-                                                            if (_e2951.x > _e2953.x) {
-                                                                phi_3831_ = _e2951.x;
-                                                            } else {
-                                                                phi_3831_ = _e2953.x;
-                                                            }
-                                                            let _e2960 = phi_3831_;
-                                                            if (_e2951.y > _e2953.y) {
-                                                                phi_3840_ = _e2951.y;
-                                                            } else {
-                                                                phi_3840_ = _e2953.y;
-                                                            }
-                                                            let _e2967 = phi_3840_;
-                                                            if (_e2951.z > _e2953.z) {
-                                                                phi_3849_ = _e2951.z;
-                                                            } else {
-                                                                phi_3849_ = _e2953.z;
-                                                            }
-                                                            let _e2974 = phi_3849_;
-                                                            let _e2976 = triangles.member[(0u + _e2621)].v2_;
-                                                            if (_e2960 > _e2976.x) {
-                                                                phi_3858_ = _e2960;
-                                                            } else {
-                                                                phi_3858_ = _e2976.x;
-                                                            }
-                                                            let _e2981 = phi_3858_;
-                                                            if (_e2967 > _e2976.y) {
-                                                                phi_3865_ = _e2967;
-                                                            } else {
-                                                                phi_3865_ = _e2976.y;
-                                                            }
-                                                            let _e2986 = phi_3865_;
-                                                            if (_e2974 > _e2976.z) {
-                                                                phi_3872_ = _e2974;
-                                                            } else {
-                                                                phi_3872_ = _e2976.z;
-                                                            }
-                                                            let _e2991 = phi_3872_;
-                                                            let _e2995 = ((_e2939 - _e278) * _e1932);
-                                                            let _e2996 = ((_e2944 - _e280) * _e1942);
-                                                            let _e2997 = ((_e2949 - _e282) * _e1952);
-                                                            let _e3001 = ((_e2981 - _e278) * _e1932);
-                                                            let _e3002 = ((_e2986 - _e280) * _e1942);
-                                                            let _e3003 = ((_e2991 - _e282) * _e1952);
-                                                            if (_e2995 < _e3001) {
-                                                                phi_3889_ = _e2995;
-                                                            } else {
-                                                                phi_3889_ = _e3001;
-                                                            }
-                                                            let _e3006 = phi_3889_;
-                                                            if (_e2996 < _e3002) {
-                                                                phi_3894_ = _e2996;
-                                                            } else {
-                                                                phi_3894_ = _e3002;
-                                                            }
-                                                            let _e3009 = phi_3894_;
-                                                            if (_e2997 < _e3003) {
-                                                                phi_3899_ = _e2997;
-                                                            } else {
-                                                                phi_3899_ = _e3003;
-                                                            }
-                                                            let _e3012 = phi_3899_;
-                                                            if (_e2995 > _e3001) {
-                                                                phi_3907_ = _e2995;
-                                                            } else {
-                                                                phi_3907_ = _e3001;
-                                                            }
-                                                            let _e3018 = phi_3907_;
-                                                            if (_e2996 > _e3002) {
-                                                                phi_3912_ = _e2996;
-                                                            } else {
-                                                                phi_3912_ = _e3002;
-                                                            }
-                                                            let _e3021 = phi_3912_;
-                                                            if (_e2997 > _e3003) {
-                                                                phi_3917_ = _e2997;
-                                                            } else {
-                                                                phi_3917_ = _e3003;
-                                                            }
-                                                            let _e3024 = phi_3917_;
-                                                            let _e3028 = core_intrinsics_maximum_number_nsz_f32_((_e3006 - _e1991), (_e3009 - _e1992));
-                                                            let _e3029 = core_intrinsics_maximum_number_nsz_f32_(_e3028, (_e3012 - _e1993));
-                                                            let _e3030 = core_intrinsics_minimum_number_nsz_f32_((_e3018 + _e1991), (_e3021 + _e1992));
-                                                            let _e3031 = core_intrinsics_minimum_number_nsz_f32_(_e3030, (_e3024 + _e1993));
-                                                            if (_e3029 > -300000000000000000000000000000000000000f) {
-                                                                phi_3929_ = _e3029;
-                                                            } else {
-                                                                phi_3929_ = -300000000000000000000000000000000000000f;
-                                                            }
-                                                            let _e3034 = phi_3929_;
-                                                            if (_e3031 < 300000000000000000000000000000000000000f) {
-                                                                phi_3934_ = _e3031;
-                                                            } else {
-                                                                phi_3934_ = 300000000000000000000000000000000000000f;
-                                                            }
-                                                            let _e3037 = phi_3934_;
-                                                            if (_e2905 < _e3034) {
-                                                                phi_3939_ = _e3034;
-                                                            } else {
-                                                                phi_3939_ = _e2905;
-                                                            }
-                                                            let _e3040 = phi_3939_;
-                                                            if (_e3040 > _e3037) {
-                                                                phi_3944_ = _e3037;
-                                                            } else {
-                                                                phi_3944_ = _e3040;
-                                                            }
-                                                            let _e3043 = phi_3944_;
-                                                            phi_3949_ = lt_bvh_triangle_Intersection(_e3043, (_e2746 / _e2805), (_e2767 / _e2805), (_e3034 <= _e3037));
-                                                            phi_3950_ = false;
-                                                        } else {
-                                                            phi_3949_ = lt_bvh_triangle_Intersection();
-                                                            phi_3950_ = true;
-                                                        }
-                                                        let _e3049 = phi_3949_;
-                                                        let _e3051 = phi_3950_;
-                                                        phi_3951_ = _e3049;
-                                                        phi_3952_ = _e3051;
-                                                    } else {
-                                                        phi_3951_ = lt_bvh_triangle_Intersection();
-                                                        phi_3952_ = true;
-                                                    }
-                                                    let _e3053 = phi_3951_;
-                                                    let _e3055 = phi_3952_;
-                                                    if _e3055 {
-                                                    }
-                                                    phi_3956_ = _e3053;
-                                                    phi_3957_ = _e3055;
+                                                    phi_3664_ = false;
                                                 }
-                                                let _e3057 = phi_3956_;
-                                                let _e3059 = phi_3957_;
-                                                phi_3958_ = _e3057;
-                                                phi_3959_ = _e2808;
-                                                phi_3960_ = _e3059;
-                                            } else {
-                                                phi_3958_ = lt_bvh_triangle_Intersection();
-                                                phi_3959_ = true;
-                                                phi_3960_ = false;
+                                                let _e2838 = phi_3664_;
+                                                phi_3665_ = _e2838;
                                             }
-                                            let _e3061 = phi_3958_;
-                                            let _e3063 = phi_3959_;
-                                            let _e3065 = phi_3960_;
-                                            if _e3063 {
-                                                phi_3964_ = true;
+                                            let _e2840 = phi_3665_;
+                                            if _e2840 {
+                                                phi_3669_ = _e2765;
+                                                phi_3670_ = _e2761;
+                                                phi_3671_ = _e2739;
+                                                phi_3672_ = _e2735;
                                             } else {
-                                                phi_3964_ = _e3065;
+                                                phi_3669_ = _e2739;
+                                                phi_3670_ = _e2735;
+                                                phi_3671_ = _e2765;
+                                                phi_3672_ = _e2761;
                                             }
-                                            let _e3067 = phi_3964_;
-                                            if _e3067 {
-                                                phi_3968_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                            let _e2842 = phi_3669_;
+                                            let _e2844 = phi_3670_;
+                                            let _e2846 = phi_3671_;
+                                            let _e2848 = phi_3672_;
+                                            let _e2851 = ((_e2848 * _e2842) - (_e2846 * _e2844));
+                                            if _e2840 {
+                                                phi_3680_ = -(_e2851);
                                             } else {
-                                                phi_3968_ = _e3061;
+                                                phi_3680_ = _e2851;
                                             }
-                                            let _e3069 = phi_3968_;
-                                            if _e3069.is_hit {
-                                                if (_e3069.t > 0f) {
-                                                    if (_e3069.t < _e290) {
-                                                        let _e3076 = triangles.member[(0u + _e2621)].i0_;
-                                                        if ((_e3076 & 2147483648u) == 0u) {
-                                                            phi_4187_ = true;
+                                            let _e2854 = phi_3680_;
+                                            if (_e2812 >= 0f) {
+                                                if (_e2833 >= 0f) {
+                                                    if (_e2854 >= 0f) {
+                                                        phi_3695_ = ((_e2812 + _e2833) + _e2854);
+                                                        phi_3696_ = false;
+                                                    } else {
+                                                        phi_3695_ = f32();
+                                                        phi_3696_ = true;
+                                                    }
+                                                    let _e2861 = phi_3695_;
+                                                    let _e2863 = phi_3696_;
+                                                    phi_3697_ = _e2861;
+                                                    phi_3698_ = _e2863;
+                                                } else {
+                                                    phi_3697_ = f32();
+                                                    phi_3698_ = true;
+                                                }
+                                                let _e2865 = phi_3697_;
+                                                let _e2867 = phi_3698_;
+                                                phi_3699_ = _e2865;
+                                                phi_3700_ = _e2867;
+                                            } else {
+                                                phi_3699_ = f32();
+                                                phi_3700_ = true;
+                                            }
+                                            let _e2869 = phi_3699_;
+                                            let _e2871 = phi_3700_;
+                                            if _e2871 {
+                                                if (_e2812 <= 0f) {
+                                                    if (_e2833 <= 0f) {
+                                                        let _e2874 = (_e2854 <= 0f);
+                                                        if _e2874 {
+                                                        }
+                                                        phi_3718_ = ((_e2812 + _e2833) + _e2854);
+                                                        phi_3719_ = false;
+                                                        phi_3720_ = _e2874;
+                                                    } else {
+                                                        phi_3718_ = f32();
+                                                        phi_3719_ = true;
+                                                        phi_3720_ = false;
+                                                    }
+                                                    let _e2878 = phi_3718_;
+                                                    let _e2880 = phi_3719_;
+                                                    let _e2882 = phi_3720_;
+                                                    phi_3721_ = _e2878;
+                                                    phi_3722_ = _e2880;
+                                                    phi_3723_ = _e2882;
+                                                } else {
+                                                    phi_3721_ = f32();
+                                                    phi_3722_ = true;
+                                                    phi_3723_ = false;
+                                                }
+                                                let _e2884 = phi_3721_;
+                                                let _e2886 = phi_3722_;
+                                                let _e2888 = phi_3723_;
+                                                if _e2886 {
+                                                    phi_3727_ = false;
+                                                } else {
+                                                    phi_3727_ = _e2888;
+                                                }
+                                                let _e2890 = phi_3727_;
+                                                phi_3728_ = _e2884;
+                                                phi_3729_ = _e2890;
+                                            } else {
+                                                phi_3728_ = _e2869;
+                                                phi_3729_ = true;
+                                            }
+                                            let _e2892 = phi_3728_;
+                                            let _e2894 = phi_3729_;
+                                            if _e2894 {
+                                                let _e2895 = (_e2892 == 0f);
+                                                if _e2895 {
+                                                    phi_4045_ = lt_bvh_triangle_Intersection();
+                                                    phi_4046_ = false;
+                                                } else {
+                                                    let _e2897 = triangles.member[(0u + _e2708)].v0_;
+                                                    let _e2899 = (_e2897.x - _e277);
+                                                    let _e2901 = (_e2897.y - _e279);
+                                                    let _e2903 = (_e2897.z - _e281);
+                                                    if (_e2094 == 0u) {
+                                                        phi_3758_ = vec3<f32>(_e2901, _e2903, _e2899);
+                                                    } else {
+                                                        if (_e2094 == 1u) {
+                                                            phi_3757_ = vec3<f32>(_e2903, _e2899, _e2901);
                                                         } else {
-                                                            if (_e2621 < _e95) {
+                                                            phi_3757_ = (_e2897 - vec3<f32>(_e277, _e279, _e281));
+                                                        }
+                                                        let _e2911 = phi_3757_;
+                                                        phi_3758_ = _e2911;
+                                                    }
+                                                    let _e2913 = phi_3758_;
+                                                    let _e2915 = triangles.member[(0u + _e2708)].v1_;
+                                                    let _e2917 = triangles.member[(0u + _e2708)].v0_;
+                                                    let _e2920 = (_e2915.x - _e2917.x);
+                                                    let _e2923 = (_e2915.y - _e2917.y);
+                                                    let _e2926 = (_e2915.z - _e2917.z);
+                                                    if (_e2094 == 0u) {
+                                                        phi_3784_ = vec3<f32>(_e2923, _e2926, _e2920);
+                                                    } else {
+                                                        if (_e2094 == 1u) {
+                                                            phi_3783_ = vec3<f32>(_e2926, _e2920, _e2923);
+                                                        } else {
+                                                            phi_3783_ = (_e2915 - _e2917);
+                                                        }
+                                                        let _e2933 = phi_3783_;
+                                                        phi_3784_ = _e2933;
+                                                    }
+                                                    let _e2935 = phi_3784_;
+                                                    let _e2937 = triangles.member[(0u + _e2708)].v2_;
+                                                    let _e2939 = triangles.member[(0u + _e2708)].v0_;
+                                                    let _e2942 = (_e2937.x - _e2939.x);
+                                                    let _e2945 = (_e2937.y - _e2939.y);
+                                                    let _e2948 = (_e2937.z - _e2939.z);
+                                                    if (_e2094 == 0u) {
+                                                        phi_3810_ = vec3<f32>(_e2945, _e2948, _e2942);
+                                                    } else {
+                                                        if (_e2094 == 1u) {
+                                                            phi_3809_ = vec3<f32>(_e2948, _e2942, _e2945);
+                                                        } else {
+                                                            phi_3809_ = (_e2937 - _e2939);
+                                                        }
+                                                        let _e2955 = phi_3809_;
+                                                        phi_3810_ = _e2955;
+                                                    }
+                                                    let _e2957 = phi_3810_;
+                                                    let _e2964 = ((_e2935.y * _e2957.z) - (_e2935.z * _e2957.y));
+                                                    let _e2971 = ((_e2935.z * _e2957.x) - (_e2935.x * _e2957.z));
+                                                    let _e2978 = ((_e2935.x * _e2957.y) - (_e2935.y * _e2957.x));
+                                                    let _e2992 = (((1f / _e2102.z) * (((_e2964 * _e2913.x) + (_e2971 * _e2913.y)) + (_e2978 * _e2913.z))) / (((_e2964 * _e2105) + (_e2971 * _e2108)) + _e2978));
+                                                    if (_e2992 > 0f) {
+                                                        if (_e2992 < _e289) {
+                                                            let _e2996 = triangles.member[(0u + _e2708)].v0_;
+                                                            let _e2998 = triangles.member[(0u + _e2708)].v1_;
+                                                            if (_e2996.x < _e2998.x) {
+                                                                phi_3866_ = _e2996.x;
+                                                            } else {
+                                                                phi_3866_ = _e2998.x;
+                                                            }
+                                                            let _e3005 = phi_3866_;
+                                                            if (_e2996.y < _e2998.y) {
+                                                                phi_3875_ = _e2996.y;
+                                                            } else {
+                                                                phi_3875_ = _e2998.y;
+                                                            }
+                                                            let _e3012 = phi_3875_;
+                                                            if (_e2996.z < _e2998.z) {
+                                                                phi_3884_ = _e2996.z;
+                                                            } else {
+                                                                phi_3884_ = _e2998.z;
+                                                            }
+                                                            let _e3019 = phi_3884_;
+                                                            let _e3021 = triangles.member[(0u + _e2708)].v2_;
+                                                            if (_e3005 < _e3021.x) {
+                                                                phi_3893_ = _e3005;
+                                                            } else {
+                                                                phi_3893_ = _e3021.x;
+                                                            }
+                                                            let _e3026 = phi_3893_;
+                                                            if (_e3012 < _e3021.y) {
+                                                                phi_3900_ = _e3012;
+                                                            } else {
+                                                                phi_3900_ = _e3021.y;
+                                                            }
+                                                            let _e3031 = phi_3900_;
+                                                            if (_e3019 < _e3021.z) {
+                                                                phi_3907_ = _e3019;
+                                                            } else {
+                                                                phi_3907_ = _e3021.z;
+                                                            }
+                                                            let _e3036 = phi_3907_;
+                                                            let _e3038 = triangles.member[(0u + _e2708)].v0_;
+                                                            let _e3040 = triangles.member[(0u + _e2708)].v1_;
+                                                            if (_e3038.x > _e3040.x) {
+                                                                phi_3920_ = _e3038.x;
+                                                            } else {
+                                                                phi_3920_ = _e3040.x;
+                                                            }
+                                                            let _e3047 = phi_3920_;
+                                                            if (_e3038.y > _e3040.y) {
+                                                                phi_3929_ = _e3038.y;
+                                                            } else {
+                                                                phi_3929_ = _e3040.y;
+                                                            }
+                                                            let _e3054 = phi_3929_;
+                                                            if (_e3038.z > _e3040.z) {
+                                                                phi_3938_ = _e3038.z;
+                                                            } else {
+                                                                phi_3938_ = _e3040.z;
+                                                            }
+                                                            let _e3061 = phi_3938_;
+                                                            let _e3063 = triangles.member[(0u + _e2708)].v2_;
+                                                            if (_e3047 > _e3063.x) {
+                                                                phi_3947_ = _e3047;
+                                                            } else {
+                                                                phi_3947_ = _e3063.x;
+                                                            }
+                                                            let _e3068 = phi_3947_;
+                                                            if (_e3054 > _e3063.y) {
+                                                                phi_3954_ = _e3054;
+                                                            } else {
+                                                                phi_3954_ = _e3063.y;
+                                                            }
+                                                            let _e3073 = phi_3954_;
+                                                            if (_e3061 > _e3063.z) {
+                                                                phi_3961_ = _e3061;
+                                                            } else {
+                                                                phi_3961_ = _e3063.z;
+                                                            }
+                                                            let _e3078 = phi_3961_;
+                                                            let _e3082 = ((_e3026 - _e277) * _e2019);
+                                                            let _e3083 = ((_e3031 - _e279) * _e2029);
+                                                            let _e3084 = ((_e3036 - _e281) * _e2039);
+                                                            let _e3088 = ((_e3068 - _e277) * _e2019);
+                                                            let _e3089 = ((_e3073 - _e279) * _e2029);
+                                                            let _e3090 = ((_e3078 - _e281) * _e2039);
+                                                            if (_e3082 < _e3088) {
+                                                                phi_3978_ = _e3082;
+                                                            } else {
+                                                                phi_3978_ = _e3088;
+                                                            }
+                                                            let _e3093 = phi_3978_;
+                                                            if (_e3083 < _e3089) {
+                                                                phi_3983_ = _e3083;
+                                                            } else {
+                                                                phi_3983_ = _e3089;
+                                                            }
+                                                            let _e3096 = phi_3983_;
+                                                            if (_e3084 < _e3090) {
+                                                                phi_3988_ = _e3084;
+                                                            } else {
+                                                                phi_3988_ = _e3090;
+                                                            }
+                                                            let _e3099 = phi_3988_;
+                                                            if (_e3082 > _e3088) {
+                                                                phi_3996_ = _e3082;
+                                                            } else {
+                                                                phi_3996_ = _e3088;
+                                                            }
+                                                            let _e3105 = phi_3996_;
+                                                            if (_e3083 > _e3089) {
+                                                                phi_4001_ = _e3083;
+                                                            } else {
+                                                                phi_4001_ = _e3089;
+                                                            }
+                                                            let _e3108 = phi_4001_;
+                                                            if (_e3084 > _e3090) {
+                                                                phi_4006_ = _e3084;
+                                                            } else {
+                                                                phi_4006_ = _e3090;
+                                                            }
+                                                            let _e3111 = phi_4006_;
+                                                            let _e3115 = core_intrinsics_maximum_number_nsz_f32_((_e3093 - _e2078), (_e3096 - _e2079));
+                                                            let _e3116 = core_intrinsics_maximum_number_nsz_f32_(_e3115, (_e3099 - _e2080));
+                                                            let _e3117 = core_intrinsics_minimum_number_nsz_f32_((_e3105 + _e2078), (_e3108 + _e2079));
+                                                            let _e3118 = core_intrinsics_minimum_number_nsz_f32_(_e3117, (_e3111 + _e2080));
+                                                            if (_e3116 > -300000000000000000000000000000000000000f) {
+                                                                phi_4018_ = _e3116;
+                                                            } else {
+                                                                phi_4018_ = -300000000000000000000000000000000000000f;
+                                                            }
+                                                            let _e3121 = phi_4018_;
+                                                            if (_e3118 < 300000000000000000000000000000000000000f) {
+                                                                phi_4023_ = _e3118;
+                                                            } else {
+                                                                phi_4023_ = 300000000000000000000000000000000000000f;
+                                                            }
+                                                            let _e3124 = phi_4023_;
+                                                            if (_e2992 < _e3121) {
+                                                                phi_4028_ = _e3121;
+                                                            } else {
+                                                                phi_4028_ = _e2992;
+                                                            }
+                                                            let _e3127 = phi_4028_;
+                                                            if (_e3127 > _e3124) {
+                                                                phi_4033_ = _e3124;
+                                                            } else {
+                                                                phi_4033_ = _e3127;
+                                                            }
+                                                            let _e3130 = phi_4033_;
+                                                            phi_4038_ = lt_bvh_triangle_Intersection(_e3130, (_e2833 / _e2892), (_e2854 / _e2892), (_e3121 <= _e3124));
+                                                            phi_4039_ = false;
+                                                        } else {
+                                                            phi_4038_ = lt_bvh_triangle_Intersection();
+                                                            phi_4039_ = true;
+                                                        }
+                                                        let _e3136 = phi_4038_;
+                                                        let _e3138 = phi_4039_;
+                                                        phi_4040_ = _e3136;
+                                                        phi_4041_ = _e3138;
+                                                    } else {
+                                                        phi_4040_ = lt_bvh_triangle_Intersection();
+                                                        phi_4041_ = true;
+                                                    }
+                                                    let _e3140 = phi_4040_;
+                                                    let _e3142 = phi_4041_;
+                                                    if _e3142 {
+                                                    }
+                                                    phi_4045_ = _e3140;
+                                                    phi_4046_ = _e3142;
+                                                }
+                                                let _e3144 = phi_4045_;
+                                                let _e3146 = phi_4046_;
+                                                phi_4047_ = _e3144;
+                                                phi_4048_ = _e2895;
+                                                phi_4049_ = _e3146;
+                                            } else {
+                                                phi_4047_ = lt_bvh_triangle_Intersection();
+                                                phi_4048_ = true;
+                                                phi_4049_ = false;
+                                            }
+                                            let _e3148 = phi_4047_;
+                                            let _e3150 = phi_4048_;
+                                            let _e3152 = phi_4049_;
+                                            if _e3150 {
+                                                phi_4053_ = true;
+                                            } else {
+                                                phi_4053_ = _e3152;
+                                            }
+                                            let _e3154 = phi_4053_;
+                                            if _e3154 {
+                                                phi_4057_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                            } else {
+                                                phi_4057_ = _e3148;
+                                            }
+                                            let _e3156 = phi_4057_;
+                                            if _e3156.is_hit {
+                                                if (_e3156.t > 0f) {
+                                                    if (_e3156.t < _e289) {
+                                                        let _e3163 = triangles.member[(0u + _e2708)].i0_;
+                                                        if ((_e3163 & 2147483648u) == 0u) {
+                                                            phi_4276_ = true;
+                                                        } else {
+                                                            if (_e2708 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e3085 = triangles.member[(0u + _e2621)].i0_;
-                                                            let _e3086 = (_e3085 & 2147483647u);
-                                                            let _e3088 = triangles.member[(0u + _e2621)].i1_;
-                                                            let _e3090 = triangles.member[(0u + _e2621)].i2_;
-                                                            if (_e3086 < _e105) {
+                                                            let _e3172 = triangles.member[(0u + _e2708)].i0_;
+                                                            let _e3173 = (_e3172 & 2147483647u);
+                                                            let _e3175 = triangles.member[(0u + _e2708)].i1_;
+                                                            let _e3177 = triangles.member[(0u + _e2708)].i2_;
+                                                            if (_e3173 < _e104) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e3094 = vertices.member[(0u + _e3086)];
-                                                            if (_e3088 < _e105) {
+                                                            let _e3181 = vertices.member[(0u + _e3173)];
+                                                            if (_e3175 < _e104) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e3098 = vertices.member[(0u + _e3088)];
-                                                            if (_e3090 < _e105) {
+                                                            let _e3185 = vertices.member[(0u + _e3175)];
+                                                            if (_e3177 < _e104) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e3102 = vertices.member[(0u + _e3090)];
-                                                            let _e3103 = array<abi_Vertex, 3>(_e3094, _e3098, _e3102);
-                                                            if (_e3103[0].material < _e108) {
+                                                            let _e3189 = vertices.member[(0u + _e3177)];
+                                                            let _e3190 = array<abi_Vertex, 3>(_e3181, _e3185, _e3189);
+                                                            if (_e3190[0].material < _e107) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e3109 = materials.member[(0u + _e3103[0].material)];
-                                                            if ((_e3109.flags & 1u) == 1u) {
-                                                                let _e3114 = ((1f - _e3069.u) - _e3069.v);
-                                                                if (_e3109.cutoff <= 0f) {
-                                                                    phi_4185_ = true;
+                                                            let _e3196 = materials.member[(0u + _e3190[0].material)];
+                                                            if ((_e3196.flags & 1u) == 1u) {
+                                                                let _e3201 = ((1f - _e3156.u) - _e3156.v);
+                                                                if (_e3196.cutoff <= 0f) {
+                                                                    phi_4274_ = true;
                                                                 } else {
-                                                                    let _e3141 = (_e3109.base_color.w * ((((f32((_e3103[0].color >> bitcast<u32>(24i))) * _e3114) + (f32((_e3103[1].color >> bitcast<u32>(24i))) * _e3069.u)) + (f32((_e3103[2].color >> bitcast<u32>(24i))) * _e3069.v)) * (1f / 255f)));
-                                                                    if (_e3109.alpha_size == 0u) {
-                                                                        phi_4182_ = _e3141;
+                                                                    let _e3228 = (_e3196.base_color.w * ((((f32((_e3190[0].color >> bitcast<u32>(24i))) * _e3201) + (f32((_e3190[1].color >> bitcast<u32>(24i))) * _e3156.u)) + (f32((_e3190[2].color >> bitcast<u32>(24i))) * _e3156.v)) * (1f / 255f)));
+                                                                    if (_e3196.alpha_size == 0u) {
+                                                                        phi_4271_ = _e3228;
                                                                     } else {
-                                                                        local.offset = _e3109.alpha_offset;
-                                                                        local.size = _e3109.alpha_size;
-                                                                        local.flags = _e3109.flags;
-                                                                        let _e3172 = _lt_shaders_texture_TextureView_quad((&local), (((_e3103[0].u * _e3114) + (_e3103[1].u * _e3069.u)) + (_e3103[2].u * _e3069.v)), (((_e3103[0].v * _e3114) + (_e3103[1].v * _e3069.u)) + (_e3103[2].v * _e3069.v)));
-                                                                        let _e3176 = (_e3172.indices[0] >> bitcast<u32>(2i));
-                                                                        if (_e3176 < _e111) {
+                                                                        local.offset = _e3196.alpha_offset;
+                                                                        local.size = _e3196.alpha_size;
+                                                                        local.flags = _e3196.flags;
+                                                                        let _e3259 = _lt_shaders_texture_TextureView_quad((&local), (((_e3190[0].u * _e3201) + (_e3190[1].u * _e3156.u)) + (_e3190[2].u * _e3156.v)), (((_e3190[0].v * _e3201) + (_e3190[1].v * _e3156.u)) + (_e3190[2].v * _e3156.v)));
+                                                                        let _e3263 = (_e3259.indices[0] >> bitcast<u32>(2i));
+                                                                        if (_e3263 < _e110) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e3180 = alpha_texels.member[(0u + _e3176)];
-                                                                        let _e3196 = (_e3172.indices[1] >> bitcast<u32>(2i));
-                                                                        if (_e3196 < _e111) {
+                                                                        let _e3267 = alpha_texels.member[(0u + _e3263)];
+                                                                        let _e3283 = (_e3259.indices[1] >> bitcast<u32>(2i));
+                                                                        if (_e3283 < _e110) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e3200 = alpha_texels.member[(0u + _e3196)];
-                                                                        let _e3217 = (_e3172.indices[2] >> bitcast<u32>(2i));
-                                                                        if (_e3217 < _e111) {
+                                                                        let _e3287 = alpha_texels.member[(0u + _e3283)];
+                                                                        let _e3304 = (_e3259.indices[2] >> bitcast<u32>(2i));
+                                                                        if (_e3304 < _e110) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e3221 = alpha_texels.member[(0u + _e3217)];
-                                                                        let _e3238 = (_e3172.indices[3] >> bitcast<u32>(2i));
-                                                                        if (_e3238 < _e111) {
+                                                                        let _e3308 = alpha_texels.member[(0u + _e3304)];
+                                                                        let _e3325 = (_e3259.indices[3] >> bitcast<u32>(2i));
+                                                                        if (_e3325 < _e110) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e3242 = alpha_texels.member[(0u + _e3238)];
-                                                                        phi_4182_ = (_e3141 * (((((f32(((_e3180 >> bitcast<u32>((((_e3172.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3172.weights.x) + ((f32(((_e3200 >> bitcast<u32>((((_e3172.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3172.weights.y)) + ((f32(((_e3221 >> bitcast<u32>((((_e3172.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3172.weights.z)) + ((f32(((_e3242 >> bitcast<u32>((((_e3172.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3172.weights.w)));
+                                                                        let _e3329 = alpha_texels.member[(0u + _e3325)];
+                                                                        phi_4271_ = (_e3228 * (((((f32(((_e3267 >> bitcast<u32>((((_e3259.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3259.weights.x) + ((f32(((_e3287 >> bitcast<u32>((((_e3259.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3259.weights.y)) + ((f32(((_e3308 >> bitcast<u32>((((_e3259.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3259.weights.z)) + ((f32(((_e3329 >> bitcast<u32>((((_e3259.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3259.weights.w)));
                                                                     }
-                                                                    let _e3258 = phi_4182_;
-                                                                    phi_4185_ = (_e3258 >= _e3109.cutoff);
+                                                                    let _e3345 = phi_4271_;
+                                                                    phi_4274_ = (_e3345 >= _e3196.cutoff);
                                                                 }
-                                                                let _e3262 = phi_4185_;
-                                                                phi_4186_ = _e3262;
+                                                                let _e3349 = phi_4274_;
+                                                                phi_4275_ = _e3349;
                                                             } else {
-                                                                phi_4186_ = false;
+                                                                phi_4275_ = false;
                                                             }
-                                                            let _e3264 = phi_4186_;
-                                                            phi_4187_ = _e3264;
+                                                            let _e3351 = phi_4275_;
+                                                            phi_4276_ = _e3351;
                                                         }
-                                                        let _e3266 = phi_4187_;
-                                                        if _e3266 {
-                                                            phi_4191_ = false;
+                                                        let _e3353 = phi_4276_;
+                                                        if _e3353 {
+                                                            phi_4280_ = false;
                                                         } else {
-                                                            phi_4191_ = true;
+                                                            phi_4280_ = true;
                                                         }
-                                                        let _e3268 = phi_4191_;
-                                                        phi_4192_ = _e3266;
-                                                        phi_4193_ = _e3266;
-                                                        phi_4194_ = _e3268;
+                                                        let _e3355 = phi_4280_;
+                                                        phi_4281_ = _e3353;
+                                                        phi_4282_ = _e3353;
+                                                        phi_4283_ = _e3355;
                                                     } else {
-                                                        phi_4192_ = bool();
-                                                        phi_4193_ = _e2612;
-                                                        phi_4194_ = true;
+                                                        phi_4281_ = bool();
+                                                        phi_4282_ = _e2699;
+                                                        phi_4283_ = true;
                                                     }
-                                                    let _e3270 = phi_4192_;
-                                                    let _e3272 = phi_4193_;
-                                                    let _e3274 = phi_4194_;
-                                                    phi_4195_ = _e3270;
-                                                    phi_4196_ = _e3272;
-                                                    phi_4197_ = _e3274;
+                                                    let _e3357 = phi_4281_;
+                                                    let _e3359 = phi_4282_;
+                                                    let _e3361 = phi_4283_;
+                                                    phi_4284_ = _e3357;
+                                                    phi_4285_ = _e3359;
+                                                    phi_4286_ = _e3361;
                                                 } else {
-                                                    phi_4195_ = bool();
-                                                    phi_4196_ = _e2612;
-                                                    phi_4197_ = true;
+                                                    phi_4284_ = bool();
+                                                    phi_4285_ = _e2699;
+                                                    phi_4286_ = true;
                                                 }
-                                                let _e3276 = phi_4195_;
-                                                let _e3278 = phi_4196_;
-                                                let _e3280 = phi_4197_;
-                                                phi_4198_ = _e3276;
-                                                phi_4199_ = _e3278;
-                                                phi_4200_ = _e3280;
+                                                let _e3363 = phi_4284_;
+                                                let _e3365 = phi_4285_;
+                                                let _e3367 = phi_4286_;
+                                                phi_4287_ = _e3363;
+                                                phi_4288_ = _e3365;
+                                                phi_4289_ = _e3367;
                                             } else {
-                                                phi_4198_ = bool();
-                                                phi_4199_ = _e2612;
-                                                phi_4200_ = true;
+                                                phi_4287_ = bool();
+                                                phi_4288_ = _e2699;
+                                                phi_4289_ = true;
                                             }
-                                            let _e3282 = phi_4198_;
-                                            let _e3284 = phi_4199_;
-                                            let _e3286 = phi_4200_;
-                                            if _e3286 {
+                                            let _e3369 = phi_4287_;
+                                            let _e3371 = phi_4288_;
+                                            let _e3373 = phi_4289_;
+                                            if _e3373 {
                                             }
-                                            phi_3398_ = (_e2610 & (_e2610 - 1u));
-                                            phi_3401_ = _e3284;
-                                            phi_4204_ = _e3282;
-                                            phi_4205_ = _e3286;
+                                            phi_3487_ = (_e2697 & (_e2697 - 1u));
+                                            phi_3490_ = _e3371;
+                                            phi_4293_ = _e3369;
+                                            phi_4294_ = _e3373;
                                         }
-                                        let _e3288 = phi_3398_;
-                                        let _e3290 = phi_3401_;
-                                        let _e3292 = phi_4204_;
-                                        let _e3294 = phi_4205_;
-                                        local_23 = _e3292;
+                                        let _e3375 = phi_3487_;
+                                        let _e3377 = phi_3490_;
+                                        let _e3379 = phi_4293_;
+                                        let _e3381 = phi_4294_;
+                                        local_25 = _e3379;
                                         continue;
                                         continuing {
-                                            phi_3397_ = _e3288;
-                                            phi_3400_ = _e3290;
-                                            break if !(_e3294);
+                                            phi_3486_ = _e3375;
+                                            phi_3489_ = _e3377;
+                                            break if !(_e3381);
                                         }
                                     }
-                                    let _e3297 = local_12;
-                                    if _e3297 {
-                                        let _e3299 = local_1.group_mask;
-                                        if ((_e3299 & 4278190080u) == 0u) {
-                                            let _e3303 = local_1.len;
-                                            if (_e3303 == 0u) {
-                                                phi_4247_ = false;
+                                    let _e3384 = local_14;
+                                    if _e3384 {
+                                        let _e3386 = local_1.group_mask;
+                                        if ((_e3386 & 4278190080u) == 0u) {
+                                            let _e3390 = local_1.len;
+                                            if (_e3390 == 0u) {
+                                                phi_4336_ = false;
                                             } else {
-                                                let _e3307 = local_1.len;
-                                                local_1.len = (_e3307 - 1u);
-                                                let _e3310 = local_1.len;
-                                                if (_e3310 < 32u) {
+                                                let _e3394 = local_1.len;
+                                                local_1.len = (_e3394 - 1u);
+                                                let _e3397 = local_1.len;
+                                                if (_e3397 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3315 = local_1.first[(0u + _e3310)];
-                                                local_1.group = _e3315;
-                                                let _e3318 = local_1.len;
-                                                if (_e3318 < 32u) {
+                                                let _e3402 = local_1.first[(0u + _e3397)];
+                                                local_1.group = _e3402;
+                                                let _e3405 = local_1.len;
+                                                if (_e3405 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e3323 = local_1.mask[(0u + _e3318)];
-                                                local_1.group_mask = _e3323;
-                                                phi_4247_ = true;
+                                                let _e3410 = local_1.mask[(0u + _e3405)];
+                                                local_1.group_mask = _e3410;
+                                                phi_4336_ = true;
                                             }
-                                            let _e3326 = phi_4247_;
-                                            phi_4248_ = _e3326;
+                                            let _e3413 = phi_4336_;
+                                            phi_4337_ = _e3413;
                                         } else {
-                                            phi_4248_ = true;
+                                            phi_4337_ = true;
                                         }
-                                        let _e3328 = phi_4248_;
-                                        if _e3328 {
-                                            let _e3330 = local_1.group_mask;
-                                            let _e3336 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3330)), 32u, (_e3330 == 0u)));
-                                            let _e3340 = local_1.group_mask;
-                                            let _e3354 = local_1.group_mask;
-                                            local_1.group_mask = (_e3354 & ~((1u << bitcast<u32>((_e3336 & 31u)))));
-                                            let _e3357 = local_1.group;
-                                            phi_4279_ = (_e3357 + countOneBits(((_e3340 & ~((4294967295u << bitcast<u32>((((_e3336 - 24u) ^ _e2034) & 31u))))) & 255u)));
+                                        let _e3415 = phi_4337_;
+                                        if _e3415 {
+                                            let _e3417 = local_1.group_mask;
+                                            let _e3423 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3417)), 32u, (_e3417 == 0u)));
+                                            let _e3427 = local_1.group_mask;
+                                            let _e3441 = local_1.group_mask;
+                                            local_1.group_mask = (_e3441 & ~((1u << bitcast<u32>((_e3423 & 31u)))));
+                                            let _e3444 = local_1.group;
+                                            phi_4368_ = (_e3444 + countOneBits(((_e3427 & ~((4294967295u << bitcast<u32>((((_e3423 - 24u) ^ _e2121) & 31u))))) & 255u)));
                                         } else {
-                                            phi_4279_ = 4294967295u;
+                                            phi_4368_ = 4294967295u;
                                         }
-                                        let _e3360 = phi_4279_;
-                                        phi_4280_ = _e3360;
+                                        let _e3447 = phi_4368_;
+                                        phi_4369_ = _e3447;
                                     } else {
-                                        phi_4280_ = u32();
+                                        phi_4369_ = u32();
                                     }
-                                    let _e3362 = phi_4280_;
-                                    phi_3066_ = _e3362;
-                                    let _e3835 = local_22;
-                                    phi_3069_ = _e3835;
-                                    let _e3838 = local_23;
-                                    phi_4281_ = _e3838;
-                                    let _e3841 = local_24;
-                                    phi_4282_ = _e3841;
-                                    phi_4283_ = false;
+                                    let _e3449 = phi_4369_;
+                                    phi_3155_ = _e3449;
+                                    let _e3919 = local_24;
+                                    phi_3158_ = _e3919;
+                                    let _e3922 = local_25;
+                                    phi_4370_ = _e3922;
+                                    let _e3925 = local_26;
+                                    phi_4371_ = _e3925;
+                                    phi_4372_ = false;
                                 } else {
-                                    phi_3066_ = u32();
-                                    phi_3069_ = bool();
-                                    phi_4281_ = bool();
-                                    phi_4282_ = false;
-                                    phi_4283_ = true;
+                                    phi_3155_ = u32();
+                                    phi_3158_ = bool();
+                                    phi_4370_ = bool();
+                                    phi_4371_ = false;
+                                    phi_4372_ = true;
                                 }
-                                let _e3364 = phi_3066_;
-                                let _e3366 = phi_3069_;
-                                let _e3368 = phi_4281_;
-                                let _e3370 = phi_4282_;
-                                let _e3372 = phi_4283_;
-                                local_13 = _e3372;
-                                local_25 = _e3368;
+                                let _e3451 = phi_3155_;
+                                let _e3453 = phi_3158_;
+                                let _e3455 = phi_4370_;
+                                let _e3457 = phi_4371_;
+                                let _e3459 = phi_4372_;
+                                local_15 = _e3459;
+                                local_27 = _e3455;
                                 continue;
                                 continuing {
-                                    phi_3065_ = _e3364;
-                                    phi_3068_ = _e3366;
-                                    break if !(_e3370);
+                                    phi_3154_ = _e3451;
+                                    phi_3157_ = _e3453;
+                                    break if !(_e3457);
                                 }
                             }
-                            let _e3375 = local_13;
-                            if _e3375 {
-                                phi_4287_ = false;
+                            let _e3462 = local_15;
+                            if _e3462 {
+                                phi_4376_ = false;
                             } else {
-                                phi_4287_ = true;
+                                phi_4376_ = true;
                             }
-                            let _e3377 = phi_4287_;
-                            if _e3377 {
-                                let _e3847 = local_25;
-                                phi_4291_ = _e3847;
+                            let _e3464 = phi_4376_;
+                            if _e3464 {
+                                let _e3931 = local_27;
+                                phi_4380_ = _e3931;
                             } else {
-                                let _e3849 = local_26;
-                                phi_4291_ = _e3849;
+                                let _e3933 = local_28;
+                                phi_4380_ = _e3933;
                             }
-                            let _e3379 = phi_4291_;
-                            phi_4292_ = _e3379;
+                            let _e3466 = phi_4380_;
+                            phi_4381_ = _e3466;
                         }
-                        let _e3381 = phi_4292_;
-                        phi_4293_ = _e3381;
-                        phi_4294_ = _e1856;
+                        let _e3468 = phi_4381_;
+                        phi_4382_ = _e3468;
+                        phi_4383_ = _e1943;
                     } else {
-                        phi_4293_ = bool();
-                        phi_4294_ = true;
+                        phi_4382_ = bool();
+                        phi_4383_ = true;
                     }
-                    let _e3383 = phi_4293_;
-                    let _e3385 = phi_4294_;
-                    if _e3385 {
-                        phi_4298_ = false;
+                    let _e3470 = phi_4382_;
+                    let _e3472 = phi_4383_;
+                    if _e3472 {
+                        phi_4387_ = false;
                     } else {
-                        phi_4298_ = _e3383;
+                        phi_4387_ = _e3470;
                     }
-                    let _e3387 = phi_4298_;
-                    phi_4299_ = _e3387;
+                    let _e3474 = phi_4387_;
+                    phi_4388_ = _e3474;
                 }
-                let _e3389 = phi_4299_;
-                phi_4300_ = _e3389;
+                let _e3476 = phi_4388_;
+                phi_4389_ = _e3476;
             } else {
-                phi_4300_ = false;
+                phi_4389_ = false;
             }
-            let _e3391 = phi_4300_;
-            if _e3391 {
-                phi_4304_ = 0f;
+            let _e3478 = phi_4389_;
+            if _e3478 {
+                phi_4393_ = 0f;
             } else {
-                phi_4304_ = 1f;
+                phi_4393_ = 1f;
             }
-            let _e3393 = phi_4304_;
-            phi_4305_ = _e3393;
+            let _e3480 = phi_4393_;
+            phi_4394_ = _e3480;
         }
-        let _e3395 = phi_4305_;
-        if (_e117.shift < arrayLength((&visibility.member))) {
+        let _e3482 = phi_4394_;
+        if (_e116.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e117.shift)] = _e3395;
+        visibility.member[(0u + _e116.shift)] = _e3482;
     }
     return;
 }

@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_37 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +93,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_41 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -115,19 +115,19 @@ struct lt_math_Evsm {
     min_variance: f32,
 }
 
-struct type_53 {
+struct type_52 {
     member: array<vec4<u32>>,
 }
 
 struct lt_bvh_LightSpace {
-    shear: vec3<f32>,
-    axis: u32,
+    shear: vec2<f32>,
+    diagonal: vec2<f32>,
     middle: vec3<f32>,
     sign: f32,
     low: vec3<f32>,
     is_parallel: u32,
     high: vec3<f32>,
-    pad: u32,
+    axis: u32,
     roots: vec4<u32>,
     roots_z: vec4<u32>,
 }
@@ -141,13 +141,6 @@ struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
     unnamed_1: u32,
 }
 
-struct lt_bvh_LightNode {
-    frame: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    rest: vec4<u32>,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> samples: type_9;
@@ -157,560 +150,555 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_41;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
-var<storage> rows: type_53;
+var<storage> rows: type_52;
 @group(0) @binding(6) 
 var<uniform> space: type_56;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_203_: lt_mask_LightPlace;
-    var phi_204_: bool;
-    var phi_205_: lt_mask_LightPlace;
-    var phi_206_: bool;
-    var phi_211_: lt_mask_LightPlace;
+    var phi_204_: lt_mask_LightPlace;
+    var phi_205_: bool;
+    var phi_206_: lt_mask_LightPlace;
+    var phi_207_: bool;
+    var phi_212_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_203_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_204_ = false;
+            phi_204_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_205_ = false;
         } else {
-            phi_203_ = lt_mask_LightPlace();
-            phi_204_ = true;
+            phi_204_ = lt_mask_LightPlace();
+            phi_205_ = true;
         }
-        let _e78 = phi_203_;
-        let _e80 = phi_204_;
-        phi_205_ = _e78;
-        phi_206_ = _e80;
+        let _e79 = phi_204_;
+        let _e81 = phi_205_;
+        phi_206_ = _e79;
+        phi_207_ = _e81;
     } else {
-        phi_205_ = lt_mask_LightPlace();
-        phi_206_ = true;
+        phi_206_ = lt_mask_LightPlace();
+        phi_207_ = true;
     }
-    let _e82 = phi_205_;
-    let _e84 = phi_206_;
-    if _e84 {
-        phi_211_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e83 = phi_206_;
+    let _e85 = phi_207_;
+    if _e85 {
+        phi_212_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_211_ = _e82;
+        phi_212_ = _e83;
     }
-    let _e89 = phi_211_;
-    return lt_mask_LightPlace(_e89.word, _e89.shift);
+    let _e90 = phi_212_;
+    return lt_mask_LightPlace(_e90.word, _e90.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_226_: bool;
-    var phi_230_: f32;
+    var phi_227_: bool;
+    var phi_231_: f32;
 
     if (param_3 != param_3) {
-        phi_226_ = true;
+        phi_227_ = true;
     } else {
-        let _e68 = (param_4 >= param_3);
-        if _e68 {
+        let _e69 = (param_4 >= param_3);
+        if _e69 {
         }
-        phi_226_ = _e68;
+        phi_227_ = _e69;
     }
-    let _e70 = phi_226_;
-    if _e70 {
-        phi_230_ = param_4;
+    let _e71 = phi_227_;
+    if _e71 {
+        phi_231_ = param_4;
     } else {
-        phi_230_ = param_3;
+        phi_231_ = param_3;
     }
-    let _e72 = phi_230_;
-    return _e72;
+    let _e73 = phi_231_;
+    return _e73;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_242_: bool;
-    var phi_246_: f32;
+    var phi_243_: bool;
+    var phi_247_: f32;
 
     if (param_5 != param_5) {
-        phi_242_ = true;
+        phi_243_ = true;
     } else {
-        let _e68 = (param_6 <= param_5);
-        if _e68 {
+        let _e69 = (param_6 <= param_5);
+        if _e69 {
         }
-        phi_242_ = _e68;
+        phi_243_ = _e69;
     }
-    let _e70 = phi_242_;
-    if _e70 {
-        phi_246_ = param_6;
+    let _e71 = phi_243_;
+    if _e71 {
+        phi_247_ = param_6;
     } else {
-        phi_246_ = param_5;
+        phi_247_ = param_5;
     }
-    let _e72 = phi_246_;
-    return _e72;
+    let _e73 = phi_247_;
+    return _e73;
 }
 
 fn _lt_shaders_abi_Sample_is_valid(param_7: ptr<function, abi_Sample>) -> bool {
-    var phi_271_: bool;
     var phi_272_: bool;
     var phi_273_: bool;
     var phi_274_: bool;
-    var phi_278_: bool;
+    var phi_275_: bool;
+    var phi_279_: bool;
 
-    let _e68 = (*param_7).normal[0u];
-    let _e70 = global[0u];
-    if (_e68 == _e70) {
-        let _e73 = (*param_7).normal[1u];
-        let _e75 = global[1u];
-        if (_e73 == _e75) {
-            let _e78 = (*param_7).normal[2u];
-            let _e80 = global[2u];
-            phi_271_ = (_e78 == _e80);
-            phi_272_ = false;
+    let _e69 = (*param_7).normal[0u];
+    let _e71 = global[0u];
+    if (_e69 == _e71) {
+        let _e74 = (*param_7).normal[1u];
+        let _e76 = global[1u];
+        if (_e74 == _e76) {
+            let _e79 = (*param_7).normal[2u];
+            let _e81 = global[2u];
+            phi_272_ = (_e79 == _e81);
+            phi_273_ = false;
         } else {
-            phi_271_ = bool();
-            phi_272_ = true;
+            phi_272_ = bool();
+            phi_273_ = true;
         }
-        let _e83 = phi_271_;
-        let _e85 = phi_272_;
-        phi_273_ = _e83;
-        phi_274_ = _e85;
+        let _e84 = phi_272_;
+        let _e86 = phi_273_;
+        phi_274_ = _e84;
+        phi_275_ = _e86;
     } else {
-        phi_273_ = bool();
-        phi_274_ = true;
+        phi_274_ = bool();
+        phi_275_ = true;
     }
-    let _e87 = phi_273_;
-    let _e89 = phi_274_;
-    if _e89 {
-        phi_278_ = false;
+    let _e88 = phi_274_;
+    let _e90 = phi_275_;
+    if _e90 {
+        phi_279_ = false;
     } else {
-        phi_278_ = _e87;
+        phi_279_ = _e88;
     }
-    let _e91 = phi_278_;
-    return !(_e91);
+    let _e92 = phi_279_;
+    return !(_e92);
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
     var local_1: array<u32, 32>;
     var local_2: abi_Sample;
-    var phi_394_: bool;
     var phi_395_: bool;
-    var phi_406_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_407_: bool;
-    var phi_408_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_409_: bool;
-    var phi_416_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_420_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_464_: f32;
-    var phi_497_: bool;
+    var phi_396_: bool;
+    var phi_407_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_408_: bool;
+    var phi_409_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_410_: bool;
+    var phi_417_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_421_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_465_: f32;
     var phi_498_: bool;
     var phi_499_: bool;
     var phi_500_: bool;
-    var phi_504_: bool;
-    var phi_517_: bool;
+    var phi_501_: bool;
+    var phi_505_: bool;
     var phi_518_: bool;
     var phi_519_: bool;
     var phi_520_: bool;
-    var phi_524_: bool;
-    var phi_537_: bool;
+    var phi_521_: bool;
+    var phi_525_: bool;
     var phi_538_: bool;
     var phi_539_: bool;
-    var phi_543_: bool;
+    var phi_540_: bool;
     var phi_544_: bool;
     var phi_545_: bool;
     var phi_546_: bool;
     var phi_547_: bool;
-    var phi_551_: bool;
-    var phi_574_: bool;
+    var phi_548_: bool;
+    var phi_552_: bool;
     var phi_575_: bool;
     var phi_576_: bool;
     var phi_577_: bool;
     var phi_578_: bool;
     var phi_579_: bool;
-    var phi_583_: bool;
-    var phi_596_: bool;
+    var phi_580_: bool;
+    var phi_584_: bool;
     var phi_597_: bool;
     var phi_598_: bool;
-    var phi_602_: bool;
-    var phi_619_: bool;
+    var phi_599_: bool;
+    var phi_603_: bool;
     var phi_620_: bool;
     var phi_621_: bool;
     var phi_622_: bool;
     var phi_623_: bool;
     var phi_624_: bool;
     var phi_625_: bool;
-    var phi_629_: bool;
-    var phi_649_: bool;
+    var phi_626_: bool;
+    var phi_630_: bool;
     var phi_650_: bool;
-    var phi_658_: u32;
-    var phi_659_: f32;
-    var phi_660_: u32;
-    var phi_661_: f32;
-    var phi_666_: f32;
-    var phi_677_: u32;
-    var phi_687_: u32;
-    var phi_693_: u32;
+    var phi_651_: bool;
+    var phi_659_: u32;
+    var phi_660_: f32;
+    var phi_661_: u32;
+    var phi_662_: f32;
+    var phi_667_: f32;
+    var phi_678_: u32;
+    var phi_688_: u32;
     var phi_694_: u32;
     var phi_695_: u32;
-    var phi_706_: vec3<f32>;
+    var phi_696_: u32;
     var phi_707_: vec3<f32>;
-    var phi_729_: vec3<f32>;
+    var phi_708_: vec3<f32>;
     var phi_730_: vec3<f32>;
+    var phi_731_: vec3<f32>;
     var phi_753_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
-    var phi_821_: f32;
     var phi_828_: f32;
     var phi_835_: f32;
     var phi_842_: f32;
     var phi_849_: f32;
     var phi_856_: f32;
-    var phi_873_: f32;
-    var phi_878_: f32;
-    var phi_883_: f32;
-    var phi_888_: f32;
-    var phi_893_: f32;
-    var phi_915_: bool;
-    var phi_916_: bool;
-    var phi_924_: u32;
-    var phi_925_: u32;
-    var phi_936_: vec3<f32>;
-    var phi_937_: vec3<f32>;
-    var phi_949_: u32;
-    var phi_952_: u32;
-    var phi_961_: u32;
+    var phi_863_: f32;
+    var phi_880_: f32;
+    var phi_885_: f32;
+    var phi_890_: f32;
+    var phi_895_: f32;
+    var phi_900_: f32;
+    var phi_922_: bool;
+    var phi_923_: bool;
+    var phi_931_: u32;
+    var phi_932_: u32;
+    var phi_943_: vec3<f32>;
+    var phi_944_: vec3<f32>;
+    var phi_956_: u32;
+    var phi_959_: u32;
     var phi_964_: u32;
     var phi_966_: u32;
     var phi_968_: u32;
-    var phi_1041_: f32;
+    var phi_970_: u32;
     var phi_1042_: f32;
-    var phi_1056_: u32;
-    var phi_1079_: f32;
+    var phi_1043_: f32;
+    var phi_1057_: u32;
     var phi_1080_: f32;
-    var phi_1094_: u32;
+    var phi_1081_: f32;
+    var phi_1095_: u32;
     var phi_1117_: f32;
     var phi_1118_: f32;
     var phi_1132_: u32;
-    var phi_1279_: u32;
-    var phi_1280_: u32;
-    var phi_1284_: u32;
-    var phi_1285_: u32;
-    var phi_1286_: u32;
-    var phi_1287_: u32;
-    var phi_1288_: u32;
-    var phi_1289_: u32;
-    var phi_1307_: u32;
-    var phi_1308_: u32;
-    var phi_1309_: u32;
-    var phi_1310_: u32;
-    var phi_1311_: u32;
-    var phi_1312_: u32;
-    var phi_1313_: u32;
-    var phi_1314_: u32;
-    var phi_962_: u32;
-    var phi_965_: u32;
+    var phi_1155_: f32;
+    var phi_1156_: f32;
+    var phi_1170_: u32;
+    var phi_1362_: u32;
+    var phi_1363_: u32;
+    var phi_1368_: u32;
+    var phi_1369_: u32;
+    var phi_1370_: u32;
     var phi_967_: u32;
     var phi_969_: u32;
-    var phi_1315_: bool;
+    var phi_1371_: u32;
+    var phi_1389_: u32;
+    var phi_1390_: u32;
+    var phi_957_: u32;
+    var phi_960_: u32;
+    var phi_1399_: bool;
+    var phi_1400_: bool;
+    var phi_1401_: bool;
     var local_3: bool;
-    var phi_1320_: u32;
     var local_4: u32;
-    var phi_1359_: u32;
-    var phi_1360_: u32;
-    var phi_1366_: u32;
-    var phi_1395_: vec3<f32>;
-    var phi_1396_: vec3<f32>;
-    var phi_1425_: vec3<f32>;
-    var phi_1426_: vec3<f32>;
-    var phi_1455_: vec3<f32>;
-    var phi_1456_: vec3<f32>;
-    var phi_1474_: bool;
-    var phi_1475_: bool;
-    var phi_1479_: f32;
-    var phi_1480_: f32;
-    var phi_1481_: f32;
-    var phi_1482_: f32;
-    var phi_1490_: f32;
-    var phi_1500_: bool;
-    var phi_1501_: bool;
-    var phi_1505_: f32;
-    var phi_1506_: f32;
-    var phi_1507_: f32;
-    var phi_1508_: f32;
-    var phi_1516_: f32;
-    var phi_1526_: bool;
-    var phi_1527_: bool;
-    var phi_1531_: f32;
-    var phi_1532_: f32;
-    var phi_1533_: f32;
-    var phi_1534_: f32;
-    var phi_1542_: f32;
-    var phi_1557_: f32;
-    var phi_1558_: bool;
-    var phi_1559_: f32;
+    var phi_1410_: u32;
+    var local_5: u32;
+    var phi_1445_: u32;
+    var phi_1446_: u32;
+    var phi_1452_: u32;
+    var phi_1480_: vec3<f32>;
+    var phi_1481_: vec3<f32>;
+    var phi_1510_: vec3<f32>;
+    var phi_1511_: vec3<f32>;
+    var phi_1540_: vec3<f32>;
+    var phi_1541_: vec3<f32>;
+    var phi_1559_: bool;
     var phi_1560_: bool;
-    var phi_1561_: f32;
-    var phi_1562_: bool;
-    var phi_1580_: f32;
-    var phi_1581_: bool;
-    var phi_1582_: bool;
-    var phi_1583_: f32;
-    var phi_1584_: bool;
+    var phi_1564_: f32;
+    var phi_1565_: f32;
+    var phi_1566_: f32;
+    var phi_1567_: f32;
+    var phi_1575_: f32;
     var phi_1585_: bool;
-    var phi_1589_: bool;
+    var phi_1586_: bool;
     var phi_1590_: f32;
-    var phi_1591_: bool;
-    var phi_1619_: vec3<f32>;
-    var phi_1620_: vec3<f32>;
-    var phi_1645_: vec3<f32>;
-    var phi_1646_: vec3<f32>;
-    var phi_1671_: vec3<f32>;
-    var phi_1672_: vec3<f32>;
-    var phi_1728_: f32;
-    var phi_1737_: f32;
-    var phi_1746_: f32;
-    var phi_1755_: f32;
-    var phi_1762_: f32;
-    var phi_1769_: f32;
-    var phi_1782_: f32;
-    var phi_1791_: f32;
-    var phi_1800_: f32;
-    var phi_1809_: f32;
-    var phi_1816_: f32;
-    var phi_1823_: f32;
+    var phi_1591_: f32;
+    var phi_1592_: f32;
+    var phi_1593_: f32;
+    var phi_1601_: f32;
+    var phi_1611_: bool;
+    var phi_1612_: bool;
+    var phi_1616_: f32;
+    var phi_1617_: f32;
+    var phi_1618_: f32;
+    var phi_1619_: f32;
+    var phi_1627_: f32;
+    var phi_1642_: f32;
+    var phi_1643_: bool;
+    var phi_1644_: f32;
+    var phi_1645_: bool;
+    var phi_1646_: f32;
+    var phi_1647_: bool;
+    var phi_1665_: f32;
+    var phi_1666_: bool;
+    var phi_1667_: bool;
+    var phi_1668_: f32;
+    var phi_1669_: bool;
+    var phi_1670_: bool;
+    var phi_1674_: bool;
+    var phi_1675_: f32;
+    var phi_1676_: bool;
+    var phi_1704_: vec3<f32>;
+    var phi_1705_: vec3<f32>;
+    var phi_1730_: vec3<f32>;
+    var phi_1731_: vec3<f32>;
+    var phi_1756_: vec3<f32>;
+    var phi_1757_: vec3<f32>;
+    var phi_1813_: f32;
+    var phi_1822_: f32;
+    var phi_1831_: f32;
     var phi_1840_: f32;
-    var phi_1845_: f32;
-    var phi_1850_: f32;
-    var phi_1858_: f32;
-    var phi_1863_: f32;
-    var phi_1868_: f32;
-    var phi_1880_: f32;
+    var phi_1847_: f32;
+    var phi_1854_: f32;
+    var phi_1867_: f32;
+    var phi_1876_: f32;
     var phi_1885_: f32;
-    var phi_1890_: f32;
-    var phi_1895_: f32;
-    var phi_1900_: lt_bvh_triangle_Intersection;
-    var phi_1901_: bool;
-    var phi_1902_: lt_bvh_triangle_Intersection;
-    var phi_1903_: bool;
-    var phi_1907_: lt_bvh_triangle_Intersection;
-    var phi_1908_: bool;
-    var phi_1909_: lt_bvh_triangle_Intersection;
-    var phi_1910_: bool;
-    var phi_1911_: bool;
-    var phi_1915_: bool;
-    var phi_1919_: lt_bvh_triangle_Intersection;
-    var phi_1944_: bool;
-    var phi_1945_: bool;
-    var phi_1946_: bool;
-    var phi_1947_: bool;
-    var phi_1948_: bool;
-    var phi_1949_: bool;
-    var phi_1950_: bool;
-    var phi_1951_: bool;
-    var phi_1952_: bool;
-    var phi_1953_: bool;
-    var phi_1954_: bool;
-    var phi_1955_: bool;
-    var phi_1956_: bool;
-    var phi_1957_: bool;
-    var phi_1961_: bool;
-    var phi_1962_: bool;
-    var phi_1963_: bool;
-    var phi_1967_: bool;
-    var phi_1968_: bool;
-    var phi_1321_: u32;
-    var phi_1969_: bool;
-    var phi_1970_: bool;
-    var phi_1971_: bool;
-    var local_5: bool;
-    var phi_1975_: bool;
-    var phi_1976_: bool;
-    var phi_950_: u32;
-    var phi_953_: u32;
-    var phi_1977_: bool;
-    var phi_1978_: bool;
-    var phi_1979_: bool;
-    var local_6: bool;
-    var phi_1983_: bool;
-    var phi_1984_: bool;
+    var phi_1894_: f32;
+    var phi_1901_: f32;
+    var phi_1908_: f32;
+    var phi_1925_: f32;
+    var phi_1930_: f32;
+    var phi_1935_: f32;
+    var phi_1943_: f32;
+    var phi_1948_: f32;
+    var phi_1953_: f32;
+    var phi_1965_: f32;
+    var phi_1970_: f32;
+    var phi_1975_: f32;
+    var phi_1980_: f32;
+    var phi_1985_: lt_bvh_triangle_Intersection;
+    var phi_1986_: bool;
+    var phi_1987_: lt_bvh_triangle_Intersection;
     var phi_1988_: bool;
-    var phi_1992_: bool;
+    var phi_1992_: lt_bvh_triangle_Intersection;
+    var phi_1993_: bool;
+    var phi_1994_: lt_bvh_triangle_Intersection;
+    var phi_1995_: bool;
     var phi_1996_: bool;
-    var phi_1997_: bool;
-    var phi_2001_: bool;
-    var phi_2017_: bool;
-    var phi_2018_: bool;
-    var phi_2019_: bool;
-    var phi_2020_: bool;
-    var phi_2024_: bool;
+    var phi_2000_: bool;
+    var phi_2004_: lt_bvh_triangle_Intersection;
+    var phi_2029_: bool;
+    var phi_2030_: bool;
+    var phi_2031_: bool;
+    var phi_2032_: bool;
+    var phi_2033_: bool;
+    var phi_2034_: bool;
+    var phi_2035_: bool;
+    var phi_2036_: bool;
     var phi_2037_: bool;
     var phi_2038_: bool;
     var phi_2039_: bool;
     var phi_2040_: bool;
-    var phi_2044_: bool;
+    var phi_2041_: bool;
+    var phi_2042_: bool;
+    var phi_2046_: bool;
+    var phi_2047_: bool;
+    var phi_2048_: bool;
+    var phi_2056_: bool;
     var phi_2057_: bool;
     var phi_2058_: bool;
     var phi_2059_: bool;
-    var phi_2063_: bool;
+    var phi_2060_: bool;
+    var local_6: bool;
     var phi_2064_: bool;
     var phi_2065_: bool;
     var phi_2066_: bool;
     var phi_2067_: bool;
-    var phi_2071_: bool;
-    var phi_2141_: f32;
-    var phi_2148_: f32;
-    var phi_2155_: f32;
-    var phi_2162_: f32;
-    var phi_2169_: f32;
-    var phi_2176_: f32;
-    var phi_2193_: f32;
-    var phi_2198_: f32;
-    var phi_2203_: f32;
-    var phi_2208_: f32;
-    var phi_2213_: f32;
-    var phi_2239_: bool;
-    var phi_2240_: bool;
-    var phi_2248_: u32;
-    var phi_2249_: u32;
-    var phi_2260_: vec3<f32>;
-    var phi_2261_: vec3<f32>;
-    var phi_2274_: u32;
-    var phi_2279_: u32;
-    var phi_2284_: u32;
-    var phi_2398_: bool;
-    var phi_2399_: bool;
-    var phi_2430_: u32;
-    var phi_2432_: u32;
-    var phi_2435_: bool;
-    var phi_2515_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2542_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2569_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2575_: u32;
-    var phi_2578_: u32;
-    var phi_2592_: u32;
-    var phi_2602_: u32;
-    var phi_2612_: u32;
-    var phi_2630_: u32;
-    var phi_2640_: u32;
-    var phi_2650_: u32;
-    var phi_2686_: u32;
-    var phi_2699_: u32;
-    var phi_2704_: u32;
-    var phi_2705_: u32;
-    var phi_2706_: u32;
-    var phi_2576_: u32;
-    var phi_2579_: u32;
+    var phi_2068_: bool;
     var local_7: u32;
-    var local_8: u32;
+    var phi_2076_: bool;
+    var phi_2077_: bool;
+    var phi_2078_: bool;
+    var phi_2079_: bool;
+    var local_8: bool;
+    var phi_2083_: bool;
+    var phi_2087_: bool;
+    var phi_2091_: bool;
+    var phi_2092_: bool;
+    var phi_2108_: bool;
+    var phi_2109_: bool;
+    var phi_2110_: bool;
+    var phi_2111_: bool;
+    var phi_2115_: bool;
+    var phi_2128_: bool;
+    var phi_2129_: bool;
+    var phi_2130_: bool;
+    var phi_2131_: bool;
+    var phi_2135_: bool;
+    var phi_2148_: bool;
+    var phi_2149_: bool;
+    var phi_2150_: bool;
+    var phi_2154_: bool;
+    var phi_2155_: bool;
+    var phi_2156_: bool;
+    var phi_2157_: bool;
+    var phi_2158_: bool;
+    var phi_2162_: bool;
+    var phi_2232_: f32;
+    var phi_2239_: f32;
+    var phi_2246_: f32;
+    var phi_2253_: f32;
+    var phi_2260_: f32;
+    var phi_2267_: f32;
+    var phi_2284_: f32;
+    var phi_2289_: f32;
+    var phi_2294_: f32;
+    var phi_2299_: f32;
+    var phi_2304_: f32;
+    var phi_2330_: bool;
+    var phi_2331_: bool;
+    var phi_2339_: u32;
+    var phi_2340_: u32;
+    var phi_2351_: vec3<f32>;
+    var phi_2352_: vec3<f32>;
+    var phi_2365_: u32;
+    var phi_2370_: u32;
+    var phi_2375_: u32;
+    var phi_2489_: bool;
+    var phi_2490_: bool;
+    var phi_2521_: u32;
+    var phi_2523_: u32;
+    var phi_2526_: bool;
+    var phi_2606_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2633_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2660_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2666_: u32;
+    var phi_2669_: u32;
+    var phi_2683_: u32;
+    var phi_2693_: u32;
+    var phi_2703_: u32;
+    var phi_2721_: u32;
+    var phi_2731_: u32;
+    var phi_2741_: u32;
+    var phi_2777_: u32;
+    var phi_2790_: u32;
+    var phi_2795_: u32;
+    var phi_2796_: u32;
+    var phi_2797_: u32;
+    var phi_2667_: u32;
+    var phi_2670_: u32;
     var local_9: u32;
-    var phi_2764_: u32;
-    var phi_2767_: bool;
-    var phi_2811_: vec3<f32>;
-    var phi_2812_: vec3<f32>;
-    var phi_2841_: vec3<f32>;
-    var phi_2842_: vec3<f32>;
-    var phi_2871_: vec3<f32>;
-    var phi_2872_: vec3<f32>;
-    var phi_2890_: bool;
-    var phi_2891_: bool;
-    var phi_2895_: f32;
-    var phi_2896_: f32;
-    var phi_2897_: f32;
-    var phi_2898_: f32;
-    var phi_2906_: f32;
-    var phi_2916_: bool;
-    var phi_2917_: bool;
-    var phi_2921_: f32;
-    var phi_2922_: f32;
-    var phi_2923_: f32;
-    var phi_2924_: f32;
-    var phi_2932_: f32;
-    var phi_2942_: bool;
-    var phi_2943_: bool;
-    var phi_2947_: f32;
-    var phi_2948_: f32;
-    var phi_2949_: f32;
-    var phi_2950_: f32;
-    var phi_2958_: f32;
-    var phi_2973_: f32;
-    var phi_2974_: bool;
-    var phi_2975_: f32;
-    var phi_2976_: bool;
-    var phi_2977_: f32;
-    var phi_2978_: bool;
-    var phi_2996_: f32;
-    var phi_2997_: bool;
-    var phi_2998_: bool;
-    var phi_2999_: f32;
-    var phi_3000_: bool;
-    var phi_3001_: bool;
-    var phi_3005_: bool;
-    var phi_3006_: f32;
+    var local_10: u32;
+    var local_11: u32;
+    var phi_2855_: u32;
+    var phi_2858_: bool;
+    var phi_2902_: vec3<f32>;
+    var phi_2903_: vec3<f32>;
+    var phi_2932_: vec3<f32>;
+    var phi_2933_: vec3<f32>;
+    var phi_2962_: vec3<f32>;
+    var phi_2963_: vec3<f32>;
+    var phi_2981_: bool;
+    var phi_2982_: bool;
+    var phi_2986_: f32;
+    var phi_2987_: f32;
+    var phi_2988_: f32;
+    var phi_2989_: f32;
+    var phi_2997_: f32;
     var phi_3007_: bool;
-    var phi_3035_: vec3<f32>;
-    var phi_3036_: vec3<f32>;
-    var phi_3061_: vec3<f32>;
-    var phi_3062_: vec3<f32>;
-    var phi_3087_: vec3<f32>;
-    var phi_3088_: vec3<f32>;
-    var phi_3144_: f32;
-    var phi_3153_: f32;
-    var phi_3162_: f32;
-    var phi_3171_: f32;
-    var phi_3178_: f32;
-    var phi_3185_: f32;
-    var phi_3198_: f32;
-    var phi_3207_: f32;
-    var phi_3216_: f32;
-    var phi_3225_: f32;
-    var phi_3232_: f32;
-    var phi_3239_: f32;
-    var phi_3256_: f32;
-    var phi_3261_: f32;
-    var phi_3266_: f32;
-    var phi_3274_: f32;
-    var phi_3279_: f32;
-    var phi_3284_: f32;
-    var phi_3296_: f32;
-    var phi_3301_: f32;
-    var phi_3306_: f32;
-    var phi_3311_: f32;
-    var phi_3316_: lt_bvh_triangle_Intersection;
-    var phi_3317_: bool;
-    var phi_3318_: lt_bvh_triangle_Intersection;
-    var phi_3319_: bool;
-    var phi_3323_: lt_bvh_triangle_Intersection;
-    var phi_3324_: bool;
-    var phi_3325_: lt_bvh_triangle_Intersection;
-    var phi_3326_: bool;
-    var phi_3327_: bool;
-    var phi_3331_: bool;
-    var phi_3335_: lt_bvh_triangle_Intersection;
-    var phi_3355_: bool;
-    var phi_3356_: bool;
-    var phi_3357_: bool;
-    var phi_3358_: bool;
-    var phi_3359_: bool;
-    var phi_3360_: bool;
-    var phi_3361_: bool;
-    var phi_2765_: u32;
-    var phi_2768_: bool;
-    var phi_3365_: bool;
-    var local_10: bool;
-    var phi_3407_: bool;
+    var phi_3008_: bool;
+    var phi_3012_: f32;
+    var phi_3013_: f32;
+    var phi_3014_: f32;
+    var phi_3015_: f32;
+    var phi_3023_: f32;
+    var phi_3033_: bool;
+    var phi_3034_: bool;
+    var phi_3038_: f32;
+    var phi_3039_: f32;
+    var phi_3040_: f32;
+    var phi_3041_: f32;
+    var phi_3049_: f32;
+    var phi_3064_: f32;
+    var phi_3065_: bool;
+    var phi_3066_: f32;
+    var phi_3067_: bool;
+    var phi_3068_: f32;
+    var phi_3069_: bool;
+    var phi_3087_: f32;
+    var phi_3088_: bool;
+    var phi_3089_: bool;
+    var phi_3090_: f32;
+    var phi_3091_: bool;
+    var phi_3092_: bool;
+    var phi_3096_: bool;
+    var phi_3097_: f32;
+    var phi_3098_: bool;
+    var phi_3126_: vec3<f32>;
+    var phi_3127_: vec3<f32>;
+    var phi_3152_: vec3<f32>;
+    var phi_3153_: vec3<f32>;
+    var phi_3178_: vec3<f32>;
+    var phi_3179_: vec3<f32>;
+    var phi_3235_: f32;
+    var phi_3244_: f32;
+    var phi_3253_: f32;
+    var phi_3262_: f32;
+    var phi_3269_: f32;
+    var phi_3276_: f32;
+    var phi_3289_: f32;
+    var phi_3298_: f32;
+    var phi_3307_: f32;
+    var phi_3316_: f32;
+    var phi_3323_: f32;
+    var phi_3330_: f32;
+    var phi_3347_: f32;
+    var phi_3352_: f32;
+    var phi_3357_: f32;
+    var phi_3365_: f32;
+    var phi_3370_: f32;
+    var phi_3375_: f32;
+    var phi_3387_: f32;
+    var phi_3392_: f32;
+    var phi_3397_: f32;
+    var phi_3402_: f32;
+    var phi_3407_: lt_bvh_triangle_Intersection;
     var phi_3408_: bool;
-    var phi_3439_: u32;
-    var phi_3440_: u32;
-    var phi_2433_: u32;
-    var phi_2436_: bool;
-    var phi_3441_: bool;
-    var phi_3442_: bool;
-    var local_11: bool;
+    var phi_3409_: lt_bvh_triangle_Intersection;
+    var phi_3410_: bool;
+    var phi_3414_: lt_bvh_triangle_Intersection;
+    var phi_3415_: bool;
+    var phi_3416_: lt_bvh_triangle_Intersection;
+    var phi_3417_: bool;
+    var phi_3418_: bool;
+    var phi_3422_: bool;
+    var phi_3426_: lt_bvh_triangle_Intersection;
     var phi_3446_: bool;
+    var phi_3447_: bool;
+    var phi_3448_: bool;
+    var phi_3449_: bool;
     var phi_3450_: bool;
     var phi_3451_: bool;
     var phi_3452_: bool;
-    var phi_3453_: bool;
-    var phi_3457_: bool;
-    var phi_3458_: bool;
-    var phi_3459_: bool;
-    var phi_3463_: f32;
-    var phi_3464_: f32;
-    var local_12: u32;
+    var phi_2856_: u32;
+    var phi_2859_: bool;
+    var phi_3456_: bool;
+    var local_12: bool;
+    var phi_3498_: bool;
+    var phi_3499_: bool;
+    var phi_3530_: u32;
+    var phi_3531_: u32;
+    var phi_2524_: u32;
+    var phi_2527_: bool;
+    var phi_3532_: bool;
+    var phi_3533_: bool;
     var local_13: bool;
-    var local_14: bool;
+    var phi_3537_: bool;
+    var phi_3541_: bool;
+    var phi_3542_: bool;
+    var phi_3543_: bool;
+    var phi_3544_: bool;
+    var phi_3548_: bool;
+    var phi_3549_: bool;
+    var phi_3550_: bool;
+    var phi_3554_: f32;
+    var phi_3555_: f32;
+    var local_14: u32;
     var local_15: u32;
     var local_16: u32;
     var local_17: bool;
@@ -719,2638 +707,2649 @@ fn function_() {
     var local_20: bool;
     var local_21: bool;
     var local_22: bool;
+    var local_23: bool;
+    var local_24: bool;
 
-    let _e68 = id_1;
-    let _e75 = arrayLength((&nodes.member));
-    let _e78 = arrayLength((&triangles.member));
-    let _e84 = arrayLength((&rows.member));
-    let _e88 = p.member.size[0u];
-    let _e90 = p.member.size[1u];
-    let _e91 = lt_shaders_entry_pixel_index(_e68, _e88, _e90);
-    if (bitcast<i32>(_e91.word) != 0i) {
-        if (_e91.shift < arrayLength((&samples.member))) {
+    let _e69 = id_1;
+    let _e76 = arrayLength((&nodes.member));
+    let _e79 = arrayLength((&triangles.member));
+    let _e85 = arrayLength((&rows.member));
+    let _e89 = p.member.size[0u];
+    let _e91 = p.member.size[1u];
+    let _e92 = lt_shaders_entry_pixel_index(_e69, _e89, _e91);
+    if (bitcast<i32>(_e92.word) != 0i) {
+        if (_e92.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e99 = samples.member[(0u + _e91.shift)];
-        local_2 = abi_Sample(_e99.position, _e99.magnitude, _e99.normal, _e99.flags, _e99.shading_normal, _e99.albedo);
-        let _e108 = _lt_shaders_abi_Sample_is_valid((&local_2));
-        if _e108 {
-            let _e110 = local_2.position;
-            let _e112 = p.member.light.place;
-            let _e118 = p.member.light.place[3u];
-            let _e125 = (_e112.x - (_e110.x * _e118));
-            let _e126 = (_e112.y - (_e110.y * _e118));
-            let _e127 = (_e112.z - (_e110.z * _e118));
-            let _e129 = local_2.normal;
-            if ((((_e129.x * _e125) + (_e129.y * _e126)) + (_e129.z * _e127)) > 0f) {
-                let _e143 = (((_e125 * _e125) + (_e126 * _e126)) + (_e127 * _e127));
-                let _e145 = p.member.light.axis;
-                let _e157 = p.member.light.place[3u];
-                if (_e157 == 0f) {
-                    phi_395_ = true;
+        let _e100 = samples.member[(0u + _e92.shift)];
+        local_2 = abi_Sample(_e100.position, _e100.magnitude, _e100.normal, _e100.flags, _e100.shading_normal, _e100.albedo);
+        let _e109 = _lt_shaders_abi_Sample_is_valid((&local_2));
+        if _e109 {
+            let _e111 = local_2.position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = local_2.normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_396_ = true;
                 } else {
-                    let _e160 = p.member.light.range_squared;
-                    if (_e143 <= _e160) {
-                        let _e163 = p.member.light.cos_outer;
-                        phi_394_ = (-((((_e125 * _e145.x) + (_e126 * _e145.y)) + (_e127 * _e145.z))) >= (_e163 * sqrt(_e143)));
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_395_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_394_ = false;
+                        phi_395_ = false;
                     }
-                    let _e168 = phi_394_;
-                    phi_395_ = _e168;
+                    let _e169 = phi_395_;
+                    phi_396_ = _e169;
                 }
-                let _e170 = phi_395_;
-                if _e170 {
-                    let _e172 = local_2.flags;
-                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e180.unnamed.visibility, false), _e180.unnamed_1);
-                    phi_406_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e186.unnamed, ((_e172 & 1u) == 0u));
-                    phi_407_ = false;
+                let _e171 = phi_396_;
+                if _e171 {
+                    let _e173 = local_2.flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_407_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_408_ = false;
                 } else {
-                    phi_406_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_407_ = true;
+                    phi_407_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_408_ = true;
                 }
-                let _e191 = phi_406_;
-                let _e193 = phi_407_;
-                phi_408_ = _e191;
-                phi_409_ = _e193;
+                let _e192 = phi_407_;
+                let _e194 = phi_408_;
+                phi_409_ = _e192;
+                phi_410_ = _e194;
             } else {
-                phi_408_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_409_ = true;
+                phi_409_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_410_ = true;
             }
-            let _e195 = phi_408_;
-            let _e197 = phi_409_;
-            if _e197 {
-                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
-                phi_416_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+            let _e196 = phi_409_;
+            let _e198 = phi_410_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_417_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_416_ = _e195;
+                phi_417_ = _e196;
             }
-            let _e214 = phi_416_;
-            phi_420_ = _e214;
+            let _e215 = phi_417_;
+            phi_421_ = _e215;
         } else {
-            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e220.unnamed.visibility, false), _e220.unnamed_1);
-            phi_420_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e226.unnamed, true);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_421_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e231 = phi_420_;
-        let _e235 = space.member;
-        if _e231.unnamed_1 {
-            phi_3464_ = _e231.unnamed.visibility;
+        let _e232 = phi_421_;
+        let _e236 = space.member;
+        if _e232.unnamed_1 {
+            phi_3555_ = _e232.unnamed.visibility;
         } else {
-            let _e238 = local_2.position;
-            let _e240 = local_2.normal;
-            let _e242 = local_2.magnitude;
-            let _e244 = ((8f / 8388608f) * _e242);
-            let _e246 = (_e240.x * _e244);
-            let _e248 = (_e240.y * _e244);
-            let _e250 = (_e240.z * _e244);
-            let _e252 = (_e238.x + _e246);
-            let _e254 = (_e238.y + _e248);
-            let _e256 = (_e238.z + _e250);
-            let _e260 = p.member.light.place;
-            if (_e260.w == 0f) {
-                phi_464_ = 300000000000000000000000000000000000000f;
+            let _e239 = local_2.position;
+            let _e241 = local_2.normal;
+            let _e243 = local_2.magnitude;
+            let _e245 = ((8f / 8388608f) * _e243);
+            let _e247 = (_e241.x * _e245);
+            let _e249 = (_e241.y * _e245);
+            let _e251 = (_e241.z * _e245);
+            let _e253 = (_e239.x + _e247);
+            let _e255 = (_e239.y + _e249);
+            let _e257 = (_e239.z + _e251);
+            let _e261 = p.member.light.place;
+            if (_e261.w == 0f) {
+                phi_465_ = 300000000000000000000000000000000000000f;
             } else {
-                phi_464_ = 1f;
+                phi_465_ = 1f;
             }
-            let _e264 = phi_464_;
-            let _e272 = (_e260.x - (_e252 * _e260.w));
-            let _e273 = (_e260.y - (_e254 * _e260.w));
-            let _e274 = (_e260.z - (_e256 * _e260.w));
-            let _e275 = vec3<f32>(_e272, _e273, _e274);
-            let _e276 = abs(_e272);
+            let _e265 = phi_465_;
+            let _e273 = (_e261.x - (_e253 * _e261.w));
+            let _e274 = (_e261.y - (_e255 * _e261.w));
+            let _e275 = (_e261.z - (_e257 * _e261.w));
+            let _e276 = vec3<f32>(_e273, _e274, _e275);
             let _e277 = abs(_e273);
             let _e278 = abs(_e274);
-            if (abs(_e252) < 1000000000000000f) {
-                if (abs(_e254) < 1000000000000000f) {
-                    phi_497_ = (abs(_e256) < 1000000000000000f);
-                    phi_498_ = false;
+            let _e279 = abs(_e275);
+            if (abs(_e253) < 1000000000000000f) {
+                if (abs(_e255) < 1000000000000000f) {
+                    phi_498_ = (abs(_e257) < 1000000000000000f);
+                    phi_499_ = false;
                 } else {
-                    phi_497_ = bool();
-                    phi_498_ = true;
+                    phi_498_ = bool();
+                    phi_499_ = true;
                 }
-                let _e286 = phi_497_;
-                let _e288 = phi_498_;
-                phi_499_ = _e286;
-                phi_500_ = _e288;
+                let _e287 = phi_498_;
+                let _e289 = phi_499_;
+                phi_500_ = _e287;
+                phi_501_ = _e289;
             } else {
-                phi_499_ = bool();
-                phi_500_ = true;
+                phi_500_ = bool();
+                phi_501_ = true;
             }
-            let _e290 = phi_499_;
-            let _e292 = phi_500_;
-            if _e292 {
-                phi_504_ = false;
+            let _e291 = phi_500_;
+            let _e293 = phi_501_;
+            if _e293 {
+                phi_505_ = false;
             } else {
-                phi_504_ = _e290;
+                phi_505_ = _e291;
             }
-            let _e294 = phi_504_;
-            if _e294 {
-                if (_e276 < 1000000000000000f) {
-                    if (_e277 < 1000000000000000f) {
-                        phi_517_ = (_e278 < 1000000000000000f);
-                        phi_518_ = false;
+            let _e295 = phi_505_;
+            if _e295 {
+                if (_e277 < 1000000000000000f) {
+                    if (_e278 < 1000000000000000f) {
+                        phi_518_ = (_e279 < 1000000000000000f);
+                        phi_519_ = false;
                     } else {
-                        phi_517_ = bool();
-                        phi_518_ = true;
+                        phi_518_ = bool();
+                        phi_519_ = true;
                     }
-                    let _e299 = phi_517_;
-                    let _e301 = phi_518_;
-                    phi_519_ = _e299;
-                    phi_520_ = _e301;
+                    let _e300 = phi_518_;
+                    let _e302 = phi_519_;
+                    phi_520_ = _e300;
+                    phi_521_ = _e302;
                 } else {
-                    phi_519_ = bool();
-                    phi_520_ = true;
+                    phi_520_ = bool();
+                    phi_521_ = true;
                 }
-                let _e303 = phi_519_;
-                let _e305 = phi_520_;
-                if _e305 {
-                    phi_524_ = false;
+                let _e304 = phi_520_;
+                let _e306 = phi_521_;
+                if _e306 {
+                    phi_525_ = false;
                 } else {
-                    phi_524_ = _e303;
+                    phi_525_ = _e304;
                 }
-                let _e307 = phi_524_;
-                if _e307 {
-                    if (_e276 > 0f) {
-                        phi_538_ = bool();
-                        phi_539_ = true;
+                let _e308 = phi_525_;
+                if _e308 {
+                    if (_e277 > 0f) {
+                        phi_539_ = bool();
+                        phi_540_ = true;
                     } else {
-                        let _e309 = (_e277 > 0f);
-                        if _e309 {
-                            phi_537_ = bool();
+                        let _e310 = (_e278 > 0f);
+                        if _e310 {
+                            phi_538_ = bool();
                         } else {
-                            phi_537_ = (_e278 > 0f);
+                            phi_538_ = (_e279 > 0f);
                         }
-                        let _e312 = phi_537_;
-                        phi_538_ = _e312;
-                        phi_539_ = _e309;
+                        let _e313 = phi_538_;
+                        phi_539_ = _e313;
+                        phi_540_ = _e310;
                     }
-                    let _e314 = phi_538_;
-                    let _e316 = phi_539_;
-                    if _e316 {
-                        phi_543_ = true;
+                    let _e315 = phi_539_;
+                    let _e317 = phi_540_;
+                    if _e317 {
+                        phi_544_ = true;
                     } else {
-                        phi_543_ = _e314;
+                        phi_544_ = _e315;
                     }
-                    let _e318 = phi_543_;
-                    phi_544_ = _e318;
-                    phi_545_ = false;
+                    let _e319 = phi_544_;
+                    phi_545_ = _e319;
+                    phi_546_ = false;
                 } else {
-                    phi_544_ = bool();
-                    phi_545_ = true;
+                    phi_545_ = bool();
+                    phi_546_ = true;
                 }
-                let _e320 = phi_544_;
-                let _e322 = phi_545_;
-                phi_546_ = _e320;
-                phi_547_ = _e322;
+                let _e321 = phi_545_;
+                let _e323 = phi_546_;
+                phi_547_ = _e321;
+                phi_548_ = _e323;
             } else {
-                phi_546_ = bool();
-                phi_547_ = true;
+                phi_547_ = bool();
+                phi_548_ = true;
             }
-            let _e324 = phi_546_;
-            let _e326 = phi_547_;
-            if _e326 {
-                phi_551_ = false;
+            let _e325 = phi_547_;
+            let _e327 = phi_548_;
+            if _e327 {
+                phi_552_ = false;
             } else {
-                phi_551_ = _e324;
+                phi_552_ = _e325;
             }
-            let _e328 = phi_551_;
-            if _e328 {
-                if (_e235.low.x <= _e252) {
-                    if (_e252 <= _e235.high.x) {
-                        if (_e235.low.y <= _e254) {
-                            phi_574_ = (_e254 <= _e235.high.y);
-                            phi_575_ = false;
+            let _e329 = phi_552_;
+            if _e329 {
+                if (_e236.low.x <= _e253) {
+                    if (_e253 <= _e236.high.x) {
+                        if (_e236.low.y <= _e255) {
+                            phi_575_ = (_e255 <= _e236.high.y);
+                            phi_576_ = false;
                         } else {
-                            phi_574_ = bool();
-                            phi_575_ = true;
+                            phi_575_ = bool();
+                            phi_576_ = true;
                         }
-                        let _e346 = phi_574_;
-                        let _e348 = phi_575_;
-                        phi_576_ = _e346;
-                        phi_577_ = _e348;
+                        let _e347 = phi_575_;
+                        let _e349 = phi_576_;
+                        phi_577_ = _e347;
+                        phi_578_ = _e349;
                     } else {
-                        phi_576_ = bool();
-                        phi_577_ = true;
+                        phi_577_ = bool();
+                        phi_578_ = true;
                     }
-                    let _e350 = phi_576_;
-                    let _e352 = phi_577_;
-                    phi_578_ = _e350;
-                    phi_579_ = _e352;
+                    let _e351 = phi_577_;
+                    let _e353 = phi_578_;
+                    phi_579_ = _e351;
+                    phi_580_ = _e353;
                 } else {
-                    phi_578_ = bool();
-                    phi_579_ = true;
+                    phi_579_ = bool();
+                    phi_580_ = true;
                 }
-                let _e354 = phi_578_;
-                let _e356 = phi_579_;
-                if _e356 {
-                    phi_583_ = false;
+                let _e355 = phi_579_;
+                let _e357 = phi_580_;
+                if _e357 {
+                    phi_584_ = false;
                 } else {
-                    phi_583_ = _e354;
+                    phi_584_ = _e355;
                 }
-                let _e358 = phi_583_;
-                if (abs(_e272) > 0.000000000000000000000000000001f) {
-                    phi_597_ = bool();
-                    phi_598_ = true;
+                let _e359 = phi_584_;
+                if (abs(_e273) > 0.000000000000000000000000000001f) {
+                    phi_598_ = bool();
+                    phi_599_ = true;
                 } else {
-                    let _e363 = (abs(_e273) > 0.000000000000000000000000000001f);
-                    if _e363 {
-                        phi_596_ = bool();
+                    let _e364 = (abs(_e274) > 0.000000000000000000000000000001f);
+                    if _e364 {
+                        phi_597_ = bool();
                     } else {
-                        phi_596_ = (abs(_e274) > 0.000000000000000000000000000001f);
+                        phi_597_ = (abs(_e275) > 0.000000000000000000000000000001f);
                     }
-                    let _e366 = phi_596_;
-                    phi_597_ = _e366;
-                    phi_598_ = _e363;
+                    let _e367 = phi_597_;
+                    phi_598_ = _e367;
+                    phi_599_ = _e364;
                 }
-                let _e368 = phi_597_;
-                let _e370 = phi_598_;
-                if _e370 {
-                    phi_602_ = true;
+                let _e369 = phi_598_;
+                let _e371 = phi_599_;
+                if _e371 {
+                    phi_603_ = true;
                 } else {
-                    phi_602_ = _e368;
+                    phi_603_ = _e369;
                 }
-                let _e372 = phi_602_;
-                if _e358 {
-                    if (_e235.low.z <= _e256) {
-                        if (_e256 <= _e235.high.z) {
-                            if (_e235.is_parallel == 0u) {
-                                phi_619_ = _e372;
+                let _e373 = phi_603_;
+                if _e359 {
+                    if (_e236.low.z <= _e257) {
+                        if (_e257 <= _e236.high.z) {
+                            if (_e236.is_parallel == 0u) {
+                                phi_620_ = _e373;
                             } else {
-                                phi_619_ = true;
+                                phi_620_ = true;
                             }
-                            let _e378 = phi_619_;
-                            phi_620_ = _e378;
-                            phi_621_ = false;
+                            let _e379 = phi_620_;
+                            phi_621_ = _e379;
+                            phi_622_ = false;
                         } else {
-                            phi_620_ = bool();
-                            phi_621_ = true;
+                            phi_621_ = bool();
+                            phi_622_ = true;
                         }
-                        let _e380 = phi_620_;
-                        let _e382 = phi_621_;
-                        phi_622_ = _e380;
-                        phi_623_ = _e382;
+                        let _e381 = phi_621_;
+                        let _e383 = phi_622_;
+                        phi_623_ = _e381;
+                        phi_624_ = _e383;
                     } else {
-                        phi_622_ = bool();
-                        phi_623_ = true;
+                        phi_623_ = bool();
+                        phi_624_ = true;
                     }
-                    let _e384 = phi_622_;
-                    let _e386 = phi_623_;
-                    phi_624_ = _e384;
-                    phi_625_ = _e386;
+                    let _e385 = phi_623_;
+                    let _e387 = phi_624_;
+                    phi_625_ = _e385;
+                    phi_626_ = _e387;
                 } else {
-                    phi_624_ = bool();
-                    phi_625_ = true;
+                    phi_625_ = bool();
+                    phi_626_ = true;
                 }
-                let _e388 = phi_624_;
-                let _e390 = phi_625_;
-                if _e390 {
-                    phi_629_ = false;
+                let _e389 = phi_625_;
+                let _e391 = phi_626_;
+                if _e391 {
+                    phi_630_ = false;
                 } else {
-                    phi_629_ = _e388;
+                    phi_630_ = _e389;
                 }
-                let _e392 = phi_629_;
-                if _e392 {
-                    if (_e235.is_parallel == 0u) {
-                        let _e395 = abs(_e272);
+                let _e393 = phi_630_;
+                if _e393 {
+                    if (_e236.is_parallel == 0u) {
                         let _e396 = abs(_e273);
                         let _e397 = abs(_e274);
-                        if (_e395 >= _e396) {
-                            if (_e395 >= _e397) {
-                                phi_649_ = false;
+                        let _e398 = abs(_e275);
+                        if (_e396 >= _e397) {
+                            if (_e396 >= _e398) {
+                                phi_650_ = false;
                             } else {
-                                phi_649_ = true;
+                                phi_650_ = true;
                             }
-                            let _e401 = phi_649_;
-                            phi_650_ = _e401;
+                            let _e402 = phi_650_;
+                            phi_651_ = _e402;
                         } else {
-                            phi_650_ = true;
+                            phi_651_ = true;
                         }
-                        let _e403 = phi_650_;
-                        if _e403 {
-                            if (_e396 >= _e397) {
-                                phi_658_ = 1u;
-                                phi_659_ = _e273;
+                        let _e404 = phi_651_;
+                        if _e404 {
+                            if (_e397 >= _e398) {
+                                phi_659_ = 1u;
+                                phi_660_ = _e274;
                             } else {
-                                phi_658_ = 2u;
-                                phi_659_ = _e274;
+                                phi_659_ = 2u;
+                                phi_660_ = _e275;
                             }
-                            let _e406 = phi_658_;
-                            let _e408 = phi_659_;
-                            phi_660_ = _e406;
-                            phi_661_ = _e408;
+                            let _e407 = phi_659_;
+                            let _e409 = phi_660_;
+                            phi_661_ = _e407;
+                            phi_662_ = _e409;
                         } else {
-                            phi_660_ = 0u;
-                            phi_661_ = _e272;
+                            phi_661_ = 0u;
+                            phi_662_ = _e273;
                         }
-                        let _e410 = phi_660_;
-                        let _e412 = phi_661_;
-                        if (_e412 < 0f) {
-                            phi_666_ = -1f;
+                        let _e411 = phi_661_;
+                        let _e413 = phi_662_;
+                        if (_e413 < 0f) {
+                            phi_667_ = -1f;
                         } else {
-                            phi_666_ = 1f;
+                            phi_667_ = 1f;
                         }
-                        let _e415 = phi_666_;
-                        let _e416 = (_e415 < 0f);
-                        if (_e410 == 0u) {
-                            if _e416 {
-                                phi_677_ = _e235.roots.y;
+                        let _e416 = phi_667_;
+                        let _e417 = (_e416 < 0f);
+                        if (_e411 == 0u) {
+                            if _e417 {
+                                phi_678_ = _e236.roots.y;
                             } else {
-                                phi_677_ = _e235.roots.x;
+                                phi_678_ = _e236.roots.x;
                             }
-                            let _e423 = phi_677_;
-                            phi_695_ = _e423;
+                            let _e424 = phi_678_;
+                            phi_696_ = _e424;
                         } else {
-                            if (_e410 == 1u) {
-                                if _e416 {
-                                    phi_687_ = _e235.roots.w;
+                            if (_e411 == 1u) {
+                                if _e417 {
+                                    phi_688_ = _e236.roots.w;
                                 } else {
-                                    phi_687_ = _e235.roots.z;
+                                    phi_688_ = _e236.roots.z;
                                 }
-                                let _e430 = phi_687_;
-                                phi_694_ = _e430;
+                                let _e431 = phi_688_;
+                                phi_695_ = _e431;
                             } else {
-                                if _e416 {
-                                    phi_693_ = _e235.roots_z.y;
+                                if _e417 {
+                                    phi_694_ = _e236.roots_z.y;
                                 } else {
-                                    phi_693_ = _e235.roots_z.x;
+                                    phi_694_ = _e236.roots_z.x;
                                 }
-                                let _e436 = phi_693_;
-                                phi_694_ = _e436;
+                                let _e437 = phi_694_;
+                                phi_695_ = _e437;
                             }
-                            let _e438 = phi_694_;
-                            phi_695_ = _e438;
+                            let _e439 = phi_695_;
+                            phi_696_ = _e439;
                         }
-                        let _e440 = phi_695_;
-                        if (_e410 == 0u) {
-                            phi_707_ = vec3<f32>(_e273, _e274, _e272);
+                        let _e441 = phi_696_;
+                        if (_e411 == 0u) {
+                            phi_708_ = vec3<f32>(_e274, _e275, _e273);
                         } else {
-                            if (_e410 == 1u) {
-                                phi_706_ = vec3<f32>(_e274, _e272, _e273);
+                            if (_e411 == 1u) {
+                                phi_707_ = vec3<f32>(_e275, _e273, _e274);
                             } else {
-                                phi_706_ = _e275;
+                                phi_707_ = _e276;
                             }
-                            let _e446 = phi_706_;
-                            phi_707_ = _e446;
+                            let _e447 = phi_707_;
+                            phi_708_ = _e447;
                         }
-                        let _e448 = phi_707_;
-                        phi_753_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e448.x / _e448.z), (_e448.y / _e448.z), (_e415 / _e448.z)), _e440);
+                        let _e449 = phi_708_;
+                        phi_753_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e449.x / _e449.z), (_e449.y / _e449.z), (_e416 / _e449.z)), _e441);
                     } else {
-                        if (_e235.axis == 0u) {
-                            phi_730_ = vec3<f32>(_e254, _e256, _e252);
+                        if (_e236.axis == 0u) {
+                            phi_731_ = vec3<f32>(_e255, _e257, _e253);
                         } else {
-                            if (_e235.axis == 1u) {
-                                phi_729_ = vec3<f32>(_e256, _e252, _e254);
+                            if (_e236.axis == 1u) {
+                                phi_730_ = vec3<f32>(_e257, _e253, _e255);
                             } else {
-                                phi_729_ = (_e238 + vec3<f32>(_e246, _e248, _e250));
+                                phi_730_ = (_e239 + vec3<f32>(_e247, _e249, _e251));
                             }
-                            let _e465 = phi_729_;
-                            phi_730_ = _e465;
+                            let _e466 = phi_730_;
+                            phi_731_ = _e466;
                         }
-                        let _e467 = phi_730_;
-                        let _e479 = (_e467.z - _e235.middle.z);
-                        phi_753_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e467.x - _e235.middle.x) - (_e235.shear.x * _e479)), ((_e467.y - _e235.middle.y) - (_e235.shear.y * _e479)), (_e235.sign * _e479)), _e235.roots.x);
+                        let _e468 = phi_731_;
+                        let _e483 = (_e468.z - _e236.middle.z);
+                        phi_753_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e468.x - _e236.middle.x) - (_e236.shear.x * _e483)), ((_e468.y - _e236.middle.y) - (_e236.shear.y * _e483)), (_e236.sign * _e483)), _e236.roots.x);
                     }
-                    let _e492 = phi_753_;
-                    if (_e492.unnamed_1 == 4294967295u) {
-                        phi_1996_ = false;
-                        phi_1997_ = true;
+                    let _e494 = phi_753_;
+                    if (_e494.unnamed_1 == 4294967295u) {
+                        phi_2092_ = false;
                     } else {
-                        if (0u < _e75) {
+                        if (0u < _e76) {
                         } else {
                             return;
                         }
-                        let _e500 = nodes.member[0u].frame[0u];
-                        let _e504 = nodes.member[0u].frame[1u];
-                        let _e508 = nodes.member[0u].frame[2u];
-                        let _e512 = nodes.member[0u].frame[0u];
-                        let _e516 = nodes.member[0u].frame[1u];
-                        let _e520 = nodes.member[0u].frame[2u];
-                        let _e524 = nodes.member[0u].frame[3u];
-                        let _e558 = core_intrinsics_maximum_number_nsz_f32_(abs(_e272), abs(_e273));
-                        let _e559 = core_intrinsics_maximum_number_nsz_f32_(_e558, abs(_e274));
-                        let _e560 = (_e559 * 0.0000000000009094947f);
-                        if (abs(_e272) < _e560) {
-                            phi_821_ = _e560;
+                        let _e511 = nodes.member[0u].frame[0u];
+                        let _e515 = nodes.member[0u].frame[1u];
+                        let _e519 = nodes.member[0u].frame[2u];
+                        let _e523 = nodes.member[0u].frame[0u];
+                        let _e527 = nodes.member[0u].frame[1u];
+                        let _e531 = nodes.member[0u].frame[2u];
+                        let _e535 = nodes.member[0u].frame[3u];
+                        let _e569 = core_intrinsics_maximum_number_nsz_f32_(abs(_e273), abs(_e274));
+                        let _e570 = core_intrinsics_maximum_number_nsz_f32_(_e569, abs(_e275));
+                        let _e571 = (_e570 * 0.0000000000009094947f);
+                        if (abs(_e273) < _e571) {
+                            phi_828_ = _e571;
                         } else {
-                            phi_821_ = abs(_e272);
+                            phi_828_ = abs(_e273);
                         }
-                        let _e565 = phi_821_;
-                        if (_e272 < 0f) {
-                            phi_828_ = (-1f / _e565);
-                        } else {
-                            phi_828_ = (1f / _e565);
-                        }
-                        let _e570 = phi_828_;
-                        if (abs(_e273) < _e560) {
-                            phi_835_ = _e560;
-                        } else {
-                            phi_835_ = abs(_e273);
-                        }
-                        let _e575 = phi_835_;
+                        let _e576 = phi_828_;
                         if (_e273 < 0f) {
-                            phi_842_ = (-1f / _e575);
+                            phi_835_ = (-1f / _e576);
                         } else {
-                            phi_842_ = (1f / _e575);
+                            phi_835_ = (1f / _e576);
                         }
-                        let _e580 = phi_842_;
-                        if (abs(_e274) < _e560) {
-                            phi_849_ = _e560;
+                        let _e581 = phi_835_;
+                        if (abs(_e274) < _e571) {
+                            phi_842_ = _e571;
                         } else {
-                            phi_849_ = abs(_e274);
+                            phi_842_ = abs(_e274);
                         }
-                        let _e585 = phi_849_;
+                        let _e586 = phi_842_;
                         if (_e274 < 0f) {
-                            phi_856_ = (-1f / _e585);
+                            phi_849_ = (-1f / _e586);
                         } else {
-                            phi_856_ = (1f / _e585);
+                            phi_849_ = (1f / _e586);
                         }
-                        let _e590 = phi_856_;
-                        let _e594 = abs((bitcast<f32>(_e500) - _e252));
-                        let _e595 = abs((bitcast<f32>(_e504) - _e254));
-                        let _e596 = abs((bitcast<f32>(_e508) - _e256));
-                        let _e600 = abs(((bitcast<f32>(_e512) + (bitcast<f32>((((_e524 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e252));
-                        let _e601 = abs(((bitcast<f32>(_e516) + (bitcast<f32>((((_e524 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e254));
-                        let _e602 = abs(((bitcast<f32>(_e520) + (bitcast<f32>((((_e524 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e256));
-                        if (_e594 > _e600) {
-                            phi_873_ = _e594;
+                        let _e591 = phi_849_;
+                        if (abs(_e275) < _e571) {
+                            phi_856_ = _e571;
                         } else {
-                            phi_873_ = _e600;
+                            phi_856_ = abs(_e275);
                         }
-                        let _e605 = phi_873_;
-                        if (_e595 > _e601) {
-                            phi_878_ = _e595;
+                        let _e596 = phi_856_;
+                        if (_e275 < 0f) {
+                            phi_863_ = (-1f / _e596);
                         } else {
-                            phi_878_ = _e601;
+                            phi_863_ = (1f / _e596);
                         }
-                        let _e608 = phi_878_;
-                        if (_e596 > _e602) {
-                            phi_883_ = _e596;
+                        let _e601 = phi_863_;
+                        let _e605 = abs((bitcast<f32>(_e511) - _e253));
+                        let _e606 = abs((bitcast<f32>(_e515) - _e255));
+                        let _e607 = abs((bitcast<f32>(_e519) - _e257));
+                        let _e611 = abs(((bitcast<f32>(_e523) + (bitcast<f32>((((_e535 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e253));
+                        let _e612 = abs(((bitcast<f32>(_e527) + (bitcast<f32>((((_e535 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e255));
+                        let _e613 = abs(((bitcast<f32>(_e531) + (bitcast<f32>((((_e535 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e257));
+                        if (_e605 > _e611) {
+                            phi_880_ = _e605;
                         } else {
-                            phi_883_ = _e602;
+                            phi_880_ = _e611;
                         }
-                        let _e611 = phi_883_;
-                        if (_e605 > _e608) {
-                            phi_888_ = _e605;
+                        let _e616 = phi_880_;
+                        if (_e606 > _e612) {
+                            phi_885_ = _e606;
                         } else {
-                            phi_888_ = _e608;
+                            phi_885_ = _e612;
                         }
-                        let _e614 = phi_888_;
-                        if (_e614 > _e611) {
-                            phi_893_ = _e614;
+                        let _e619 = phi_885_;
+                        if (_e607 > _e613) {
+                            phi_890_ = _e607;
                         } else {
-                            phi_893_ = _e611;
+                            phi_890_ = _e613;
                         }
-                        let _e617 = phi_893_;
-                        let _e624 = (_e617 * 0.0000009536743f);
-                        let _e625 = (abs(_e570) * _e624);
-                        let _e626 = (abs(_e580) * _e624);
-                        let _e627 = (abs(_e590) * _e624);
-                        let _e628 = abs(_e272);
-                        let _e629 = abs(_e273);
-                        let _e630 = abs(_e274);
-                        if (_e628 >= _e629) {
-                            if (_e628 >= _e630) {
-                                phi_915_ = false;
+                        let _e622 = phi_890_;
+                        if (_e616 > _e619) {
+                            phi_895_ = _e616;
+                        } else {
+                            phi_895_ = _e619;
+                        }
+                        let _e625 = phi_895_;
+                        if (_e625 > _e622) {
+                            phi_900_ = _e625;
+                        } else {
+                            phi_900_ = _e622;
+                        }
+                        let _e628 = phi_900_;
+                        let _e635 = (_e628 * 0.0000009536743f);
+                        let _e636 = (abs(_e581) * _e635);
+                        let _e637 = (abs(_e591) * _e635);
+                        let _e638 = (abs(_e601) * _e635);
+                        let _e639 = abs(_e273);
+                        let _e640 = abs(_e274);
+                        let _e641 = abs(_e275);
+                        if (_e639 >= _e640) {
+                            if (_e639 >= _e641) {
+                                phi_922_ = false;
                             } else {
-                                phi_915_ = true;
+                                phi_922_ = true;
                             }
-                            let _e634 = phi_915_;
-                            phi_916_ = _e634;
+                            let _e645 = phi_922_;
+                            phi_923_ = _e645;
                         } else {
-                            phi_916_ = true;
+                            phi_923_ = true;
                         }
-                        let _e636 = phi_916_;
-                        if _e636 {
-                            if (_e629 >= _e630) {
-                                phi_924_ = 1u;
+                        let _e647 = phi_923_;
+                        if _e647 {
+                            if (_e640 >= _e641) {
+                                phi_931_ = 1u;
                             } else {
-                                phi_924_ = 2u;
+                                phi_931_ = 2u;
                             }
-                            let _e639 = phi_924_;
-                            phi_925_ = _e639;
+                            let _e650 = phi_931_;
+                            phi_932_ = _e650;
                         } else {
-                            phi_925_ = 0u;
+                            phi_932_ = 0u;
                         }
-                        let _e641 = phi_925_;
-                        if (_e641 == 0u) {
-                            phi_937_ = vec3<f32>(_e273, _e274, _e272);
+                        let _e652 = phi_932_;
+                        if (_e652 == 0u) {
+                            phi_944_ = vec3<f32>(_e274, _e275, _e273);
                         } else {
-                            if (_e641 == 1u) {
-                                phi_936_ = vec3<f32>(_e274, _e272, _e273);
+                            if (_e652 == 1u) {
+                                phi_943_ = vec3<f32>(_e275, _e273, _e274);
                             } else {
-                                phi_936_ = _e275;
+                                phi_943_ = _e276;
                             }
-                            let _e647 = phi_936_;
-                            phi_937_ = _e647;
+                            let _e658 = phi_943_;
+                            phi_944_ = _e658;
                         }
-                        let _e649 = phi_937_;
-                        let _e652 = (_e649.x / _e649.z);
-                        let _e655 = (_e649.y / _e649.z);
+                        let _e660 = phi_944_;
+                        let _e663 = (_e660.x / _e660.z);
+                        let _e666 = (_e660.y / _e660.z);
                         local_1 = array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                        phi_949_ = ((_e492.unnamed_1 << bitcast<u32>(8i)) | 1u);
-                        phi_952_ = 0u;
+                        phi_956_ = ((_e494.unnamed_1 << bitcast<u32>(8i)) | 1u);
+                        phi_959_ = 0u;
                         loop {
-                            let _e662 = phi_949_;
-                            let _e664 = phi_952_;
-                            let _e665 = (_e662 == 0u);
-                            local_6 = _e665;
-                            if _e665 {
-                                phi_950_ = u32();
-                                phi_953_ = u32();
-                                phi_1977_ = false;
-                                phi_1978_ = false;
-                                phi_1979_ = false;
-                            } else {
-                                phi_961_ = _e662;
-                                phi_964_ = 0u;
-                                phi_966_ = 0u;
-                                phi_968_ = _e664;
-                                loop {
-                                    let _e667 = phi_961_;
-                                    let _e669 = phi_964_;
-                                    let _e671 = phi_966_;
-                                    let _e673 = phi_968_;
-                                    local_12 = _e671;
-                                    local_4 = _e669;
-                                    local_15 = _e667;
-                                    local_16 = _e673;
-                                    let _e674 = (_e667 == 0u);
-                                    local_3 = _e674;
-                                    if _e674 {
-                                        phi_962_ = u32();
-                                        phi_965_ = u32();
-                                        phi_967_ = u32();
-                                        phi_969_ = u32();
-                                        phi_1315_ = false;
-                                    } else {
-                                        let _e675 = (_e671 == 0u);
-                                        if _e675 {
-                                            let _e682 = (((_e667 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e667), 32u, (_e667 == 0u))) * 4u);
-                                            if (_e682 < _e84) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e686 = rows.member[(0u + _e682)];
-                                            let _e687 = (_e682 + 1u);
-                                            if (_e687 < _e84) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e691 = rows.member[(0u + _e687)];
-                                            let _e692 = (_e682 + 2u);
-                                            if (_e692 < _e84) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e696 = rows.member[(0u + _e692)];
-                                            let _e697 = (_e682 + 3u);
-                                            if (_e697 < _e84) {
-                                            } else {
-                                                return;
-                                            }
-                                            let _e701 = rows.member[(0u + _e697)];
-                                            let _e702 = lt_bvh_LightNode(_e686, _e691, _e696, _e701);
-                                            let _e704 = (_e667 & (_e667 - 1u));
-                                            let _e716 = (_e492.unnamed.positive_exponent - bitcast<f32>(_e702.frame.x));
-                                            let _e719 = bitcast<f32>((((_e702.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                            if (_e716 > 0f) {
-                                                if (_e716 < (255f * _e719)) {
-                                                    phi_1041_ = (_e716 / _e719);
-                                                } else {
-                                                    phi_1041_ = 255f;
-                                                }
-                                                let _e725 = phi_1041_;
-                                                phi_1042_ = _e725;
-                                            } else {
-                                                phi_1042_ = 0f;
-                                            }
-                                            let _e727 = phi_1042_;
-                                            let _e734 = select(select(u32(_e727), 0u, (_e727 < bitcast<f32>(0u))), 4294967295u, (_e727 > bitcast<f32>(1333788671u)));
-                                            if (f32(_e734) < _e727) {
-                                                phi_1056_ = (_e734 + 1u);
-                                            } else {
-                                                phi_1056_ = _e734;
-                                            }
-                                            let _e739 = phi_1056_;
-                                            let _e740 = (_e734 * 16843009u);
-                                            let _e741 = (_e739 * 16843009u);
-                                            let _e751 = (_e492.unnamed.negative_exponent - bitcast<f32>(_e702.frame.y));
-                                            let _e754 = bitcast<f32>((((_e702.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                            if (_e751 > 0f) {
-                                                if (_e751 < (255f * _e754)) {
-                                                    phi_1079_ = (_e751 / _e754);
-                                                } else {
-                                                    phi_1079_ = 255f;
-                                                }
-                                                let _e760 = phi_1079_;
-                                                phi_1080_ = _e760;
-                                            } else {
-                                                phi_1080_ = 0f;
-                                            }
-                                            let _e762 = phi_1080_;
-                                            let _e769 = select(select(u32(_e762), 0u, (_e762 < bitcast<f32>(0u))), 4294967295u, (_e762 > bitcast<f32>(1333788671u)));
-                                            if (f32(_e769) < _e762) {
-                                                phi_1094_ = (_e769 + 1u);
-                                            } else {
-                                                phi_1094_ = _e769;
-                                            }
-                                            let _e774 = phi_1094_;
-                                            let _e775 = (_e769 * 16843009u);
-                                            let _e776 = (_e774 * 16843009u);
-                                            let _e786 = (_e492.unnamed.min_variance - bitcast<f32>(_e702.frame.z));
-                                            let _e789 = bitcast<f32>((((_e702.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                            if (_e786 > 0f) {
-                                                if (_e786 < (255f * _e789)) {
-                                                    phi_1117_ = (_e786 / _e789);
-                                                } else {
-                                                    phi_1117_ = 255f;
-                                                }
-                                                let _e795 = phi_1117_;
-                                                phi_1118_ = _e795;
-                                            } else {
-                                                phi_1118_ = 0f;
-                                            }
-                                            let _e797 = phi_1118_;
-                                            let _e804 = select(select(u32(_e797), 0u, (_e797 < bitcast<f32>(0u))), 4294967295u, (_e797 > bitcast<f32>(1333788671u)));
-                                            if (f32(_e804) < _e797) {
-                                                phi_1132_ = (_e804 + 1u);
-                                            } else {
-                                                phi_1132_ = _e804;
-                                            }
-                                            let _e809 = phi_1132_;
-                                            let _e810 = (_e809 * 16843009u);
-                                            let _e943 = (((((((((((_e740 & ~(_e702.x.x)) | (~((_e702.x.x ^ _e740)) & ((_e740 | 2155905152u) - (_e702.x.x & 2139062143u)))) & ((_e702.x.z & ~(_e741)) | (~((_e741 ^ _e702.x.z)) & ((_e702.x.z | 2155905152u) - (_e741 & 2139062143u))))) & ((_e775 & ~(_e702.y.x)) | (~((_e702.y.x ^ _e775)) & ((_e775 | 2155905152u) - (_e702.y.x & 2139062143u))))) & ((_e702.y.z & ~(_e776)) | (~((_e776 ^ _e702.y.z)) & ((_e702.y.z | 2155905152u) - (_e776 & 2139062143u))))) & ((_e702.rest.x & ~(_e810)) | (~((_e810 ^ _e702.rest.x)) & ((_e702.rest.x | 2155905152u) - (_e810 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e740 & ~(_e702.x.y)) | (~((_e702.x.y ^ _e740)) & ((_e740 | 2155905152u) - (_e702.x.y & 2139062143u)))) & ((_e702.x.w & ~(_e741)) | (~((_e741 ^ _e702.x.w)) & ((_e702.x.w | 2155905152u) - (_e741 & 2139062143u))))) & ((_e775 & ~(_e702.y.y)) | (~((_e702.y.y ^ _e775)) & ((_e775 | 2155905152u) - (_e702.y.y & 2139062143u))))) & ((_e702.y.w & ~(_e776)) | (~((_e776 ^ _e702.y.w)) & ((_e702.y.w | 2155905152u) - (_e776 & 2139062143u))))) & ((_e702.rest.y & ~(_e810)) | (~((_e810 ^ _e702.rest.y)) & ((_e702.rest.y | 2155905152u) - (_e810 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                                            if ((_e702.frame.w & 16777216u) != 0u) {
-                                                phi_1286_ = _e704;
-                                                phi_1287_ = _e702.rest.z;
-                                                phi_1288_ = _e943;
-                                                phi_1289_ = _e673;
-                                            } else {
-                                                if (_e943 == 0u) {
-                                                    phi_1284_ = _e704;
-                                                    phi_1285_ = _e673;
-                                                } else {
-                                                    if ((_e704 & 255u) == 0u) {
-                                                        phi_1280_ = _e673;
-                                                    } else {
-                                                        if (_e673 < 32u) {
-                                                            if (_e673 < 32u) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            local_1[(0u + _e673)] = _e704;
-                                                            phi_1279_ = (_e673 + 1u);
-                                                        } else {
-                                                            phi_1279_ = _e673;
-                                                        }
-                                                        let _e959 = phi_1279_;
-                                                        phi_1280_ = _e959;
-                                                    }
-                                                    let _e961 = phi_1280_;
-                                                    phi_1284_ = ((_e702.rest.z << bitcast<u32>(8i)) | _e943);
-                                                    phi_1285_ = _e961;
-                                                }
-                                                let _e968 = phi_1284_;
-                                                let _e970 = phi_1285_;
-                                                phi_1286_ = _e968;
-                                                phi_1287_ = _e669;
-                                                phi_1288_ = _e671;
-                                                phi_1289_ = _e970;
-                                            }
-                                            let _e972 = phi_1286_;
-                                            let _e974 = phi_1287_;
-                                            let _e976 = phi_1288_;
-                                            let _e978 = phi_1289_;
-                                            if ((_e972 & 255u) == 0u) {
-                                                if (_e978 > 0u) {
-                                                    let _e982 = (_e978 - 1u);
-                                                    if (_e982 < 32u) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e986 = local_1[(0u + _e982)];
-                                                    phi_1307_ = _e986;
-                                                    phi_1308_ = _e982;
-                                                } else {
-                                                    phi_1307_ = 0u;
-                                                    phi_1308_ = _e978;
-                                                }
-                                                let _e988 = phi_1307_;
-                                                let _e990 = phi_1308_;
-                                                phi_1309_ = _e988;
-                                                phi_1310_ = _e990;
-                                            } else {
-                                                phi_1309_ = _e972;
-                                                phi_1310_ = _e978;
-                                            }
-                                            let _e992 = phi_1309_;
-                                            let _e994 = phi_1310_;
-                                            phi_1311_ = _e992;
-                                            phi_1312_ = _e974;
-                                            phi_1313_ = _e976;
-                                            phi_1314_ = _e994;
-                                        } else {
-                                            phi_1311_ = u32();
-                                            phi_1312_ = u32();
-                                            phi_1313_ = u32();
-                                            phi_1314_ = u32();
-                                        }
-                                        let _e996 = phi_1311_;
-                                        let _e998 = phi_1312_;
-                                        let _e1000 = phi_1313_;
-                                        let _e1002 = phi_1314_;
-                                        phi_962_ = _e996;
-                                        phi_965_ = _e998;
-                                        phi_967_ = _e1000;
-                                        phi_969_ = _e1002;
-                                        phi_1315_ = _e675;
-                                    }
-                                    let _e1004 = phi_962_;
-                                    let _e1006 = phi_965_;
-                                    let _e1008 = phi_967_;
-                                    let _e1010 = phi_969_;
-                                    let _e1012 = phi_1315_;
-                                    continue;
-                                    continuing {
-                                        phi_961_ = _e1004;
-                                        phi_964_ = _e1006;
-                                        phi_966_ = _e1008;
-                                        phi_968_ = _e1010;
-                                        break if !(_e1012);
-                                    }
-                                }
-                                let _e1015 = local_3;
-                                if _e1015 {
-                                }
-                                let _e3107 = local_12;
-                                phi_1320_ = _e3107;
-                                loop {
-                                    let _e1017 = phi_1320_;
-                                    let _e1018 = (_e1017 == 0u);
-                                    local_5 = _e1018;
-                                    local_17 = _e1018;
-                                    if _e1018 {
-                                        phi_1321_ = u32();
-                                        phi_1969_ = false;
-                                        phi_1970_ = false;
-                                        phi_1971_ = false;
-                                    } else {
-                                        let _e1021 = select(firstTrailingBit(_e1017), 32u, (_e1017 == 0u));
-                                        let _e1025 = local_4;
-                                        let _e1026 = (_e1025 + (_e1021 >> bitcast<u32>(2i)));
-                                        if (_e1026 < _e84) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e1031 = rows.member[(0u + _e1026)][0u];
-                                        let _e1035 = rows.member[(0u + _e1026)][1u];
-                                        let _e1039 = rows.member[(0u + _e1026)][2u];
-                                        let _e1043 = rows.member[(0u + _e1026)][3u];
-                                        if ((_e1021 & 2u) == 0u) {
-                                            phi_1359_ = _e1035;
-                                            phi_1360_ = _e1031;
-                                        } else {
-                                            phi_1359_ = _e1043;
-                                            phi_1360_ = _e1039;
-                                        }
-                                        let _e1047 = phi_1359_;
-                                        let _e1049 = phi_1360_;
-                                        if ((_e1021 & 1u) == 0u) {
-                                            phi_1366_ = _e1049;
-                                        } else {
-                                            phi_1366_ = _e1047;
-                                        }
-                                        let _e1053 = phi_1366_;
-                                        if (_e1053 < _e78) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e1060 = triangles.member[(0u + _e1053)].v0_;
-                                        let _e1062 = (_e1060.x - _e252);
-                                        let _e1064 = (_e1060.y - _e254);
-                                        let _e1066 = (_e1060.z - _e256);
-                                        if (_e641 == 0u) {
-                                            phi_1396_ = vec3<f32>(_e1064, _e1066, _e1062);
-                                        } else {
-                                            if (_e641 == 1u) {
-                                                phi_1395_ = vec3<f32>(_e1066, _e1062, _e1064);
-                                            } else {
-                                                phi_1395_ = (_e1060 - vec3<f32>(_e252, _e254, _e256));
-                                            }
-                                            let _e1074 = phi_1395_;
-                                            phi_1396_ = _e1074;
-                                        }
-                                        let _e1076 = phi_1396_;
-                                        let _e1080 = (_e1076.x - (_e652 * _e1076.z));
-                                        let _e1084 = (_e1076.y - (_e655 * _e1076.z));
-                                        let _e1086 = triangles.member[(0u + _e1053)].v1_;
-                                        let _e1088 = (_e1086.x - _e252);
-                                        let _e1090 = (_e1086.y - _e254);
-                                        let _e1092 = (_e1086.z - _e256);
-                                        if (_e641 == 0u) {
-                                            phi_1426_ = vec3<f32>(_e1090, _e1092, _e1088);
-                                        } else {
-                                            if (_e641 == 1u) {
-                                                phi_1425_ = vec3<f32>(_e1092, _e1088, _e1090);
-                                            } else {
-                                                phi_1425_ = (_e1086 - vec3<f32>(_e252, _e254, _e256));
-                                            }
-                                            let _e1100 = phi_1425_;
-                                            phi_1426_ = _e1100;
-                                        }
-                                        let _e1102 = phi_1426_;
-                                        let _e1106 = (_e1102.x - (_e652 * _e1102.z));
-                                        let _e1110 = (_e1102.y - (_e655 * _e1102.z));
-                                        let _e1112 = triangles.member[(0u + _e1053)].v2_;
-                                        let _e1114 = (_e1112.x - _e252);
-                                        let _e1116 = (_e1112.y - _e254);
-                                        let _e1118 = (_e1112.z - _e256);
-                                        if (_e641 == 0u) {
-                                            phi_1456_ = vec3<f32>(_e1116, _e1118, _e1114);
-                                        } else {
-                                            if (_e641 == 1u) {
-                                                phi_1455_ = vec3<f32>(_e1118, _e1114, _e1116);
-                                            } else {
-                                                phi_1455_ = (_e1112 - vec3<f32>(_e252, _e254, _e256));
-                                            }
-                                            let _e1126 = phi_1455_;
-                                            phi_1456_ = _e1126;
-                                        }
-                                        let _e1128 = phi_1456_;
-                                        let _e1132 = (_e1128.x - (_e652 * _e1128.z));
-                                        let _e1136 = (_e1128.y - (_e655 * _e1128.z));
-                                        if (_e1106 < _e1132) {
-                                            phi_1475_ = true;
-                                        } else {
-                                            if (_e1106 == _e1132) {
-                                                phi_1474_ = (_e1110 < _e1136);
-                                            } else {
-                                                phi_1474_ = false;
-                                            }
-                                            let _e1141 = phi_1474_;
-                                            phi_1475_ = _e1141;
-                                        }
-                                        let _e1143 = phi_1475_;
-                                        if _e1143 {
-                                            phi_1479_ = _e1136;
-                                            phi_1480_ = _e1132;
-                                            phi_1481_ = _e1110;
-                                            phi_1482_ = _e1106;
-                                        } else {
-                                            phi_1479_ = _e1110;
-                                            phi_1480_ = _e1106;
-                                            phi_1481_ = _e1136;
-                                            phi_1482_ = _e1132;
-                                        }
-                                        let _e1145 = phi_1479_;
-                                        let _e1147 = phi_1480_;
-                                        let _e1149 = phi_1481_;
-                                        let _e1151 = phi_1482_;
-                                        let _e1154 = ((_e1151 * _e1145) - (_e1149 * _e1147));
-                                        if _e1143 {
-                                            phi_1490_ = -(_e1154);
-                                        } else {
-                                            phi_1490_ = _e1154;
-                                        }
-                                        let _e1157 = phi_1490_;
-                                        if (_e1132 < _e1080) {
-                                            phi_1501_ = true;
-                                        } else {
-                                            if (_e1132 == _e1080) {
-                                                phi_1500_ = (_e1136 < _e1084);
-                                            } else {
-                                                phi_1500_ = false;
-                                            }
-                                            let _e1162 = phi_1500_;
-                                            phi_1501_ = _e1162;
-                                        }
-                                        let _e1164 = phi_1501_;
-                                        if _e1164 {
-                                            phi_1505_ = _e1084;
-                                            phi_1506_ = _e1080;
-                                            phi_1507_ = _e1136;
-                                            phi_1508_ = _e1132;
-                                        } else {
-                                            phi_1505_ = _e1136;
-                                            phi_1506_ = _e1132;
-                                            phi_1507_ = _e1084;
-                                            phi_1508_ = _e1080;
-                                        }
-                                        let _e1166 = phi_1505_;
-                                        let _e1168 = phi_1506_;
-                                        let _e1170 = phi_1507_;
-                                        let _e1172 = phi_1508_;
-                                        let _e1175 = ((_e1172 * _e1166) - (_e1170 * _e1168));
-                                        if _e1164 {
-                                            phi_1516_ = -(_e1175);
-                                        } else {
-                                            phi_1516_ = _e1175;
-                                        }
-                                        let _e1178 = phi_1516_;
-                                        if (_e1080 < _e1106) {
-                                            phi_1527_ = true;
-                                        } else {
-                                            if (_e1080 == _e1106) {
-                                                phi_1526_ = (_e1084 < _e1110);
-                                            } else {
-                                                phi_1526_ = false;
-                                            }
-                                            let _e1183 = phi_1526_;
-                                            phi_1527_ = _e1183;
-                                        }
-                                        let _e1185 = phi_1527_;
-                                        if _e1185 {
-                                            phi_1531_ = _e1110;
-                                            phi_1532_ = _e1106;
-                                            phi_1533_ = _e1084;
-                                            phi_1534_ = _e1080;
-                                        } else {
-                                            phi_1531_ = _e1084;
-                                            phi_1532_ = _e1080;
-                                            phi_1533_ = _e1110;
-                                            phi_1534_ = _e1106;
-                                        }
-                                        let _e1187 = phi_1531_;
-                                        let _e1189 = phi_1532_;
-                                        let _e1191 = phi_1533_;
-                                        let _e1193 = phi_1534_;
-                                        let _e1196 = ((_e1193 * _e1187) - (_e1191 * _e1189));
-                                        if _e1185 {
-                                            phi_1542_ = -(_e1196);
-                                        } else {
-                                            phi_1542_ = _e1196;
-                                        }
-                                        let _e1199 = phi_1542_;
-                                        if (_e1157 >= 0f) {
-                                            if (_e1178 >= 0f) {
-                                                if (_e1199 >= 0f) {
-                                                    phi_1557_ = ((_e1157 + _e1178) + _e1199);
-                                                    phi_1558_ = false;
-                                                } else {
-                                                    phi_1557_ = f32();
-                                                    phi_1558_ = true;
-                                                }
-                                                let _e1206 = phi_1557_;
-                                                let _e1208 = phi_1558_;
-                                                phi_1559_ = _e1206;
-                                                phi_1560_ = _e1208;
-                                            } else {
-                                                phi_1559_ = f32();
-                                                phi_1560_ = true;
-                                            }
-                                            let _e1210 = phi_1559_;
-                                            let _e1212 = phi_1560_;
-                                            phi_1561_ = _e1210;
-                                            phi_1562_ = _e1212;
-                                        } else {
-                                            phi_1561_ = f32();
-                                            phi_1562_ = true;
-                                        }
-                                        let _e1214 = phi_1561_;
-                                        let _e1216 = phi_1562_;
-                                        if _e1216 {
-                                            if (_e1157 <= 0f) {
-                                                if (_e1178 <= 0f) {
-                                                    let _e1219 = (_e1199 <= 0f);
-                                                    if _e1219 {
-                                                    }
-                                                    phi_1580_ = ((_e1157 + _e1178) + _e1199);
-                                                    phi_1581_ = false;
-                                                    phi_1582_ = _e1219;
-                                                } else {
-                                                    phi_1580_ = f32();
-                                                    phi_1581_ = true;
-                                                    phi_1582_ = false;
-                                                }
-                                                let _e1223 = phi_1580_;
-                                                let _e1225 = phi_1581_;
-                                                let _e1227 = phi_1582_;
-                                                phi_1583_ = _e1223;
-                                                phi_1584_ = _e1225;
-                                                phi_1585_ = _e1227;
-                                            } else {
-                                                phi_1583_ = f32();
-                                                phi_1584_ = true;
-                                                phi_1585_ = false;
-                                            }
-                                            let _e1229 = phi_1583_;
-                                            let _e1231 = phi_1584_;
-                                            let _e1233 = phi_1585_;
-                                            if _e1231 {
-                                                phi_1589_ = false;
-                                            } else {
-                                                phi_1589_ = _e1233;
-                                            }
-                                            let _e1235 = phi_1589_;
-                                            phi_1590_ = _e1229;
-                                            phi_1591_ = _e1235;
-                                        } else {
-                                            phi_1590_ = _e1214;
-                                            phi_1591_ = true;
-                                        }
-                                        let _e1237 = phi_1590_;
-                                        let _e1239 = phi_1591_;
-                                        if _e1239 {
-                                            let _e1240 = (_e1237 == 0f);
-                                            if _e1240 {
-                                                phi_1907_ = lt_bvh_triangle_Intersection();
-                                                phi_1908_ = false;
-                                            } else {
-                                                let _e1242 = triangles.member[(0u + _e1053)].v0_;
-                                                let _e1244 = (_e1242.x - _e252);
-                                                let _e1246 = (_e1242.y - _e254);
-                                                let _e1248 = (_e1242.z - _e256);
-                                                if (_e641 == 0u) {
-                                                    phi_1620_ = vec3<f32>(_e1246, _e1248, _e1244);
-                                                } else {
-                                                    if (_e641 == 1u) {
-                                                        phi_1619_ = vec3<f32>(_e1248, _e1244, _e1246);
-                                                    } else {
-                                                        phi_1619_ = (_e1242 - vec3<f32>(_e252, _e254, _e256));
-                                                    }
-                                                    let _e1256 = phi_1619_;
-                                                    phi_1620_ = _e1256;
-                                                }
-                                                let _e1258 = phi_1620_;
-                                                let _e1260 = triangles.member[(0u + _e1053)].v1_;
-                                                let _e1262 = triangles.member[(0u + _e1053)].v0_;
-                                                let _e1265 = (_e1260.x - _e1262.x);
-                                                let _e1268 = (_e1260.y - _e1262.y);
-                                                let _e1271 = (_e1260.z - _e1262.z);
-                                                if (_e641 == 0u) {
-                                                    phi_1646_ = vec3<f32>(_e1268, _e1271, _e1265);
-                                                } else {
-                                                    if (_e641 == 1u) {
-                                                        phi_1645_ = vec3<f32>(_e1271, _e1265, _e1268);
-                                                    } else {
-                                                        phi_1645_ = (_e1260 - _e1262);
-                                                    }
-                                                    let _e1278 = phi_1645_;
-                                                    phi_1646_ = _e1278;
-                                                }
-                                                let _e1280 = phi_1646_;
-                                                let _e1282 = triangles.member[(0u + _e1053)].v2_;
-                                                let _e1284 = triangles.member[(0u + _e1053)].v0_;
-                                                let _e1287 = (_e1282.x - _e1284.x);
-                                                let _e1290 = (_e1282.y - _e1284.y);
-                                                let _e1293 = (_e1282.z - _e1284.z);
-                                                if (_e641 == 0u) {
-                                                    phi_1672_ = vec3<f32>(_e1290, _e1293, _e1287);
-                                                } else {
-                                                    if (_e641 == 1u) {
-                                                        phi_1671_ = vec3<f32>(_e1293, _e1287, _e1290);
-                                                    } else {
-                                                        phi_1671_ = (_e1282 - _e1284);
-                                                    }
-                                                    let _e1300 = phi_1671_;
-                                                    phi_1672_ = _e1300;
-                                                }
-                                                let _e1302 = phi_1672_;
-                                                let _e1309 = ((_e1280.y * _e1302.z) - (_e1280.z * _e1302.y));
-                                                let _e1316 = ((_e1280.z * _e1302.x) - (_e1280.x * _e1302.z));
-                                                let _e1323 = ((_e1280.x * _e1302.y) - (_e1280.y * _e1302.x));
-                                                let _e1337 = (((1f / _e649.z) * (((_e1309 * _e1258.x) + (_e1316 * _e1258.y)) + (_e1323 * _e1258.z))) / (((_e1309 * _e652) + (_e1316 * _e655)) + _e1323));
-                                                if (_e1337 > 0f) {
-                                                    if (_e1337 < _e264) {
-                                                        let _e1341 = triangles.member[(0u + _e1053)].v0_;
-                                                        let _e1343 = triangles.member[(0u + _e1053)].v1_;
-                                                        if (_e1341.x < _e1343.x) {
-                                                            phi_1728_ = _e1341.x;
-                                                        } else {
-                                                            phi_1728_ = _e1343.x;
-                                                        }
-                                                        let _e1350 = phi_1728_;
-                                                        if (_e1341.y < _e1343.y) {
-                                                            phi_1737_ = _e1341.y;
-                                                        } else {
-                                                            phi_1737_ = _e1343.y;
-                                                        }
-                                                        let _e1357 = phi_1737_;
-                                                        if (_e1341.z < _e1343.z) {
-                                                            phi_1746_ = _e1341.z;
-                                                        } else {
-                                                            phi_1746_ = _e1343.z;
-                                                        }
-                                                        let _e1364 = phi_1746_;
-                                                        let _e1366 = triangles.member[(0u + _e1053)].v2_;
-                                                        if (_e1350 < _e1366.x) {
-                                                            phi_1755_ = _e1350;
-                                                        } else {
-                                                            phi_1755_ = _e1366.x;
-                                                        }
-                                                        let _e1371 = phi_1755_;
-                                                        if (_e1357 < _e1366.y) {
-                                                            phi_1762_ = _e1357;
-                                                        } else {
-                                                            phi_1762_ = _e1366.y;
-                                                        }
-                                                        let _e1376 = phi_1762_;
-                                                        if (_e1364 < _e1366.z) {
-                                                            phi_1769_ = _e1364;
-                                                        } else {
-                                                            phi_1769_ = _e1366.z;
-                                                        }
-                                                        let _e1381 = phi_1769_;
-                                                        let _e1383 = triangles.member[(0u + _e1053)].v0_;
-                                                        let _e1385 = triangles.member[(0u + _e1053)].v1_;
-                                                        if (_e1383.x > _e1385.x) {
-                                                            phi_1782_ = _e1383.x;
-                                                        } else {
-                                                            phi_1782_ = _e1385.x;
-                                                        }
-                                                        let _e1392 = phi_1782_;
-                                                        if (_e1383.y > _e1385.y) {
-                                                            phi_1791_ = _e1383.y;
-                                                        } else {
-                                                            phi_1791_ = _e1385.y;
-                                                        }
-                                                        let _e1399 = phi_1791_;
-                                                        if (_e1383.z > _e1385.z) {
-                                                            phi_1800_ = _e1383.z;
-                                                        } else {
-                                                            phi_1800_ = _e1385.z;
-                                                        }
-                                                        let _e1406 = phi_1800_;
-                                                        let _e1408 = triangles.member[(0u + _e1053)].v2_;
-                                                        if (_e1392 > _e1408.x) {
-                                                            phi_1809_ = _e1392;
-                                                        } else {
-                                                            phi_1809_ = _e1408.x;
-                                                        }
-                                                        let _e1413 = phi_1809_;
-                                                        if (_e1399 > _e1408.y) {
-                                                            phi_1816_ = _e1399;
-                                                        } else {
-                                                            phi_1816_ = _e1408.y;
-                                                        }
-                                                        let _e1418 = phi_1816_;
-                                                        if (_e1406 > _e1408.z) {
-                                                            phi_1823_ = _e1406;
-                                                        } else {
-                                                            phi_1823_ = _e1408.z;
-                                                        }
-                                                        let _e1423 = phi_1823_;
-                                                        let _e1427 = ((_e1371 - _e252) * _e570);
-                                                        let _e1428 = ((_e1376 - _e254) * _e580);
-                                                        let _e1429 = ((_e1381 - _e256) * _e590);
-                                                        let _e1433 = ((_e1413 - _e252) * _e570);
-                                                        let _e1434 = ((_e1418 - _e254) * _e580);
-                                                        let _e1435 = ((_e1423 - _e256) * _e590);
-                                                        if (_e1427 < _e1433) {
-                                                            phi_1840_ = _e1427;
-                                                        } else {
-                                                            phi_1840_ = _e1433;
-                                                        }
-                                                        let _e1438 = phi_1840_;
-                                                        if (_e1428 < _e1434) {
-                                                            phi_1845_ = _e1428;
-                                                        } else {
-                                                            phi_1845_ = _e1434;
-                                                        }
-                                                        let _e1441 = phi_1845_;
-                                                        if (_e1429 < _e1435) {
-                                                            phi_1850_ = _e1429;
-                                                        } else {
-                                                            phi_1850_ = _e1435;
-                                                        }
-                                                        let _e1444 = phi_1850_;
-                                                        if (_e1427 > _e1433) {
-                                                            phi_1858_ = _e1427;
-                                                        } else {
-                                                            phi_1858_ = _e1433;
-                                                        }
-                                                        let _e1450 = phi_1858_;
-                                                        if (_e1428 > _e1434) {
-                                                            phi_1863_ = _e1428;
-                                                        } else {
-                                                            phi_1863_ = _e1434;
-                                                        }
-                                                        let _e1453 = phi_1863_;
-                                                        if (_e1429 > _e1435) {
-                                                            phi_1868_ = _e1429;
-                                                        } else {
-                                                            phi_1868_ = _e1435;
-                                                        }
-                                                        let _e1456 = phi_1868_;
-                                                        let _e1460 = core_intrinsics_maximum_number_nsz_f32_((_e1438 - _e625), (_e1441 - _e626));
-                                                        let _e1461 = core_intrinsics_maximum_number_nsz_f32_(_e1460, (_e1444 - _e627));
-                                                        let _e1462 = core_intrinsics_minimum_number_nsz_f32_((_e1450 + _e625), (_e1453 + _e626));
-                                                        let _e1463 = core_intrinsics_minimum_number_nsz_f32_(_e1462, (_e1456 + _e627));
-                                                        if (_e1461 > -300000000000000000000000000000000000000f) {
-                                                            phi_1880_ = _e1461;
-                                                        } else {
-                                                            phi_1880_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1466 = phi_1880_;
-                                                        if (_e1463 < 300000000000000000000000000000000000000f) {
-                                                            phi_1885_ = _e1463;
-                                                        } else {
-                                                            phi_1885_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e1469 = phi_1885_;
-                                                        if (_e1337 < _e1466) {
-                                                            phi_1890_ = _e1466;
-                                                        } else {
-                                                            phi_1890_ = _e1337;
-                                                        }
-                                                        let _e1472 = phi_1890_;
-                                                        if (_e1472 > _e1469) {
-                                                            phi_1895_ = _e1469;
-                                                        } else {
-                                                            phi_1895_ = _e1472;
-                                                        }
-                                                        let _e1475 = phi_1895_;
-                                                        phi_1900_ = lt_bvh_triangle_Intersection(_e1475, (_e1178 / _e1237), (_e1199 / _e1237), (_e1466 <= _e1469));
-                                                        phi_1901_ = false;
-                                                    } else {
-                                                        phi_1900_ = lt_bvh_triangle_Intersection();
-                                                        phi_1901_ = true;
-                                                    }
-                                                    let _e1481 = phi_1900_;
-                                                    let _e1483 = phi_1901_;
-                                                    phi_1902_ = _e1481;
-                                                    phi_1903_ = _e1483;
-                                                } else {
-                                                    phi_1902_ = lt_bvh_triangle_Intersection();
-                                                    phi_1903_ = true;
-                                                }
-                                                let _e1485 = phi_1902_;
-                                                let _e1487 = phi_1903_;
-                                                if _e1487 {
-                                                }
-                                                phi_1907_ = _e1485;
-                                                phi_1908_ = _e1487;
-                                            }
-                                            let _e1489 = phi_1907_;
-                                            let _e1491 = phi_1908_;
-                                            phi_1909_ = _e1489;
-                                            phi_1910_ = _e1240;
-                                            phi_1911_ = _e1491;
-                                        } else {
-                                            phi_1909_ = lt_bvh_triangle_Intersection();
-                                            phi_1910_ = true;
-                                            phi_1911_ = false;
-                                        }
-                                        let _e1493 = phi_1909_;
-                                        let _e1495 = phi_1910_;
-                                        let _e1497 = phi_1911_;
-                                        if _e1495 {
-                                            phi_1915_ = true;
-                                        } else {
-                                            phi_1915_ = _e1497;
-                                        }
-                                        let _e1499 = phi_1915_;
-                                        if _e1499 {
-                                            phi_1919_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                        } else {
-                                            phi_1919_ = _e1493;
-                                        }
-                                        let _e1501 = phi_1919_;
-                                        if _e1501.is_hit {
-                                            if (_e1501.t > 0f) {
-                                                if (_e1501.t < _e264) {
-                                                    let _e1508 = triangles.member[(0u + _e1053)].i0_;
-                                                    let _e1510 = ((_e1508 & 2147483648u) == 0u);
-                                                    if _e1510 {
-                                                        phi_1945_ = false;
-                                                        phi_1946_ = false;
-                                                    } else {
-                                                        if true {
-                                                            phi_1944_ = false;
-                                                        } else {
-                                                            phi_1944_ = true;
-                                                        }
-                                                        let _e1512 = phi_1944_;
-                                                        phi_1945_ = _e1512;
-                                                        phi_1946_ = true;
-                                                    }
-                                                    let _e1514 = phi_1945_;
-                                                    let _e1516 = phi_1946_;
-                                                    phi_1947_ = _e1514;
-                                                    phi_1948_ = _e1510;
-                                                    phi_1949_ = _e1516;
-                                                } else {
-                                                    phi_1947_ = true;
-                                                    phi_1948_ = false;
-                                                    phi_1949_ = false;
-                                                }
-                                                let _e1518 = phi_1947_;
-                                                let _e1520 = phi_1948_;
-                                                let _e1522 = phi_1949_;
-                                                phi_1950_ = false;
-                                                phi_1951_ = _e1518;
-                                                phi_1952_ = _e1520;
-                                                phi_1953_ = _e1522;
-                                            } else {
-                                                phi_1950_ = true;
-                                                phi_1951_ = false;
-                                                phi_1952_ = false;
-                                                phi_1953_ = false;
-                                            }
-                                            let _e1524 = phi_1950_;
-                                            let _e1526 = phi_1951_;
-                                            let _e1528 = phi_1952_;
-                                            let _e1530 = phi_1953_;
-                                            phi_1954_ = _e1524;
-                                            phi_1955_ = _e1526;
-                                            phi_1956_ = _e1528;
-                                            phi_1957_ = _e1530;
-                                        } else {
-                                            phi_1954_ = true;
-                                            phi_1955_ = false;
-                                            phi_1956_ = false;
-                                            phi_1957_ = false;
-                                        }
-                                        let _e1532 = phi_1954_;
-                                        let _e1534 = phi_1955_;
-                                        let _e1536 = phi_1956_;
-                                        let _e1538 = phi_1957_;
-                                        if _e1532 {
-                                            phi_1961_ = true;
-                                            phi_1962_ = false;
-                                            phi_1963_ = false;
-                                        } else {
-                                            phi_1961_ = _e1534;
-                                            phi_1962_ = _e1536;
-                                            phi_1963_ = _e1538;
-                                        }
-                                        let _e1540 = phi_1961_;
-                                        let _e1542 = phi_1962_;
-                                        let _e1544 = phi_1963_;
-                                        if _e1540 {
-                                            phi_1967_ = false;
-                                            phi_1968_ = false;
-                                        } else {
-                                            phi_1967_ = _e1542;
-                                            phi_1968_ = _e1544;
-                                        }
-                                        let _e1546 = phi_1967_;
-                                        let _e1548 = phi_1968_;
-                                        phi_1321_ = (_e1017 & (_e1017 - 1u));
-                                        phi_1969_ = _e1540;
-                                        phi_1970_ = _e1546;
-                                        phi_1971_ = _e1548;
-                                    }
-                                    let _e1550 = phi_1321_;
-                                    let _e1552 = phi_1969_;
-                                    let _e1554 = phi_1970_;
-                                    let _e1556 = phi_1971_;
-                                    local_13 = _e1554;
-                                    local_14 = _e1556;
-                                    continue;
-                                    continuing {
-                                        phi_1320_ = _e1550;
-                                        break if !(_e1552);
-                                    }
-                                }
-                                let _e1559 = local_5;
-                                if _e1559 {
-                                    phi_1975_ = false;
-                                    phi_1976_ = false;
+                            let _e673 = phi_956_;
+                            let _e675 = phi_959_;
+                            phi_964_ = _e673;
+                            phi_966_ = 0u;
+                            phi_968_ = 0u;
+                            phi_970_ = _e675;
+                            loop {
+                                let _e677 = phi_964_;
+                                let _e679 = phi_966_;
+                                let _e681 = phi_968_;
+                                let _e683 = phi_970_;
+                                let _e690 = (((_e677 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e677), 32u, (_e677 == 0u))) * 5u);
+                                if (_e690 < _e85) {
                                 } else {
-                                    let _e3219 = local_13;
-                                    phi_1975_ = _e3219;
-                                    let _e3222 = local_14;
-                                    phi_1976_ = _e3222;
+                                    return;
                                 }
-                                let _e1561 = phi_1975_;
-                                let _e1563 = phi_1976_;
-                                let _e3225 = local_15;
-                                phi_950_ = _e3225;
-                                let _e3228 = local_16;
-                                phi_953_ = _e3228;
-                                let _e3231 = local_17;
-                                phi_1977_ = _e3231;
-                                phi_1978_ = _e1561;
-                                phi_1979_ = _e1563;
+                                let _e694 = rows.member[(0u + _e690)];
+                                let _e695 = (_e690 + 1u);
+                                if (_e695 < _e85) {
+                                } else {
+                                    return;
+                                }
+                                let _e699 = rows.member[(0u + _e695)];
+                                let _e700 = (_e690 + 2u);
+                                if (_e700 < _e85) {
+                                } else {
+                                    return;
+                                }
+                                let _e704 = rows.member[(0u + _e700)];
+                                let _e705 = (_e690 + 3u);
+                                if (_e705 < _e85) {
+                                } else {
+                                    return;
+                                }
+                                let _e709 = rows.member[(0u + _e705)];
+                                let _e710 = (_e690 + 4u);
+                                if (_e710 < _e85) {
+                                } else {
+                                    return;
+                                }
+                                let _e714 = rows.member[(0u + _e710)];
+                                let _e715 = lt_bvh_Node(_e694, _e699, _e704, _e709, _e714);
+                                let _e717 = (_e677 & (_e677 - 1u));
+                                let _e729 = (_e494.unnamed.positive_exponent - bitcast<f32>(_e715.frame.x));
+                                let _e732 = bitcast<f32>((((_e715.z.z >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                if (_e729 > 0f) {
+                                    if (_e729 < (255f * _e732)) {
+                                        phi_1042_ = (_e729 / _e732);
+                                    } else {
+                                        phi_1042_ = 255f;
+                                    }
+                                    let _e738 = phi_1042_;
+                                    phi_1043_ = _e738;
+                                } else {
+                                    phi_1043_ = 0f;
+                                }
+                                let _e740 = phi_1043_;
+                                let _e747 = select(select(u32(_e740), 0u, (_e740 < bitcast<f32>(0u))), 4294967295u, (_e740 > bitcast<f32>(1333788671u)));
+                                if (f32(_e747) < _e740) {
+                                    phi_1057_ = (_e747 + 1u);
+                                } else {
+                                    phi_1057_ = _e747;
+                                }
+                                let _e752 = phi_1057_;
+                                let _e753 = (_e747 * 16843009u);
+                                let _e754 = (_e752 * 16843009u);
+                                let _e764 = (_e494.unnamed.negative_exponent - bitcast<f32>(_e715.frame.y));
+                                let _e767 = bitcast<f32>((((_e715.z.z >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                if (_e764 > 0f) {
+                                    if (_e764 < (255f * _e767)) {
+                                        phi_1080_ = (_e764 / _e767);
+                                    } else {
+                                        phi_1080_ = 255f;
+                                    }
+                                    let _e773 = phi_1080_;
+                                    phi_1081_ = _e773;
+                                } else {
+                                    phi_1081_ = 0f;
+                                }
+                                let _e775 = phi_1081_;
+                                let _e782 = select(select(u32(_e775), 0u, (_e775 < bitcast<f32>(0u))), 4294967295u, (_e775 > bitcast<f32>(1333788671u)));
+                                if (f32(_e782) < _e775) {
+                                    phi_1095_ = (_e782 + 1u);
+                                } else {
+                                    phi_1095_ = _e782;
+                                }
+                                let _e787 = phi_1095_;
+                                let _e788 = (_e782 * 16843009u);
+                                let _e789 = (_e787 * 16843009u);
+                                let _e798 = (((_e236.diagonal.x * _e494.unnamed.positive_exponent) + (_e236.diagonal.y * _e494.unnamed.negative_exponent)) - bitcast<f32>(_e715.frame.z));
+                                let _e801 = bitcast<f32>((((_e715.z.z >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                if (_e798 > 0f) {
+                                    if (_e798 < (255f * _e801)) {
+                                        phi_1117_ = (_e798 / _e801);
+                                    } else {
+                                        phi_1117_ = 255f;
+                                    }
+                                    let _e807 = phi_1117_;
+                                    phi_1118_ = _e807;
+                                } else {
+                                    phi_1118_ = 0f;
+                                }
+                                let _e809 = phi_1118_;
+                                let _e816 = select(select(u32(_e809), 0u, (_e809 < bitcast<f32>(0u))), 4294967295u, (_e809 > bitcast<f32>(1333788671u)));
+                                if (f32(_e816) < _e809) {
+                                    phi_1132_ = (_e816 + 1u);
+                                } else {
+                                    phi_1132_ = _e816;
+                                }
+                                let _e821 = phi_1132_;
+                                let _e822 = (_e816 * 16843009u);
+                                let _e823 = (_e821 * 16843009u);
+                                let _e833 = (_e494.unnamed.min_variance - bitcast<f32>(_e715.frame.w));
+                                let _e836 = bitcast<f32>((((_e715.z.z >> bitcast<u32>(((3u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                                if (_e833 > 0f) {
+                                    if (_e833 < (255f * _e836)) {
+                                        phi_1155_ = (_e833 / _e836);
+                                    } else {
+                                        phi_1155_ = 255f;
+                                    }
+                                    let _e842 = phi_1155_;
+                                    phi_1156_ = _e842;
+                                } else {
+                                    phi_1156_ = 0f;
+                                }
+                                let _e844 = phi_1156_;
+                                let _e851 = select(select(u32(_e844), 0u, (_e844 < bitcast<f32>(0u))), 4294967295u, (_e844 > bitcast<f32>(1333788671u)));
+                                if (f32(_e851) < _e844) {
+                                    phi_1170_ = (_e851 + 1u);
+                                } else {
+                                    phi_1170_ = _e851;
+                                }
+                                let _e856 = phi_1170_;
+                                let _e857 = (_e856 * 16843009u);
+                                let _e1038 = (((((((((((_e753 & ~(_e715.links.x)) | (~((_e715.links.x ^ _e753)) & ((_e753 | 2155905152u) - (_e715.links.x & 2139062143u)))) & ((_e715.links.z & ~(_e754)) | (~((_e754 ^ _e715.links.z)) & ((_e715.links.z | 2155905152u) - (_e754 & 2139062143u))))) & (((_e788 & ~(_e715.x.x)) | (~((_e715.x.x ^ _e788)) & ((_e788 | 2155905152u) - (_e715.x.x & 2139062143u)))) & ((_e715.x.z & ~(_e789)) | (~((_e789 ^ _e715.x.z)) & ((_e715.x.z | 2155905152u) - (_e789 & 2139062143u)))))) & (((_e822 & ~(_e715.y.x)) | (~((_e715.y.x ^ _e822)) & ((_e822 | 2155905152u) - (_e715.y.x & 2139062143u)))) & ((_e715.y.z & ~(_e823)) | (~((_e823 ^ _e715.y.z)) & ((_e715.y.z | 2155905152u) - (_e823 & 2139062143u)))))) & ((_e715.z.x & ~(_e857)) | (~((_e857 ^ _e715.z.x)) & ((_e715.z.x | 2155905152u) - (_e857 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e753 & ~(_e715.links.y)) | (~((_e715.links.y ^ _e753)) & ((_e753 | 2155905152u) - (_e715.links.y & 2139062143u)))) & ((_e715.links.w & ~(_e754)) | (~((_e754 ^ _e715.links.w)) & ((_e715.links.w | 2155905152u) - (_e754 & 2139062143u))))) & (((_e788 & ~(_e715.x.y)) | (~((_e715.x.y ^ _e788)) & ((_e788 | 2155905152u) - (_e715.x.y & 2139062143u)))) & ((_e715.x.w & ~(_e789)) | (~((_e789 ^ _e715.x.w)) & ((_e715.x.w | 2155905152u) - (_e789 & 2139062143u)))))) & (((_e822 & ~(_e715.y.y)) | (~((_e715.y.y ^ _e822)) & ((_e822 | 2155905152u) - (_e715.y.y & 2139062143u)))) & ((_e715.y.w & ~(_e823)) | (~((_e823 ^ _e715.y.w)) & ((_e715.y.w | 2155905152u) - (_e823 & 2139062143u)))))) & ((_e715.z.y & ~(_e857)) | (~((_e857 ^ _e715.z.y)) & ((_e715.z.y | 2155905152u) - (_e857 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                                if ((_e715.z.w & 2147483648u) != 0u) {
+                                    phi_1370_ = _e717;
+                                    phi_967_ = (_e715.z.w & 2147483647u);
+                                    phi_969_ = _e1038;
+                                    phi_1371_ = _e683;
+                                } else {
+                                    if (_e1038 == 0u) {
+                                        phi_1368_ = _e717;
+                                        phi_1369_ = _e683;
+                                    } else {
+                                        if ((_e717 & 255u) == 0u) {
+                                            phi_1363_ = _e683;
+                                        } else {
+                                            if (_e683 < 32u) {
+                                                if (_e683 < 32u) {
+                                                } else {
+                                                    return;
+                                                }
+                                                local_1[(0u + _e683)] = _e717;
+                                                phi_1362_ = (_e683 + 1u);
+                                            } else {
+                                                phi_1362_ = _e683;
+                                            }
+                                            let _e1055 = phi_1362_;
+                                            phi_1363_ = _e1055;
+                                        }
+                                        let _e1057 = phi_1363_;
+                                        phi_1368_ = (((_e715.z.w & 2147483647u) << bitcast<u32>(8i)) | _e1038);
+                                        phi_1369_ = _e1057;
+                                    }
+                                    let _e1065 = phi_1368_;
+                                    let _e1067 = phi_1369_;
+                                    phi_1370_ = _e1065;
+                                    phi_967_ = _e679;
+                                    phi_969_ = _e681;
+                                    phi_1371_ = _e1067;
+                                }
+                                let _e1069 = phi_1370_;
+                                let _e1071 = phi_967_;
+                                let _e1073 = phi_969_;
+                                let _e1075 = phi_1371_;
+                                local_4 = _e1073;
+                                local_16 = _e1073;
+                                local_5 = _e1071;
+                                if ((_e1069 & 255u) == 0u) {
+                                    if (_e1075 > 0u) {
+                                        let _e1079 = (_e1075 - 1u);
+                                        if (_e1079 < 32u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e1083 = local_1[(0u + _e1079)];
+                                        phi_1389_ = _e1083;
+                                        phi_1390_ = _e1079;
+                                    } else {
+                                        phi_1389_ = 0u;
+                                        phi_1390_ = _e1075;
+                                    }
+                                    let _e1085 = phi_1389_;
+                                    let _e1087 = phi_1390_;
+                                    phi_957_ = _e1085;
+                                    phi_960_ = _e1087;
+                                } else {
+                                    phi_957_ = _e1069;
+                                    phi_960_ = _e1075;
+                                }
+                                let _e1089 = phi_957_;
+                                let _e1091 = phi_960_;
+                                local_14 = _e1089;
+                                local_15 = _e1091;
+                                local_7 = _e1089;
+                                if (_e1073 == 0u) {
+                                    let _e1093 = (_e1089 == 0u);
+                                    if _e1093 {
+                                        phi_1399_ = false;
+                                    } else {
+                                        phi_1399_ = true;
+                                    }
+                                    let _e1095 = phi_1399_;
+                                    phi_1400_ = _e1095;
+                                    phi_1401_ = _e1093;
+                                } else {
+                                    phi_1400_ = false;
+                                    phi_1401_ = false;
+                                }
+                                let _e1097 = phi_1400_;
+                                let _e1099 = phi_1401_;
+                                local_3 = _e1099;
+                                continue;
+                                continuing {
+                                    phi_964_ = _e1089;
+                                    phi_966_ = _e1071;
+                                    phi_968_ = _e1073;
+                                    phi_970_ = _e1091;
+                                    break if !(_e1097);
+                                }
                             }
-                            let _e1565 = phi_950_;
-                            let _e1567 = phi_953_;
-                            let _e1569 = phi_1977_;
-                            let _e1571 = phi_1978_;
-                            let _e1573 = phi_1979_;
-                            local_18 = _e1571;
-                            local_19 = _e1573;
+                            let _e1102 = local_3;
+                            if _e1102 {
+                            }
+                            let _e1104 = local_4;
+                            if (_e1104 == 0u) {
+                                phi_2066_ = true;
+                                phi_2067_ = false;
+                                phi_2068_ = false;
+                            } else {
+                                let _e3198 = local_16;
+                                phi_1410_ = _e3198;
+                                loop {
+                                    let _e1107 = phi_1410_;
+                                    let _e1110 = select(firstTrailingBit(_e1107), 32u, (_e1107 == 0u));
+                                    let _e1114 = local_5;
+                                    let _e1115 = (_e1114 + (_e1110 >> bitcast<u32>(2i)));
+                                    if (_e1115 < _e85) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e1120 = rows.member[(0u + _e1115)][0u];
+                                    let _e1124 = rows.member[(0u + _e1115)][1u];
+                                    let _e1128 = rows.member[(0u + _e1115)][2u];
+                                    let _e1132 = rows.member[(0u + _e1115)][3u];
+                                    if ((_e1110 & 2u) == 0u) {
+                                        phi_1445_ = _e1124;
+                                        phi_1446_ = _e1120;
+                                    } else {
+                                        phi_1445_ = _e1132;
+                                        phi_1446_ = _e1128;
+                                    }
+                                    let _e1136 = phi_1445_;
+                                    let _e1138 = phi_1446_;
+                                    if ((_e1110 & 1u) == 0u) {
+                                        phi_1452_ = _e1138;
+                                    } else {
+                                        phi_1452_ = _e1136;
+                                    }
+                                    let _e1142 = phi_1452_;
+                                    let _e1144 = (_e1107 & (_e1107 - 1u));
+                                    if (_e1142 < _e79) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e1149 = triangles.member[(0u + _e1142)].v0_;
+                                    let _e1151 = (_e1149.x - _e253);
+                                    let _e1153 = (_e1149.y - _e255);
+                                    let _e1155 = (_e1149.z - _e257);
+                                    if (_e652 == 0u) {
+                                        phi_1481_ = vec3<f32>(_e1153, _e1155, _e1151);
+                                    } else {
+                                        if (_e652 == 1u) {
+                                            phi_1480_ = vec3<f32>(_e1155, _e1151, _e1153);
+                                        } else {
+                                            phi_1480_ = (_e1149 - vec3<f32>(_e253, _e255, _e257));
+                                        }
+                                        let _e1163 = phi_1480_;
+                                        phi_1481_ = _e1163;
+                                    }
+                                    let _e1165 = phi_1481_;
+                                    let _e1169 = (_e1165.x - (_e663 * _e1165.z));
+                                    let _e1173 = (_e1165.y - (_e666 * _e1165.z));
+                                    let _e1175 = triangles.member[(0u + _e1142)].v1_;
+                                    let _e1177 = (_e1175.x - _e253);
+                                    let _e1179 = (_e1175.y - _e255);
+                                    let _e1181 = (_e1175.z - _e257);
+                                    if (_e652 == 0u) {
+                                        phi_1511_ = vec3<f32>(_e1179, _e1181, _e1177);
+                                    } else {
+                                        if (_e652 == 1u) {
+                                            phi_1510_ = vec3<f32>(_e1181, _e1177, _e1179);
+                                        } else {
+                                            phi_1510_ = (_e1175 - vec3<f32>(_e253, _e255, _e257));
+                                        }
+                                        let _e1189 = phi_1510_;
+                                        phi_1511_ = _e1189;
+                                    }
+                                    let _e1191 = phi_1511_;
+                                    let _e1195 = (_e1191.x - (_e663 * _e1191.z));
+                                    let _e1199 = (_e1191.y - (_e666 * _e1191.z));
+                                    let _e1201 = triangles.member[(0u + _e1142)].v2_;
+                                    let _e1203 = (_e1201.x - _e253);
+                                    let _e1205 = (_e1201.y - _e255);
+                                    let _e1207 = (_e1201.z - _e257);
+                                    if (_e652 == 0u) {
+                                        phi_1541_ = vec3<f32>(_e1205, _e1207, _e1203);
+                                    } else {
+                                        if (_e652 == 1u) {
+                                            phi_1540_ = vec3<f32>(_e1207, _e1203, _e1205);
+                                        } else {
+                                            phi_1540_ = (_e1201 - vec3<f32>(_e253, _e255, _e257));
+                                        }
+                                        let _e1215 = phi_1540_;
+                                        phi_1541_ = _e1215;
+                                    }
+                                    let _e1217 = phi_1541_;
+                                    let _e1221 = (_e1217.x - (_e663 * _e1217.z));
+                                    let _e1225 = (_e1217.y - (_e666 * _e1217.z));
+                                    if (_e1195 < _e1221) {
+                                        phi_1560_ = true;
+                                    } else {
+                                        if (_e1195 == _e1221) {
+                                            phi_1559_ = (_e1199 < _e1225);
+                                        } else {
+                                            phi_1559_ = false;
+                                        }
+                                        let _e1230 = phi_1559_;
+                                        phi_1560_ = _e1230;
+                                    }
+                                    let _e1232 = phi_1560_;
+                                    if _e1232 {
+                                        phi_1564_ = _e1225;
+                                        phi_1565_ = _e1221;
+                                        phi_1566_ = _e1199;
+                                        phi_1567_ = _e1195;
+                                    } else {
+                                        phi_1564_ = _e1199;
+                                        phi_1565_ = _e1195;
+                                        phi_1566_ = _e1225;
+                                        phi_1567_ = _e1221;
+                                    }
+                                    let _e1234 = phi_1564_;
+                                    let _e1236 = phi_1565_;
+                                    let _e1238 = phi_1566_;
+                                    let _e1240 = phi_1567_;
+                                    let _e1243 = ((_e1240 * _e1234) - (_e1238 * _e1236));
+                                    if _e1232 {
+                                        phi_1575_ = -(_e1243);
+                                    } else {
+                                        phi_1575_ = _e1243;
+                                    }
+                                    let _e1246 = phi_1575_;
+                                    if (_e1221 < _e1169) {
+                                        phi_1586_ = true;
+                                    } else {
+                                        if (_e1221 == _e1169) {
+                                            phi_1585_ = (_e1225 < _e1173);
+                                        } else {
+                                            phi_1585_ = false;
+                                        }
+                                        let _e1251 = phi_1585_;
+                                        phi_1586_ = _e1251;
+                                    }
+                                    let _e1253 = phi_1586_;
+                                    if _e1253 {
+                                        phi_1590_ = _e1173;
+                                        phi_1591_ = _e1169;
+                                        phi_1592_ = _e1225;
+                                        phi_1593_ = _e1221;
+                                    } else {
+                                        phi_1590_ = _e1225;
+                                        phi_1591_ = _e1221;
+                                        phi_1592_ = _e1173;
+                                        phi_1593_ = _e1169;
+                                    }
+                                    let _e1255 = phi_1590_;
+                                    let _e1257 = phi_1591_;
+                                    let _e1259 = phi_1592_;
+                                    let _e1261 = phi_1593_;
+                                    let _e1264 = ((_e1261 * _e1255) - (_e1259 * _e1257));
+                                    if _e1253 {
+                                        phi_1601_ = -(_e1264);
+                                    } else {
+                                        phi_1601_ = _e1264;
+                                    }
+                                    let _e1267 = phi_1601_;
+                                    if (_e1169 < _e1195) {
+                                        phi_1612_ = true;
+                                    } else {
+                                        if (_e1169 == _e1195) {
+                                            phi_1611_ = (_e1173 < _e1199);
+                                        } else {
+                                            phi_1611_ = false;
+                                        }
+                                        let _e1272 = phi_1611_;
+                                        phi_1612_ = _e1272;
+                                    }
+                                    let _e1274 = phi_1612_;
+                                    if _e1274 {
+                                        phi_1616_ = _e1199;
+                                        phi_1617_ = _e1195;
+                                        phi_1618_ = _e1173;
+                                        phi_1619_ = _e1169;
+                                    } else {
+                                        phi_1616_ = _e1173;
+                                        phi_1617_ = _e1169;
+                                        phi_1618_ = _e1199;
+                                        phi_1619_ = _e1195;
+                                    }
+                                    let _e1276 = phi_1616_;
+                                    let _e1278 = phi_1617_;
+                                    let _e1280 = phi_1618_;
+                                    let _e1282 = phi_1619_;
+                                    let _e1285 = ((_e1282 * _e1276) - (_e1280 * _e1278));
+                                    if _e1274 {
+                                        phi_1627_ = -(_e1285);
+                                    } else {
+                                        phi_1627_ = _e1285;
+                                    }
+                                    let _e1288 = phi_1627_;
+                                    if (_e1246 >= 0f) {
+                                        if (_e1267 >= 0f) {
+                                            if (_e1288 >= 0f) {
+                                                phi_1642_ = ((_e1246 + _e1267) + _e1288);
+                                                phi_1643_ = false;
+                                            } else {
+                                                phi_1642_ = f32();
+                                                phi_1643_ = true;
+                                            }
+                                            let _e1295 = phi_1642_;
+                                            let _e1297 = phi_1643_;
+                                            phi_1644_ = _e1295;
+                                            phi_1645_ = _e1297;
+                                        } else {
+                                            phi_1644_ = f32();
+                                            phi_1645_ = true;
+                                        }
+                                        let _e1299 = phi_1644_;
+                                        let _e1301 = phi_1645_;
+                                        phi_1646_ = _e1299;
+                                        phi_1647_ = _e1301;
+                                    } else {
+                                        phi_1646_ = f32();
+                                        phi_1647_ = true;
+                                    }
+                                    let _e1303 = phi_1646_;
+                                    let _e1305 = phi_1647_;
+                                    if _e1305 {
+                                        if (_e1246 <= 0f) {
+                                            if (_e1267 <= 0f) {
+                                                let _e1308 = (_e1288 <= 0f);
+                                                if _e1308 {
+                                                }
+                                                phi_1665_ = ((_e1246 + _e1267) + _e1288);
+                                                phi_1666_ = false;
+                                                phi_1667_ = _e1308;
+                                            } else {
+                                                phi_1665_ = f32();
+                                                phi_1666_ = true;
+                                                phi_1667_ = false;
+                                            }
+                                            let _e1312 = phi_1665_;
+                                            let _e1314 = phi_1666_;
+                                            let _e1316 = phi_1667_;
+                                            phi_1668_ = _e1312;
+                                            phi_1669_ = _e1314;
+                                            phi_1670_ = _e1316;
+                                        } else {
+                                            phi_1668_ = f32();
+                                            phi_1669_ = true;
+                                            phi_1670_ = false;
+                                        }
+                                        let _e1318 = phi_1668_;
+                                        let _e1320 = phi_1669_;
+                                        let _e1322 = phi_1670_;
+                                        if _e1320 {
+                                            phi_1674_ = false;
+                                        } else {
+                                            phi_1674_ = _e1322;
+                                        }
+                                        let _e1324 = phi_1674_;
+                                        phi_1675_ = _e1318;
+                                        phi_1676_ = _e1324;
+                                    } else {
+                                        phi_1675_ = _e1303;
+                                        phi_1676_ = true;
+                                    }
+                                    let _e1326 = phi_1675_;
+                                    let _e1328 = phi_1676_;
+                                    if _e1328 {
+                                        let _e1329 = (_e1326 == 0f);
+                                        if _e1329 {
+                                            phi_1992_ = lt_bvh_triangle_Intersection();
+                                            phi_1993_ = false;
+                                        } else {
+                                            let _e1331 = triangles.member[(0u + _e1142)].v0_;
+                                            let _e1333 = (_e1331.x - _e253);
+                                            let _e1335 = (_e1331.y - _e255);
+                                            let _e1337 = (_e1331.z - _e257);
+                                            if (_e652 == 0u) {
+                                                phi_1705_ = vec3<f32>(_e1335, _e1337, _e1333);
+                                            } else {
+                                                if (_e652 == 1u) {
+                                                    phi_1704_ = vec3<f32>(_e1337, _e1333, _e1335);
+                                                } else {
+                                                    phi_1704_ = (_e1331 - vec3<f32>(_e253, _e255, _e257));
+                                                }
+                                                let _e1345 = phi_1704_;
+                                                phi_1705_ = _e1345;
+                                            }
+                                            let _e1347 = phi_1705_;
+                                            let _e1349 = triangles.member[(0u + _e1142)].v1_;
+                                            let _e1351 = triangles.member[(0u + _e1142)].v0_;
+                                            let _e1354 = (_e1349.x - _e1351.x);
+                                            let _e1357 = (_e1349.y - _e1351.y);
+                                            let _e1360 = (_e1349.z - _e1351.z);
+                                            if (_e652 == 0u) {
+                                                phi_1731_ = vec3<f32>(_e1357, _e1360, _e1354);
+                                            } else {
+                                                if (_e652 == 1u) {
+                                                    phi_1730_ = vec3<f32>(_e1360, _e1354, _e1357);
+                                                } else {
+                                                    phi_1730_ = (_e1349 - _e1351);
+                                                }
+                                                let _e1367 = phi_1730_;
+                                                phi_1731_ = _e1367;
+                                            }
+                                            let _e1369 = phi_1731_;
+                                            let _e1371 = triangles.member[(0u + _e1142)].v2_;
+                                            let _e1373 = triangles.member[(0u + _e1142)].v0_;
+                                            let _e1376 = (_e1371.x - _e1373.x);
+                                            let _e1379 = (_e1371.y - _e1373.y);
+                                            let _e1382 = (_e1371.z - _e1373.z);
+                                            if (_e652 == 0u) {
+                                                phi_1757_ = vec3<f32>(_e1379, _e1382, _e1376);
+                                            } else {
+                                                if (_e652 == 1u) {
+                                                    phi_1756_ = vec3<f32>(_e1382, _e1376, _e1379);
+                                                } else {
+                                                    phi_1756_ = (_e1371 - _e1373);
+                                                }
+                                                let _e1389 = phi_1756_;
+                                                phi_1757_ = _e1389;
+                                            }
+                                            let _e1391 = phi_1757_;
+                                            let _e1398 = ((_e1369.y * _e1391.z) - (_e1369.z * _e1391.y));
+                                            let _e1405 = ((_e1369.z * _e1391.x) - (_e1369.x * _e1391.z));
+                                            let _e1412 = ((_e1369.x * _e1391.y) - (_e1369.y * _e1391.x));
+                                            let _e1426 = (((1f / _e660.z) * (((_e1398 * _e1347.x) + (_e1405 * _e1347.y)) + (_e1412 * _e1347.z))) / (((_e1398 * _e663) + (_e1405 * _e666)) + _e1412));
+                                            if (_e1426 > 0f) {
+                                                if (_e1426 < _e265) {
+                                                    let _e1430 = triangles.member[(0u + _e1142)].v0_;
+                                                    let _e1432 = triangles.member[(0u + _e1142)].v1_;
+                                                    if (_e1430.x < _e1432.x) {
+                                                        phi_1813_ = _e1430.x;
+                                                    } else {
+                                                        phi_1813_ = _e1432.x;
+                                                    }
+                                                    let _e1439 = phi_1813_;
+                                                    if (_e1430.y < _e1432.y) {
+                                                        phi_1822_ = _e1430.y;
+                                                    } else {
+                                                        phi_1822_ = _e1432.y;
+                                                    }
+                                                    let _e1446 = phi_1822_;
+                                                    if (_e1430.z < _e1432.z) {
+                                                        phi_1831_ = _e1430.z;
+                                                    } else {
+                                                        phi_1831_ = _e1432.z;
+                                                    }
+                                                    let _e1453 = phi_1831_;
+                                                    let _e1455 = triangles.member[(0u + _e1142)].v2_;
+                                                    if (_e1439 < _e1455.x) {
+                                                        phi_1840_ = _e1439;
+                                                    } else {
+                                                        phi_1840_ = _e1455.x;
+                                                    }
+                                                    let _e1460 = phi_1840_;
+                                                    if (_e1446 < _e1455.y) {
+                                                        phi_1847_ = _e1446;
+                                                    } else {
+                                                        phi_1847_ = _e1455.y;
+                                                    }
+                                                    let _e1465 = phi_1847_;
+                                                    if (_e1453 < _e1455.z) {
+                                                        phi_1854_ = _e1453;
+                                                    } else {
+                                                        phi_1854_ = _e1455.z;
+                                                    }
+                                                    let _e1470 = phi_1854_;
+                                                    let _e1472 = triangles.member[(0u + _e1142)].v0_;
+                                                    let _e1474 = triangles.member[(0u + _e1142)].v1_;
+                                                    if (_e1472.x > _e1474.x) {
+                                                        phi_1867_ = _e1472.x;
+                                                    } else {
+                                                        phi_1867_ = _e1474.x;
+                                                    }
+                                                    let _e1481 = phi_1867_;
+                                                    if (_e1472.y > _e1474.y) {
+                                                        phi_1876_ = _e1472.y;
+                                                    } else {
+                                                        phi_1876_ = _e1474.y;
+                                                    }
+                                                    let _e1488 = phi_1876_;
+                                                    if (_e1472.z > _e1474.z) {
+                                                        phi_1885_ = _e1472.z;
+                                                    } else {
+                                                        phi_1885_ = _e1474.z;
+                                                    }
+                                                    let _e1495 = phi_1885_;
+                                                    let _e1497 = triangles.member[(0u + _e1142)].v2_;
+                                                    if (_e1481 > _e1497.x) {
+                                                        phi_1894_ = _e1481;
+                                                    } else {
+                                                        phi_1894_ = _e1497.x;
+                                                    }
+                                                    let _e1502 = phi_1894_;
+                                                    if (_e1488 > _e1497.y) {
+                                                        phi_1901_ = _e1488;
+                                                    } else {
+                                                        phi_1901_ = _e1497.y;
+                                                    }
+                                                    let _e1507 = phi_1901_;
+                                                    if (_e1495 > _e1497.z) {
+                                                        phi_1908_ = _e1495;
+                                                    } else {
+                                                        phi_1908_ = _e1497.z;
+                                                    }
+                                                    let _e1512 = phi_1908_;
+                                                    let _e1516 = ((_e1460 - _e253) * _e581);
+                                                    let _e1517 = ((_e1465 - _e255) * _e591);
+                                                    let _e1518 = ((_e1470 - _e257) * _e601);
+                                                    let _e1522 = ((_e1502 - _e253) * _e581);
+                                                    let _e1523 = ((_e1507 - _e255) * _e591);
+                                                    let _e1524 = ((_e1512 - _e257) * _e601);
+                                                    if (_e1516 < _e1522) {
+                                                        phi_1925_ = _e1516;
+                                                    } else {
+                                                        phi_1925_ = _e1522;
+                                                    }
+                                                    let _e1527 = phi_1925_;
+                                                    if (_e1517 < _e1523) {
+                                                        phi_1930_ = _e1517;
+                                                    } else {
+                                                        phi_1930_ = _e1523;
+                                                    }
+                                                    let _e1530 = phi_1930_;
+                                                    if (_e1518 < _e1524) {
+                                                        phi_1935_ = _e1518;
+                                                    } else {
+                                                        phi_1935_ = _e1524;
+                                                    }
+                                                    let _e1533 = phi_1935_;
+                                                    if (_e1516 > _e1522) {
+                                                        phi_1943_ = _e1516;
+                                                    } else {
+                                                        phi_1943_ = _e1522;
+                                                    }
+                                                    let _e1539 = phi_1943_;
+                                                    if (_e1517 > _e1523) {
+                                                        phi_1948_ = _e1517;
+                                                    } else {
+                                                        phi_1948_ = _e1523;
+                                                    }
+                                                    let _e1542 = phi_1948_;
+                                                    if (_e1518 > _e1524) {
+                                                        phi_1953_ = _e1518;
+                                                    } else {
+                                                        phi_1953_ = _e1524;
+                                                    }
+                                                    let _e1545 = phi_1953_;
+                                                    let _e1549 = core_intrinsics_maximum_number_nsz_f32_((_e1527 - _e636), (_e1530 - _e637));
+                                                    let _e1550 = core_intrinsics_maximum_number_nsz_f32_(_e1549, (_e1533 - _e638));
+                                                    let _e1551 = core_intrinsics_minimum_number_nsz_f32_((_e1539 + _e636), (_e1542 + _e637));
+                                                    let _e1552 = core_intrinsics_minimum_number_nsz_f32_(_e1551, (_e1545 + _e638));
+                                                    if (_e1550 > -300000000000000000000000000000000000000f) {
+                                                        phi_1965_ = _e1550;
+                                                    } else {
+                                                        phi_1965_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1555 = phi_1965_;
+                                                    if (_e1552 < 300000000000000000000000000000000000000f) {
+                                                        phi_1970_ = _e1552;
+                                                    } else {
+                                                        phi_1970_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1558 = phi_1970_;
+                                                    if (_e1426 < _e1555) {
+                                                        phi_1975_ = _e1555;
+                                                    } else {
+                                                        phi_1975_ = _e1426;
+                                                    }
+                                                    let _e1561 = phi_1975_;
+                                                    if (_e1561 > _e1558) {
+                                                        phi_1980_ = _e1558;
+                                                    } else {
+                                                        phi_1980_ = _e1561;
+                                                    }
+                                                    let _e1564 = phi_1980_;
+                                                    phi_1985_ = lt_bvh_triangle_Intersection(_e1564, (_e1267 / _e1326), (_e1288 / _e1326), (_e1555 <= _e1558));
+                                                    phi_1986_ = false;
+                                                } else {
+                                                    phi_1985_ = lt_bvh_triangle_Intersection();
+                                                    phi_1986_ = true;
+                                                }
+                                                let _e1570 = phi_1985_;
+                                                let _e1572 = phi_1986_;
+                                                phi_1987_ = _e1570;
+                                                phi_1988_ = _e1572;
+                                            } else {
+                                                phi_1987_ = lt_bvh_triangle_Intersection();
+                                                phi_1988_ = true;
+                                            }
+                                            let _e1574 = phi_1987_;
+                                            let _e1576 = phi_1988_;
+                                            if _e1576 {
+                                            }
+                                            phi_1992_ = _e1574;
+                                            phi_1993_ = _e1576;
+                                        }
+                                        let _e1578 = phi_1992_;
+                                        let _e1580 = phi_1993_;
+                                        phi_1994_ = _e1578;
+                                        phi_1995_ = _e1329;
+                                        phi_1996_ = _e1580;
+                                    } else {
+                                        phi_1994_ = lt_bvh_triangle_Intersection();
+                                        phi_1995_ = true;
+                                        phi_1996_ = false;
+                                    }
+                                    let _e1582 = phi_1994_;
+                                    let _e1584 = phi_1995_;
+                                    let _e1586 = phi_1996_;
+                                    if _e1584 {
+                                        phi_2000_ = true;
+                                    } else {
+                                        phi_2000_ = _e1586;
+                                    }
+                                    let _e1588 = phi_2000_;
+                                    if _e1588 {
+                                        phi_2004_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_2004_ = _e1582;
+                                    }
+                                    let _e1590 = phi_2004_;
+                                    if _e1590.is_hit {
+                                        if (_e1590.t > 0f) {
+                                            if (_e1590.t < _e265) {
+                                                let _e1597 = triangles.member[(0u + _e1142)].i0_;
+                                                let _e1599 = ((_e1597 & 2147483648u) == 0u);
+                                                if _e1599 {
+                                                    phi_2030_ = false;
+                                                    phi_2031_ = false;
+                                                } else {
+                                                    if true {
+                                                        phi_2029_ = false;
+                                                    } else {
+                                                        phi_2029_ = true;
+                                                    }
+                                                    let _e1601 = phi_2029_;
+                                                    phi_2030_ = _e1601;
+                                                    phi_2031_ = true;
+                                                }
+                                                let _e1603 = phi_2030_;
+                                                let _e1605 = phi_2031_;
+                                                phi_2032_ = _e1603;
+                                                phi_2033_ = _e1599;
+                                                phi_2034_ = _e1605;
+                                            } else {
+                                                phi_2032_ = true;
+                                                phi_2033_ = false;
+                                                phi_2034_ = false;
+                                            }
+                                            let _e1607 = phi_2032_;
+                                            let _e1609 = phi_2033_;
+                                            let _e1611 = phi_2034_;
+                                            phi_2035_ = false;
+                                            phi_2036_ = _e1607;
+                                            phi_2037_ = _e1609;
+                                            phi_2038_ = _e1611;
+                                        } else {
+                                            phi_2035_ = true;
+                                            phi_2036_ = false;
+                                            phi_2037_ = false;
+                                            phi_2038_ = false;
+                                        }
+                                        let _e1613 = phi_2035_;
+                                        let _e1615 = phi_2036_;
+                                        let _e1617 = phi_2037_;
+                                        let _e1619 = phi_2038_;
+                                        phi_2039_ = _e1613;
+                                        phi_2040_ = _e1615;
+                                        phi_2041_ = _e1617;
+                                        phi_2042_ = _e1619;
+                                    } else {
+                                        phi_2039_ = true;
+                                        phi_2040_ = false;
+                                        phi_2041_ = false;
+                                        phi_2042_ = false;
+                                    }
+                                    let _e1621 = phi_2039_;
+                                    let _e1623 = phi_2040_;
+                                    let _e1625 = phi_2041_;
+                                    let _e1627 = phi_2042_;
+                                    if _e1621 {
+                                        phi_2046_ = true;
+                                        phi_2047_ = false;
+                                        phi_2048_ = false;
+                                    } else {
+                                        phi_2046_ = _e1623;
+                                        phi_2047_ = _e1625;
+                                        phi_2048_ = _e1627;
+                                    }
+                                    let _e1629 = phi_2046_;
+                                    let _e1631 = phi_2047_;
+                                    let _e1633 = phi_2048_;
+                                    if _e1629 {
+                                        let _e1634 = (_e1144 == 0u);
+                                        if _e1634 {
+                                            phi_2056_ = false;
+                                        } else {
+                                            phi_2056_ = true;
+                                        }
+                                        let _e1636 = phi_2056_;
+                                        phi_2057_ = _e1636;
+                                        phi_2058_ = _e1634;
+                                        phi_2059_ = false;
+                                        phi_2060_ = false;
+                                    } else {
+                                        phi_2057_ = false;
+                                        phi_2058_ = false;
+                                        phi_2059_ = _e1631;
+                                        phi_2060_ = _e1633;
+                                    }
+                                    let _e1638 = phi_2057_;
+                                    let _e1640 = phi_2058_;
+                                    let _e1642 = phi_2059_;
+                                    let _e1644 = phi_2060_;
+                                    local_6 = _e1640;
+                                    local_17 = _e1642;
+                                    local_18 = _e1644;
+                                    local_19 = _e1640;
+                                    continue;
+                                    continuing {
+                                        phi_1410_ = _e1144;
+                                        break if !(_e1638);
+                                    }
+                                }
+                                let _e1647 = local_6;
+                                if _e1647 {
+                                    phi_2064_ = false;
+                                    phi_2065_ = false;
+                                } else {
+                                    let _e3309 = local_17;
+                                    phi_2064_ = _e3309;
+                                    let _e3312 = local_18;
+                                    phi_2065_ = _e3312;
+                                }
+                                let _e1649 = phi_2064_;
+                                let _e1651 = phi_2065_;
+                                let _e3315 = local_19;
+                                phi_2066_ = _e3315;
+                                phi_2067_ = _e1649;
+                                phi_2068_ = _e1651;
+                            }
+                            let _e1653 = phi_2066_;
+                            let _e1655 = phi_2067_;
+                            let _e1657 = phi_2068_;
+                            if _e1653 {
+                                let _e1659 = local_7;
+                                if (_e1659 == 0u) {
+                                    phi_2076_ = false;
+                                } else {
+                                    phi_2076_ = true;
+                                }
+                                let _e1662 = phi_2076_;
+                                phi_2077_ = _e1662;
+                                phi_2078_ = false;
+                                phi_2079_ = false;
+                            } else {
+                                phi_2077_ = false;
+                                phi_2078_ = _e1655;
+                                phi_2079_ = _e1657;
+                            }
+                            let _e1664 = phi_2077_;
+                            let _e1666 = phi_2078_;
+                            let _e1668 = phi_2079_;
+                            local_8 = _e1666;
+                            local_20 = _e1668;
+                            local_21 = _e1666;
                             continue;
                             continuing {
-                                phi_949_ = _e1565;
-                                phi_952_ = _e1567;
-                                break if !(_e1569);
+                                let _e3159 = local_14;
+                                phi_956_ = _e3159;
+                                let _e3162 = local_15;
+                                phi_959_ = _e3162;
+                                break if !(_e1664);
                             }
                         }
-                        let _e1576 = local_6;
-                        if _e1576 {
-                            phi_1983_ = false;
-                            phi_1984_ = false;
+                        let _e1671 = local_8;
+                        if _e1671 {
+                            phi_2083_ = false;
                         } else {
-                            let _e3237 = local_18;
-                            phi_1983_ = _e3237;
-                            let _e3240 = local_19;
-                            phi_1984_ = _e3240;
+                            let _e3326 = local_20;
+                            phi_2083_ = _e3326;
                         }
-                        let _e1578 = phi_1983_;
-                        let _e1580 = phi_1984_;
-                        if _e1578 {
-                            phi_1988_ = false;
+                        let _e1673 = phi_2083_;
+                        if _e1673 {
+                            phi_2087_ = true;
                         } else {
-                            phi_1988_ = _e1580;
+                            let _e3329 = local_21;
+                            phi_2087_ = _e3329;
                         }
-                        let _e1582 = phi_1988_;
-                        if _e1582 {
-                            phi_1992_ = true;
+                        let _e1675 = phi_2087_;
+                        if _e1675 {
+                            phi_2091_ = true;
                         } else {
-                            phi_1992_ = _e1578;
+                            phi_2091_ = false;
                         }
-                        let _e1584 = phi_1992_;
-                        if _e1584 {
-                        }
-                        phi_1996_ = true;
-                        phi_1997_ = _e1584;
+                        let _e1677 = phi_2091_;
+                        phi_2092_ = _e1677;
                     }
-                    let _e1586 = phi_1996_;
-                    let _e1588 = phi_1997_;
-                    if _e1588 {
-                        phi_2001_ = _e1586;
-                    } else {
-                        phi_2001_ = false;
-                    }
-                    let _e1590 = phi_2001_;
-                    phi_3458_ = _e1590;
+                    let _e1679 = phi_2092_;
+                    phi_3549_ = _e1679;
                 } else {
-                    let _e1591 = abs(_e272);
-                    let _e1592 = abs(_e273);
-                    let _e1593 = abs(_e274);
-                    if (abs(_e252) < 1000000000000000f) {
-                        if (abs(_e254) < 1000000000000000f) {
-                            phi_2017_ = (abs(_e256) < 1000000000000000f);
-                            phi_2018_ = false;
+                    let _e1680 = abs(_e273);
+                    let _e1681 = abs(_e274);
+                    let _e1682 = abs(_e275);
+                    if (abs(_e253) < 1000000000000000f) {
+                        if (abs(_e255) < 1000000000000000f) {
+                            phi_2108_ = (abs(_e257) < 1000000000000000f);
+                            phi_2109_ = false;
                         } else {
-                            phi_2017_ = bool();
-                            phi_2018_ = true;
+                            phi_2108_ = bool();
+                            phi_2109_ = true;
                         }
-                        let _e1601 = phi_2017_;
-                        let _e1603 = phi_2018_;
-                        phi_2019_ = _e1601;
-                        phi_2020_ = _e1603;
+                        let _e1690 = phi_2108_;
+                        let _e1692 = phi_2109_;
+                        phi_2110_ = _e1690;
+                        phi_2111_ = _e1692;
                     } else {
-                        phi_2019_ = bool();
-                        phi_2020_ = true;
+                        phi_2110_ = bool();
+                        phi_2111_ = true;
                     }
-                    let _e1605 = phi_2019_;
-                    let _e1607 = phi_2020_;
-                    if _e1607 {
-                        phi_2024_ = false;
+                    let _e1694 = phi_2110_;
+                    let _e1696 = phi_2111_;
+                    if _e1696 {
+                        phi_2115_ = false;
                     } else {
-                        phi_2024_ = _e1605;
+                        phi_2115_ = _e1694;
                     }
-                    let _e1609 = phi_2024_;
-                    if _e1609 {
-                        if (_e1591 < 1000000000000000f) {
-                            if (_e1592 < 1000000000000000f) {
-                                phi_2037_ = (_e1593 < 1000000000000000f);
-                                phi_2038_ = false;
+                    let _e1698 = phi_2115_;
+                    if _e1698 {
+                        if (_e1680 < 1000000000000000f) {
+                            if (_e1681 < 1000000000000000f) {
+                                phi_2128_ = (_e1682 < 1000000000000000f);
+                                phi_2129_ = false;
                             } else {
-                                phi_2037_ = bool();
-                                phi_2038_ = true;
+                                phi_2128_ = bool();
+                                phi_2129_ = true;
                             }
-                            let _e1614 = phi_2037_;
-                            let _e1616 = phi_2038_;
-                            phi_2039_ = _e1614;
-                            phi_2040_ = _e1616;
+                            let _e1703 = phi_2128_;
+                            let _e1705 = phi_2129_;
+                            phi_2130_ = _e1703;
+                            phi_2131_ = _e1705;
                         } else {
-                            phi_2039_ = bool();
-                            phi_2040_ = true;
+                            phi_2130_ = bool();
+                            phi_2131_ = true;
                         }
-                        let _e1618 = phi_2039_;
-                        let _e1620 = phi_2040_;
-                        if _e1620 {
-                            phi_2044_ = false;
+                        let _e1707 = phi_2130_;
+                        let _e1709 = phi_2131_;
+                        if _e1709 {
+                            phi_2135_ = false;
                         } else {
-                            phi_2044_ = _e1618;
+                            phi_2135_ = _e1707;
                         }
-                        let _e1622 = phi_2044_;
-                        if _e1622 {
-                            if (_e1591 > 0f) {
-                                phi_2058_ = bool();
-                                phi_2059_ = true;
+                        let _e1711 = phi_2135_;
+                        if _e1711 {
+                            if (_e1680 > 0f) {
+                                phi_2149_ = bool();
+                                phi_2150_ = true;
                             } else {
-                                let _e1624 = (_e1592 > 0f);
-                                if _e1624 {
-                                    phi_2057_ = bool();
+                                let _e1713 = (_e1681 > 0f);
+                                if _e1713 {
+                                    phi_2148_ = bool();
                                 } else {
-                                    phi_2057_ = (_e1593 > 0f);
+                                    phi_2148_ = (_e1682 > 0f);
                                 }
-                                let _e1627 = phi_2057_;
-                                phi_2058_ = _e1627;
-                                phi_2059_ = _e1624;
+                                let _e1716 = phi_2148_;
+                                phi_2149_ = _e1716;
+                                phi_2150_ = _e1713;
                             }
-                            let _e1629 = phi_2058_;
-                            let _e1631 = phi_2059_;
-                            if _e1631 {
-                                phi_2063_ = true;
+                            let _e1718 = phi_2149_;
+                            let _e1720 = phi_2150_;
+                            if _e1720 {
+                                phi_2154_ = true;
                             } else {
-                                phi_2063_ = _e1629;
+                                phi_2154_ = _e1718;
                             }
-                            let _e1633 = phi_2063_;
-                            phi_2064_ = _e1633;
-                            phi_2065_ = false;
+                            let _e1722 = phi_2154_;
+                            phi_2155_ = _e1722;
+                            phi_2156_ = false;
                         } else {
-                            phi_2064_ = bool();
-                            phi_2065_ = true;
+                            phi_2155_ = bool();
+                            phi_2156_ = true;
                         }
-                        let _e1635 = phi_2064_;
-                        let _e1637 = phi_2065_;
-                        phi_2066_ = _e1635;
-                        phi_2067_ = _e1637;
+                        let _e1724 = phi_2155_;
+                        let _e1726 = phi_2156_;
+                        phi_2157_ = _e1724;
+                        phi_2158_ = _e1726;
                     } else {
-                        phi_2066_ = bool();
-                        phi_2067_ = true;
+                        phi_2157_ = bool();
+                        phi_2158_ = true;
                     }
-                    let _e1639 = phi_2066_;
-                    let _e1641 = phi_2067_;
-                    if _e1641 {
-                        phi_2071_ = false;
+                    let _e1728 = phi_2157_;
+                    let _e1730 = phi_2158_;
+                    if _e1730 {
+                        phi_2162_ = false;
                     } else {
-                        phi_2071_ = _e1639;
+                        phi_2162_ = _e1728;
                     }
-                    let _e1643 = phi_2071_;
-                    if _e1643 {
-                        let _e1644 = (0u >= _e75);
-                        if _e1644 {
-                            phi_3451_ = bool();
+                    let _e1732 = phi_2162_;
+                    if _e1732 {
+                        let _e1733 = (0u >= _e76);
+                        if _e1733 {
+                            phi_3542_ = bool();
                         } else {
-                            if (0u < _e75) {
+                            if (0u < _e76) {
                             } else {
                                 return;
                             }
-                            let _e1650 = nodes.member[(0u + 0u)].frame[0u];
-                            let _e1654 = nodes.member[(0u + 0u)].frame[1u];
-                            let _e1658 = nodes.member[(0u + 0u)].frame[2u];
-                            let _e1662 = nodes.member[(0u + 0u)].frame[0u];
-                            let _e1666 = nodes.member[(0u + 0u)].frame[1u];
-                            let _e1670 = nodes.member[(0u + 0u)].frame[2u];
-                            let _e1674 = nodes.member[(0u + 0u)].frame[3u];
-                            let _e1708 = core_intrinsics_maximum_number_nsz_f32_(abs(_e272), abs(_e273));
-                            let _e1709 = core_intrinsics_maximum_number_nsz_f32_(_e1708, abs(_e274));
-                            let _e1710 = (_e1709 * 0.0000000000009094947f);
-                            if (abs(_e272) < _e1710) {
-                                phi_2141_ = _e1710;
+                            let _e1739 = nodes.member[(0u + 0u)].frame[0u];
+                            let _e1743 = nodes.member[(0u + 0u)].frame[1u];
+                            let _e1747 = nodes.member[(0u + 0u)].frame[2u];
+                            let _e1751 = nodes.member[(0u + 0u)].frame[0u];
+                            let _e1755 = nodes.member[(0u + 0u)].frame[1u];
+                            let _e1759 = nodes.member[(0u + 0u)].frame[2u];
+                            let _e1763 = nodes.member[(0u + 0u)].frame[3u];
+                            let _e1797 = core_intrinsics_maximum_number_nsz_f32_(abs(_e273), abs(_e274));
+                            let _e1798 = core_intrinsics_maximum_number_nsz_f32_(_e1797, abs(_e275));
+                            let _e1799 = (_e1798 * 0.0000000000009094947f);
+                            if (abs(_e273) < _e1799) {
+                                phi_2232_ = _e1799;
                             } else {
-                                phi_2141_ = abs(_e272);
+                                phi_2232_ = abs(_e273);
                             }
-                            let _e1715 = phi_2141_;
-                            if (_e272 < 0f) {
-                                phi_2148_ = (-1f / _e1715);
-                            } else {
-                                phi_2148_ = (1f / _e1715);
-                            }
-                            let _e1720 = phi_2148_;
-                            if (abs(_e273) < _e1710) {
-                                phi_2155_ = _e1710;
-                            } else {
-                                phi_2155_ = abs(_e273);
-                            }
-                            let _e1725 = phi_2155_;
+                            let _e1804 = phi_2232_;
                             if (_e273 < 0f) {
-                                phi_2162_ = (-1f / _e1725);
+                                phi_2239_ = (-1f / _e1804);
                             } else {
-                                phi_2162_ = (1f / _e1725);
+                                phi_2239_ = (1f / _e1804);
                             }
-                            let _e1730 = phi_2162_;
-                            if (abs(_e274) < _e1710) {
-                                phi_2169_ = _e1710;
+                            let _e1809 = phi_2239_;
+                            if (abs(_e274) < _e1799) {
+                                phi_2246_ = _e1799;
                             } else {
-                                phi_2169_ = abs(_e274);
+                                phi_2246_ = abs(_e274);
                             }
-                            let _e1735 = phi_2169_;
+                            let _e1814 = phi_2246_;
                             if (_e274 < 0f) {
-                                phi_2176_ = (-1f / _e1735);
+                                phi_2253_ = (-1f / _e1814);
                             } else {
-                                phi_2176_ = (1f / _e1735);
+                                phi_2253_ = (1f / _e1814);
                             }
-                            let _e1740 = phi_2176_;
-                            let _e1744 = abs((bitcast<f32>(_e1650) - _e252));
-                            let _e1745 = abs((bitcast<f32>(_e1654) - _e254));
-                            let _e1746 = abs((bitcast<f32>(_e1658) - _e256));
-                            let _e1750 = abs(((bitcast<f32>(_e1662) + (bitcast<f32>((((_e1674 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e252));
-                            let _e1751 = abs(((bitcast<f32>(_e1666) + (bitcast<f32>((((_e1674 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e254));
-                            let _e1752 = abs(((bitcast<f32>(_e1670) + (bitcast<f32>((((_e1674 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e256));
-                            if (_e1744 > _e1750) {
-                                phi_2193_ = _e1744;
+                            let _e1819 = phi_2253_;
+                            if (abs(_e275) < _e1799) {
+                                phi_2260_ = _e1799;
                             } else {
-                                phi_2193_ = _e1750;
+                                phi_2260_ = abs(_e275);
                             }
-                            let _e1755 = phi_2193_;
-                            if (_e1745 > _e1751) {
-                                phi_2198_ = _e1745;
+                            let _e1824 = phi_2260_;
+                            if (_e275 < 0f) {
+                                phi_2267_ = (-1f / _e1824);
                             } else {
-                                phi_2198_ = _e1751;
+                                phi_2267_ = (1f / _e1824);
                             }
-                            let _e1758 = phi_2198_;
-                            if (_e1746 > _e1752) {
-                                phi_2203_ = _e1746;
+                            let _e1829 = phi_2267_;
+                            let _e1833 = abs((bitcast<f32>(_e1739) - _e253));
+                            let _e1834 = abs((bitcast<f32>(_e1743) - _e255));
+                            let _e1835 = abs((bitcast<f32>(_e1747) - _e257));
+                            let _e1839 = abs(((bitcast<f32>(_e1751) + (bitcast<f32>((((_e1763 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e253));
+                            let _e1840 = abs(((bitcast<f32>(_e1755) + (bitcast<f32>((((_e1763 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e255));
+                            let _e1841 = abs(((bitcast<f32>(_e1759) + (bitcast<f32>((((_e1763 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e257));
+                            if (_e1833 > _e1839) {
+                                phi_2284_ = _e1833;
                             } else {
-                                phi_2203_ = _e1752;
+                                phi_2284_ = _e1839;
                             }
-                            let _e1761 = phi_2203_;
-                            if (_e1755 > _e1758) {
-                                phi_2208_ = _e1755;
+                            let _e1844 = phi_2284_;
+                            if (_e1834 > _e1840) {
+                                phi_2289_ = _e1834;
                             } else {
-                                phi_2208_ = _e1758;
+                                phi_2289_ = _e1840;
                             }
-                            let _e1764 = phi_2208_;
-                            if (_e1764 > _e1761) {
-                                phi_2213_ = _e1764;
+                            let _e1847 = phi_2289_;
+                            if (_e1835 > _e1841) {
+                                phi_2294_ = _e1835;
                             } else {
-                                phi_2213_ = _e1761;
+                                phi_2294_ = _e1841;
                             }
-                            let _e1767 = phi_2213_;
-                            let _e1771 = (_e1767 * 0.0000019073486f);
-                            let _e1772 = (abs(_e1720) * _e1771);
-                            let _e1773 = (abs(_e1730) * _e1771);
-                            let _e1774 = (abs(_e1740) * _e1771);
-                            let _e1778 = (_e1767 * 0.0000009536743f);
-                            let _e1779 = (abs(_e1720) * _e1778);
-                            let _e1780 = (abs(_e1730) * _e1778);
-                            let _e1781 = (abs(_e1740) * _e1778);
-                            let _e1782 = abs(_e272);
-                            let _e1783 = abs(_e273);
-                            let _e1784 = abs(_e274);
-                            if (_e1782 >= _e1783) {
-                                if (_e1782 >= _e1784) {
-                                    phi_2239_ = false;
+                            let _e1850 = phi_2294_;
+                            if (_e1844 > _e1847) {
+                                phi_2299_ = _e1844;
+                            } else {
+                                phi_2299_ = _e1847;
+                            }
+                            let _e1853 = phi_2299_;
+                            if (_e1853 > _e1850) {
+                                phi_2304_ = _e1853;
+                            } else {
+                                phi_2304_ = _e1850;
+                            }
+                            let _e1856 = phi_2304_;
+                            let _e1860 = (_e1856 * 0.0000019073486f);
+                            let _e1861 = (abs(_e1809) * _e1860);
+                            let _e1862 = (abs(_e1819) * _e1860);
+                            let _e1863 = (abs(_e1829) * _e1860);
+                            let _e1867 = (_e1856 * 0.0000009536743f);
+                            let _e1868 = (abs(_e1809) * _e1867);
+                            let _e1869 = (abs(_e1819) * _e1867);
+                            let _e1870 = (abs(_e1829) * _e1867);
+                            let _e1871 = abs(_e273);
+                            let _e1872 = abs(_e274);
+                            let _e1873 = abs(_e275);
+                            if (_e1871 >= _e1872) {
+                                if (_e1871 >= _e1873) {
+                                    phi_2330_ = false;
                                 } else {
-                                    phi_2239_ = true;
+                                    phi_2330_ = true;
                                 }
-                                let _e1788 = phi_2239_;
-                                phi_2240_ = _e1788;
+                                let _e1877 = phi_2330_;
+                                phi_2331_ = _e1877;
                             } else {
-                                phi_2240_ = true;
+                                phi_2331_ = true;
                             }
-                            let _e1790 = phi_2240_;
-                            if _e1790 {
-                                if (_e1783 >= _e1784) {
-                                    phi_2248_ = 1u;
+                            let _e1879 = phi_2331_;
+                            if _e1879 {
+                                if (_e1872 >= _e1873) {
+                                    phi_2339_ = 1u;
                                 } else {
-                                    phi_2248_ = 2u;
+                                    phi_2339_ = 2u;
                                 }
-                                let _e1793 = phi_2248_;
-                                phi_2249_ = _e1793;
+                                let _e1882 = phi_2339_;
+                                phi_2340_ = _e1882;
                             } else {
-                                phi_2249_ = 0u;
+                                phi_2340_ = 0u;
                             }
-                            let _e1795 = phi_2249_;
-                            if (_e1795 == 0u) {
-                                phi_2261_ = vec3<f32>(_e273, _e274, _e272);
+                            let _e1884 = phi_2340_;
+                            if (_e1884 == 0u) {
+                                phi_2352_ = vec3<f32>(_e274, _e275, _e273);
                             } else {
-                                if (_e1795 == 1u) {
-                                    phi_2260_ = vec3<f32>(_e274, _e272, _e273);
+                                if (_e1884 == 1u) {
+                                    phi_2351_ = vec3<f32>(_e275, _e273, _e274);
                                 } else {
-                                    phi_2260_ = _e275;
+                                    phi_2351_ = _e276;
                                 }
-                                let _e1801 = phi_2260_;
-                                phi_2261_ = _e1801;
+                                let _e1890 = phi_2351_;
+                                phi_2352_ = _e1890;
                             }
-                            let _e1803 = phi_2261_;
-                            let _e1806 = (_e1803.x / _e1803.z);
-                            let _e1809 = (_e1803.y / _e1803.z);
-                            if (_e1720 < 0f) {
-                                phi_2274_ = 0u;
+                            let _e1892 = phi_2352_;
+                            let _e1895 = (_e1892.x / _e1892.z);
+                            let _e1898 = (_e1892.y / _e1892.z);
+                            if (_e1809 < 0f) {
+                                phi_2365_ = 0u;
                             } else {
-                                phi_2274_ = 1u;
+                                phi_2365_ = 1u;
                             }
-                            let _e1814 = phi_2274_;
-                            if (_e1730 < 0f) {
-                                phi_2279_ = 0u;
+                            let _e1903 = phi_2365_;
+                            if (_e1819 < 0f) {
+                                phi_2370_ = 0u;
                             } else {
-                                phi_2279_ = 2u;
+                                phi_2370_ = 2u;
                             }
-                            let _e1817 = phi_2279_;
-                            if (_e1740 < 0f) {
-                                phi_2284_ = 0u;
+                            let _e1906 = phi_2370_;
+                            if (_e1829 < 0f) {
+                                phi_2375_ = 0u;
                             } else {
-                                phi_2284_ = 4u;
+                                phi_2375_ = 4u;
                             }
-                            let _e1820 = phi_2284_;
-                            let _e1822 = ((_e1814 | _e1817) | _e1820);
-                            let _e1823 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                            local = lt_bvh_traverse_Stack(array<u32, 32>(_e1823.first[0], _e1823.first[1], _e1823.first[2], _e1823.first[3], _e1823.first[4], _e1823.first[5], _e1823.first[6], _e1823.first[7], _e1823.first[8], _e1823.first[9], _e1823.first[10], _e1823.first[11], _e1823.first[12], _e1823.first[13], _e1823.first[14], _e1823.first[15], _e1823.first[16], _e1823.first[17], _e1823.first[18], _e1823.first[19], _e1823.first[20], _e1823.first[21], _e1823.first[22], _e1823.first[23], _e1823.first[24], _e1823.first[25], _e1823.first[26], _e1823.first[27], _e1823.first[28], _e1823.first[29], _e1823.first[30], _e1823.first[31]), array<u32, 32>(_e1823.mask[0], _e1823.mask[1], _e1823.mask[2], _e1823.mask[3], _e1823.mask[4], _e1823.mask[5], _e1823.mask[6], _e1823.mask[7], _e1823.mask[8], _e1823.mask[9], _e1823.mask[10], _e1823.mask[11], _e1823.mask[12], _e1823.mask[13], _e1823.mask[14], _e1823.mask[15], _e1823.mask[16], _e1823.mask[17], _e1823.mask[18], _e1823.mask[19], _e1823.mask[20], _e1823.mask[21], _e1823.mask[22], _e1823.mask[23], _e1823.mask[24], _e1823.mask[25], _e1823.mask[26], _e1823.mask[27], _e1823.mask[28], _e1823.mask[29], _e1823.mask[30], _e1823.mask[31]), _e1823.len, _e1823.group, _e1823.group_mask);
-                            let _e1897 = local.group_mask;
-                            if ((_e1897 & 4278190080u) == 0u) {
-                                let _e1901 = local.len;
-                                if (_e1901 == 0u) {
-                                    phi_2398_ = false;
+                            let _e1909 = phi_2375_;
+                            let _e1911 = ((_e1903 | _e1906) | _e1909);
+                            let _e1912 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                            local = lt_bvh_traverse_Stack(array<u32, 32>(_e1912.first[0], _e1912.first[1], _e1912.first[2], _e1912.first[3], _e1912.first[4], _e1912.first[5], _e1912.first[6], _e1912.first[7], _e1912.first[8], _e1912.first[9], _e1912.first[10], _e1912.first[11], _e1912.first[12], _e1912.first[13], _e1912.first[14], _e1912.first[15], _e1912.first[16], _e1912.first[17], _e1912.first[18], _e1912.first[19], _e1912.first[20], _e1912.first[21], _e1912.first[22], _e1912.first[23], _e1912.first[24], _e1912.first[25], _e1912.first[26], _e1912.first[27], _e1912.first[28], _e1912.first[29], _e1912.first[30], _e1912.first[31]), array<u32, 32>(_e1912.mask[0], _e1912.mask[1], _e1912.mask[2], _e1912.mask[3], _e1912.mask[4], _e1912.mask[5], _e1912.mask[6], _e1912.mask[7], _e1912.mask[8], _e1912.mask[9], _e1912.mask[10], _e1912.mask[11], _e1912.mask[12], _e1912.mask[13], _e1912.mask[14], _e1912.mask[15], _e1912.mask[16], _e1912.mask[17], _e1912.mask[18], _e1912.mask[19], _e1912.mask[20], _e1912.mask[21], _e1912.mask[22], _e1912.mask[23], _e1912.mask[24], _e1912.mask[25], _e1912.mask[26], _e1912.mask[27], _e1912.mask[28], _e1912.mask[29], _e1912.mask[30], _e1912.mask[31]), _e1912.len, _e1912.group, _e1912.group_mask);
+                            let _e1986 = local.group_mask;
+                            if ((_e1986 & 4278190080u) == 0u) {
+                                let _e1990 = local.len;
+                                if (_e1990 == 0u) {
+                                    phi_2489_ = false;
                                 } else {
-                                    let _e1905 = local.len;
-                                    local.len = (_e1905 - 1u);
-                                    let _e1908 = local.len;
-                                    if (_e1908 < 32u) {
+                                    let _e1994 = local.len;
+                                    local.len = (_e1994 - 1u);
+                                    let _e1997 = local.len;
+                                    if (_e1997 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1913 = local.first[(0u + _e1908)];
-                                    local.group = _e1913;
-                                    let _e1916 = local.len;
-                                    if (_e1916 < 32u) {
+                                    let _e2002 = local.first[(0u + _e1997)];
+                                    local.group = _e2002;
+                                    let _e2005 = local.len;
+                                    if (_e2005 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1921 = local.mask[(0u + _e1916)];
-                                    local.group_mask = _e1921;
-                                    phi_2398_ = true;
+                                    let _e2010 = local.mask[(0u + _e2005)];
+                                    local.group_mask = _e2010;
+                                    phi_2489_ = true;
                                 }
-                                let _e1924 = phi_2398_;
-                                phi_2399_ = _e1924;
+                                let _e2013 = phi_2489_;
+                                phi_2490_ = _e2013;
                             } else {
-                                phi_2399_ = true;
+                                phi_2490_ = true;
                             }
-                            let _e1926 = phi_2399_;
-                            if _e1926 {
-                                let _e1928 = local.group_mask;
-                                let _e1934 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1928)), 32u, (_e1928 == 0u)));
-                                let _e1938 = local.group_mask;
-                                let _e1952 = local.group_mask;
-                                local.group_mask = (_e1952 & ~((1u << bitcast<u32>((_e1934 & 31u)))));
-                                let _e1955 = local.group;
-                                phi_2430_ = (_e1955 + countOneBits(((_e1938 & ~((4294967295u << bitcast<u32>((((_e1934 - 24u) ^ 7u) & 31u))))) & 255u)));
+                            let _e2015 = phi_2490_;
+                            if _e2015 {
+                                let _e2017 = local.group_mask;
+                                let _e2023 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2017)), 32u, (_e2017 == 0u)));
+                                let _e2027 = local.group_mask;
+                                let _e2041 = local.group_mask;
+                                local.group_mask = (_e2041 & ~((1u << bitcast<u32>((_e2023 & 31u)))));
+                                let _e2044 = local.group;
+                                phi_2521_ = (_e2044 + countOneBits(((_e2027 & ~((4294967295u << bitcast<u32>((((_e2023 - 24u) ^ 7u) & 31u))))) & 255u)));
                             } else {
-                                phi_2430_ = 4294967295u;
+                                phi_2521_ = 4294967295u;
                             }
-                            let _e1958 = phi_2430_;
-                            phi_2432_ = _e1958;
-                            phi_2435_ = false;
+                            let _e2047 = phi_2521_;
+                            phi_2523_ = _e2047;
+                            phi_2526_ = false;
                             loop {
-                                let _e1960 = phi_2432_;
-                                let _e1962 = phi_2435_;
-                                local_22 = _e1962;
-                                if (_e1960 != 4294967295u) {
-                                    if (_e1960 < _e75) {
+                                let _e2049 = phi_2523_;
+                                let _e2051 = phi_2526_;
+                                local_24 = _e2051;
+                                if (_e2049 != 4294967295u) {
+                                    if (_e2049 < _e76) {
                                     } else {
                                         return;
                                     }
-                                    let _e1969 = nodes.member[(0u + _e1960)].frame[3u];
-                                    let _e1994 = (bitcast<f32>((((_e1969 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1720);
-                                    let _e1995 = (bitcast<f32>((((_e1969 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1730);
-                                    let _e1996 = (bitcast<f32>((((_e1969 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1740);
-                                    let _e1999 = nodes.member[(0u + _e1960)].frame[0u];
-                                    let _e2003 = nodes.member[(0u + _e1960)].frame[1u];
-                                    let _e2007 = nodes.member[(0u + _e1960)].frame[2u];
-                                    let _e2012 = ((bitcast<f32>(_e1999) - _e252) * _e1720);
-                                    let _e2013 = ((bitcast<f32>(_e2003) - _e254) * _e1730);
-                                    let _e2014 = ((bitcast<f32>(_e2007) - _e256) * _e1740);
-                                    let _e2022 = nodes.member[(0u + _e1960)].x;
-                                    if (_e1720 < 0f) {
-                                        let _e2033 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2022.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2039 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2033.unnamed.word, _e2022.w), _e2033.unnamed_1);
-                                        let _e2045 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2039.unnamed, lt_mask_LightPlace(_e2022.x, _e2039.unnamed_1.shift));
-                                        phi_2515_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2045.unnamed, lt_mask_LightPlace(_e2045.unnamed_1.word, _e2022.y));
+                                    let _e2058 = nodes.member[(0u + _e2049)].frame[3u];
+                                    let _e2083 = (bitcast<f32>((((_e2058 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1809);
+                                    let _e2084 = (bitcast<f32>((((_e2058 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1819);
+                                    let _e2085 = (bitcast<f32>((((_e2058 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1829);
+                                    let _e2088 = nodes.member[(0u + _e2049)].frame[0u];
+                                    let _e2092 = nodes.member[(0u + _e2049)].frame[1u];
+                                    let _e2096 = nodes.member[(0u + _e2049)].frame[2u];
+                                    let _e2101 = ((bitcast<f32>(_e2088) - _e253) * _e1809);
+                                    let _e2102 = ((bitcast<f32>(_e2092) - _e255) * _e1819);
+                                    let _e2103 = ((bitcast<f32>(_e2096) - _e257) * _e1829);
+                                    let _e2111 = nodes.member[(0u + _e2049)].x;
+                                    if (_e1809 < 0f) {
+                                        let _e2122 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2111.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2128 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2122.unnamed.word, _e2111.w), _e2122.unnamed_1);
+                                        let _e2134 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2128.unnamed, lt_mask_LightPlace(_e2111.x, _e2128.unnamed_1.shift));
+                                        phi_2606_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2134.unnamed, lt_mask_LightPlace(_e2134.unnamed_1.word, _e2111.y));
                                     } else {
-                                        let _e2061 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2022.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2067 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2061.unnamed.word, _e2022.y), _e2061.unnamed_1);
-                                        let _e2073 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2067.unnamed, lt_mask_LightPlace(_e2022.z, _e2067.unnamed_1.shift));
-                                        phi_2515_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2073.unnamed, lt_mask_LightPlace(_e2073.unnamed_1.word, _e2022.w));
+                                        let _e2150 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2111.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2156 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2150.unnamed.word, _e2111.y), _e2150.unnamed_1);
+                                        let _e2162 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2156.unnamed, lt_mask_LightPlace(_e2111.z, _e2156.unnamed_1.shift));
+                                        phi_2606_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2162.unnamed, lt_mask_LightPlace(_e2162.unnamed_1.word, _e2111.w));
                                     }
-                                    let _e2081 = phi_2515_;
-                                    let _e2091 = nodes.member[(0u + _e1960)].y;
-                                    if (_e1730 < 0f) {
-                                        let _e2102 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2091.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2108 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2102.unnamed.word, _e2091.w), _e2102.unnamed_1);
-                                        let _e2114 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2108.unnamed, lt_mask_LightPlace(_e2091.x, _e2108.unnamed_1.shift));
-                                        phi_2542_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2114.unnamed, lt_mask_LightPlace(_e2114.unnamed_1.word, _e2091.y));
+                                    let _e2170 = phi_2606_;
+                                    let _e2180 = nodes.member[(0u + _e2049)].y;
+                                    if (_e1819 < 0f) {
+                                        let _e2191 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2180.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2197 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2191.unnamed.word, _e2180.w), _e2191.unnamed_1);
+                                        let _e2203 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2197.unnamed, lt_mask_LightPlace(_e2180.x, _e2197.unnamed_1.shift));
+                                        phi_2633_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2203.unnamed, lt_mask_LightPlace(_e2203.unnamed_1.word, _e2180.y));
                                     } else {
-                                        let _e2130 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2091.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2136 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2130.unnamed.word, _e2091.y), _e2130.unnamed_1);
-                                        let _e2142 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2136.unnamed, lt_mask_LightPlace(_e2091.z, _e2136.unnamed_1.shift));
-                                        phi_2542_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2142.unnamed, lt_mask_LightPlace(_e2142.unnamed_1.word, _e2091.w));
+                                        let _e2219 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2180.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2225 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2219.unnamed.word, _e2180.y), _e2219.unnamed_1);
+                                        let _e2231 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2225.unnamed, lt_mask_LightPlace(_e2180.z, _e2225.unnamed_1.shift));
+                                        phi_2633_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2231.unnamed, lt_mask_LightPlace(_e2231.unnamed_1.word, _e2180.w));
                                     }
-                                    let _e2150 = phi_2542_;
-                                    let _e2160 = nodes.member[(0u + _e1960)].z;
-                                    if (_e1740 < 0f) {
-                                        let _e2171 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2160.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2177 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2171.unnamed.word, _e2160.w), _e2171.unnamed_1);
-                                        let _e2183 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2177.unnamed, lt_mask_LightPlace(_e2160.x, _e2177.unnamed_1.shift));
-                                        phi_2569_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2183.unnamed, lt_mask_LightPlace(_e2183.unnamed_1.word, _e2160.y));
+                                    let _e2239 = phi_2633_;
+                                    let _e2249 = nodes.member[(0u + _e2049)].z;
+                                    if (_e1829 < 0f) {
+                                        let _e2260 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2249.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2266 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2260.unnamed.word, _e2249.w), _e2260.unnamed_1);
+                                        let _e2272 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2266.unnamed, lt_mask_LightPlace(_e2249.x, _e2266.unnamed_1.shift));
+                                        phi_2660_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2272.unnamed, lt_mask_LightPlace(_e2272.unnamed_1.word, _e2249.y));
                                     } else {
-                                        let _e2199 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2160.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2205 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2199.unnamed.word, _e2160.y), _e2199.unnamed_1);
-                                        let _e2211 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2205.unnamed, lt_mask_LightPlace(_e2160.z, _e2205.unnamed_1.shift));
-                                        phi_2569_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2211.unnamed, lt_mask_LightPlace(_e2211.unnamed_1.word, _e2160.w));
+                                        let _e2288 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2249.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2294 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2288.unnamed.word, _e2249.y), _e2288.unnamed_1);
+                                        let _e2300 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2294.unnamed, lt_mask_LightPlace(_e2249.z, _e2294.unnamed_1.shift));
+                                        phi_2660_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2300.unnamed, lt_mask_LightPlace(_e2300.unnamed_1.word, _e2249.w));
                                     }
-                                    let _e2219 = phi_2569_;
-                                    phi_2575_ = 0u;
-                                    phi_2578_ = 0u;
+                                    let _e2308 = phi_2660_;
+                                    phi_2666_ = 0u;
+                                    phi_2669_ = 0u;
                                     loop {
-                                        let _e2229 = phi_2575_;
-                                        let _e2231 = phi_2578_;
-                                        local_7 = _e2231;
-                                        local_8 = _e2231;
-                                        local_9 = _e2231;
-                                        let _e2232 = (_e2229 < 8u);
-                                        if _e2232 {
-                                            let _e2234 = (_e2229 >> bitcast<u32>(2i));
-                                            let _e2235 = (_e2229 & 3u);
-                                            if (_e2234 == 0u) {
-                                                phi_2592_ = _e2081.unnamed.word;
+                                        let _e2318 = phi_2666_;
+                                        let _e2320 = phi_2669_;
+                                        local_9 = _e2320;
+                                        local_10 = _e2320;
+                                        local_11 = _e2320;
+                                        let _e2321 = (_e2318 < 8u);
+                                        if _e2321 {
+                                            let _e2323 = (_e2318 >> bitcast<u32>(2i));
+                                            let _e2324 = (_e2318 & 3u);
+                                            if (_e2323 == 0u) {
+                                                phi_2683_ = _e2170.unnamed.word;
                                             } else {
-                                                phi_2592_ = _e2081.unnamed.shift;
+                                                phi_2683_ = _e2170.unnamed.shift;
                                             }
-                                            let _e2238 = phi_2592_;
-                                            if (_e2234 == 0u) {
-                                                phi_2602_ = _e2150.unnamed.word;
+                                            let _e2327 = phi_2683_;
+                                            if (_e2323 == 0u) {
+                                                phi_2693_ = _e2239.unnamed.word;
                                             } else {
-                                                phi_2602_ = _e2150.unnamed.shift;
+                                                phi_2693_ = _e2239.unnamed.shift;
                                             }
-                                            let _e2247 = phi_2602_;
-                                            if (_e2234 == 0u) {
-                                                phi_2612_ = _e2219.unnamed.word;
+                                            let _e2336 = phi_2693_;
+                                            if (_e2323 == 0u) {
+                                                phi_2703_ = _e2308.unnamed.word;
                                             } else {
-                                                phi_2612_ = _e2219.unnamed.shift;
+                                                phi_2703_ = _e2308.unnamed.shift;
                                             }
-                                            let _e2256 = phi_2612_;
-                                            let _e2269 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2238 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1994) + (_e2012 - _e1772)), ((f32(((_e2247 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1995) + (_e2013 - _e1773)));
-                                            let _e2270 = core_intrinsics_maximum_number_nsz_f32_(_e2269, ((f32(((_e2256 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1996) + (_e2014 - _e1774)));
-                                            if (_e2234 == 0u) {
-                                                phi_2630_ = _e2081.unnamed_1.word;
+                                            let _e2345 = phi_2703_;
+                                            let _e2358 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2327 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2083) + (_e2101 - _e1861)), ((f32(((_e2336 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2084) + (_e2102 - _e1862)));
+                                            let _e2359 = core_intrinsics_maximum_number_nsz_f32_(_e2358, ((f32(((_e2345 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2085) + (_e2103 - _e1863)));
+                                            if (_e2323 == 0u) {
+                                                phi_2721_ = _e2170.unnamed_1.word;
                                             } else {
-                                                phi_2630_ = _e2081.unnamed_1.shift;
+                                                phi_2721_ = _e2170.unnamed_1.shift;
                                             }
-                                            let _e2273 = phi_2630_;
-                                            if (_e2234 == 0u) {
-                                                phi_2640_ = _e2150.unnamed_1.word;
+                                            let _e2362 = phi_2721_;
+                                            if (_e2323 == 0u) {
+                                                phi_2731_ = _e2239.unnamed_1.word;
                                             } else {
-                                                phi_2640_ = _e2150.unnamed_1.shift;
+                                                phi_2731_ = _e2239.unnamed_1.shift;
                                             }
-                                            let _e2282 = phi_2640_;
-                                            if (_e2234 == 0u) {
-                                                phi_2650_ = _e2219.unnamed_1.word;
+                                            let _e2371 = phi_2731_;
+                                            if (_e2323 == 0u) {
+                                                phi_2741_ = _e2308.unnamed_1.word;
                                             } else {
-                                                phi_2650_ = _e2219.unnamed_1.shift;
+                                                phi_2741_ = _e2308.unnamed_1.shift;
                                             }
-                                            let _e2291 = phi_2650_;
-                                            let _e2304 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2273 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1994) + (_e2012 + _e1772)), ((f32(((_e2282 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1995) + (_e2013 + _e1773)));
-                                            let _e2305 = core_intrinsics_minimum_number_nsz_f32_(_e2304, ((f32(((_e2291 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u)) * _e1996) + (_e2014 + _e1774)));
-                                            if (_e2270 <= _e2305) {
-                                                if (_e2270 <= _e264) {
-                                                    if (_e2305 >= 0f) {
-                                                        if (_e2234 == 0u) {
-                                                            let _e2312 = nodes.member[(0u + _e1960)].links[2u];
-                                                            phi_2686_ = _e2312;
+                                            let _e2380 = phi_2741_;
+                                            let _e2393 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2362 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2083) + (_e2101 + _e1861)), ((f32(((_e2371 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2084) + (_e2102 + _e1862)));
+                                            let _e2394 = core_intrinsics_minimum_number_nsz_f32_(_e2393, ((f32(((_e2380 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2085) + (_e2103 + _e1863)));
+                                            if (_e2359 <= _e2394) {
+                                                if (_e2359 <= _e265) {
+                                                    if (_e2394 >= 0f) {
+                                                        if (_e2323 == 0u) {
+                                                            let _e2401 = nodes.member[(0u + _e2049)].links[2u];
+                                                            phi_2777_ = _e2401;
                                                         } else {
-                                                            let _e2315 = nodes.member[(0u + _e1960)].links[3u];
-                                                            phi_2686_ = _e2315;
+                                                            let _e2404 = nodes.member[(0u + _e2049)].links[3u];
+                                                            phi_2777_ = _e2404;
                                                         }
-                                                        let _e2317 = phi_2686_;
-                                                        let _e2322 = ((_e2317 >> bitcast<u32>(((_e2235 * 8u) & 31u))) & 255u);
-                                                        let _e2323 = (_e2322 & 31u);
-                                                        if (_e2323 >= 24u) {
-                                                            phi_2699_ = (24u + ((_e2323 - 24u) ^ _e1822));
+                                                        let _e2406 = phi_2777_;
+                                                        let _e2411 = ((_e2406 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u);
+                                                        let _e2412 = (_e2411 & 31u);
+                                                        if (_e2412 >= 24u) {
+                                                            phi_2790_ = (24u + ((_e2412 - 24u) ^ _e1911));
                                                         } else {
-                                                            phi_2699_ = _e2323;
+                                                            phi_2790_ = _e2412;
                                                         }
-                                                        let _e2329 = phi_2699_;
-                                                        phi_2704_ = (_e2231 | ((_e2322 >> bitcast<u32>(5i)) << bitcast<u32>((_e2329 & 31u))));
+                                                        let _e2418 = phi_2790_;
+                                                        phi_2795_ = (_e2320 | ((_e2411 >> bitcast<u32>(5i)) << bitcast<u32>((_e2418 & 31u))));
                                                     } else {
-                                                        phi_2704_ = _e2231;
+                                                        phi_2795_ = _e2320;
                                                     }
-                                                    let _e2337 = phi_2704_;
-                                                    phi_2705_ = _e2337;
+                                                    let _e2426 = phi_2795_;
+                                                    phi_2796_ = _e2426;
                                                 } else {
-                                                    phi_2705_ = _e2231;
+                                                    phi_2796_ = _e2320;
                                                 }
-                                                let _e2339 = phi_2705_;
-                                                phi_2706_ = _e2339;
+                                                let _e2428 = phi_2796_;
+                                                phi_2797_ = _e2428;
                                             } else {
-                                                phi_2706_ = _e2231;
+                                                phi_2797_ = _e2320;
                                             }
-                                            let _e2341 = phi_2706_;
-                                            phi_2576_ = (_e2229 + 1u);
-                                            phi_2579_ = _e2341;
+                                            let _e2430 = phi_2797_;
+                                            phi_2667_ = (_e2318 + 1u);
+                                            phi_2670_ = _e2430;
                                         } else {
-                                            phi_2576_ = u32();
-                                            phi_2579_ = u32();
+                                            phi_2667_ = u32();
+                                            phi_2670_ = u32();
                                         }
-                                        let _e2344 = phi_2576_;
-                                        let _e2346 = phi_2579_;
+                                        let _e2433 = phi_2667_;
+                                        let _e2435 = phi_2670_;
                                         continue;
                                         continuing {
-                                            phi_2575_ = _e2344;
-                                            phi_2578_ = _e2346;
-                                            break if !(_e2232);
+                                            phi_2666_ = _e2433;
+                                            phi_2669_ = _e2435;
+                                            break if !(_e2321);
                                         }
                                     }
-                                    let _e2350 = nodes.member[(0u + _e1960)].links[0u];
-                                    let _e2354 = nodes.member[(0u + _e1960)].frame[3u];
-                                    let _e2358 = local_7;
-                                    if ((_e2358 & 4278190080u) == 0u) {
+                                    let _e2439 = nodes.member[(0u + _e2049)].links[0u];
+                                    let _e2443 = nodes.member[(0u + _e2049)].frame[3u];
+                                    let _e2447 = local_9;
+                                    if ((_e2447 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2362 = local.group_mask;
-                                        if ((_e2362 & 4278190080u) == 0u) {
+                                        let _e2451 = local.group_mask;
+                                        if ((_e2451 & 4278190080u) == 0u) {
                                         } else {
-                                            let _e2366 = local.len;
-                                            if (_e2366 < 32u) {
-                                                let _e2369 = local.group;
-                                                let _e2371 = local.len;
-                                                if (_e2371 < 32u) {
+                                            let _e2455 = local.len;
+                                            if (_e2455 < 32u) {
+                                                let _e2458 = local.group;
+                                                let _e2460 = local.len;
+                                                if (_e2460 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                local.first[(0u + _e2371)] = _e2369;
-                                                let _e2377 = local.group_mask;
-                                                let _e2379 = local.len;
-                                                if (_e2379 < 32u) {
+                                                local.first[(0u + _e2460)] = _e2458;
+                                                let _e2466 = local.group_mask;
+                                                let _e2468 = local.len;
+                                                if (_e2468 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                local.mask[(0u + _e2379)] = _e2377;
-                                                let _e2386 = local.len;
-                                                local.len = (_e2386 + 1u);
+                                                local.mask[(0u + _e2468)] = _e2466;
+                                                let _e2475 = local.len;
+                                                local.len = (_e2475 + 1u);
                                             }
                                         }
-                                        local.group = (0u + _e2350);
-                                        let _e2390 = local_8;
-                                        local.group_mask = ((_e2390 & 4278190080u) | (_e2354 >> bitcast<u32>(24i)));
+                                        local.group = (0u + _e2439);
+                                        let _e2479 = local_10;
+                                        local.group_mask = ((_e2479 & 4278190080u) | (_e2443 >> bitcast<u32>(24i)));
                                     }
-                                    let _e2395 = local_9;
-                                    phi_2764_ = (_e2395 & 16777215u);
-                                    phi_2767_ = _e1962;
+                                    let _e2484 = local_11;
+                                    phi_2855_ = (_e2484 & 16777215u);
+                                    phi_2858_ = _e2051;
                                     loop {
-                                        let _e2398 = phi_2764_;
-                                        let _e2400 = phi_2767_;
-                                        local_20 = _e2400;
-                                        let _e2401 = (_e2398 == 0u);
-                                        local_10 = _e2401;
-                                        local_21 = _e2401;
-                                        if _e2401 {
-                                            phi_2765_ = u32();
-                                            phi_2768_ = bool();
-                                            phi_3365_ = false;
+                                        let _e2487 = phi_2855_;
+                                        let _e2489 = phi_2858_;
+                                        local_22 = _e2489;
+                                        let _e2490 = (_e2487 == 0u);
+                                        local_12 = _e2490;
+                                        local_23 = _e2490;
+                                        if _e2490 {
+                                            phi_2856_ = u32();
+                                            phi_2859_ = bool();
+                                            phi_3456_ = false;
                                         } else {
-                                            let _e2404 = nodes.member[(0u + _e1960)].links[1u];
-                                            let _e2409 = ((0u + _e2404) + select(firstTrailingBit(_e2398), 32u, (_e2398 == 0u)));
-                                            if (_e2409 < _e78) {
+                                            let _e2493 = nodes.member[(0u + _e2049)].links[1u];
+                                            let _e2498 = ((0u + _e2493) + select(firstTrailingBit(_e2487), 32u, (_e2487 == 0u)));
+                                            if (_e2498 < _e79) {
                                             } else {
                                                 return;
                                             }
-                                            let _e2416 = triangles.member[(0u + _e2409)].v0_;
-                                            let _e2418 = (_e2416.x - _e252);
-                                            let _e2420 = (_e2416.y - _e254);
-                                            let _e2422 = (_e2416.z - _e256);
-                                            if (_e1795 == 0u) {
-                                                phi_2812_ = vec3<f32>(_e2420, _e2422, _e2418);
+                                            let _e2505 = triangles.member[(0u + _e2498)].v0_;
+                                            let _e2507 = (_e2505.x - _e253);
+                                            let _e2509 = (_e2505.y - _e255);
+                                            let _e2511 = (_e2505.z - _e257);
+                                            if (_e1884 == 0u) {
+                                                phi_2903_ = vec3<f32>(_e2509, _e2511, _e2507);
                                             } else {
-                                                if (_e1795 == 1u) {
-                                                    phi_2811_ = vec3<f32>(_e2422, _e2418, _e2420);
+                                                if (_e1884 == 1u) {
+                                                    phi_2902_ = vec3<f32>(_e2511, _e2507, _e2509);
                                                 } else {
-                                                    phi_2811_ = (_e2416 - vec3<f32>(_e252, _e254, _e256));
+                                                    phi_2902_ = (_e2505 - vec3<f32>(_e253, _e255, _e257));
                                                 }
-                                                let _e2430 = phi_2811_;
-                                                phi_2812_ = _e2430;
+                                                let _e2519 = phi_2902_;
+                                                phi_2903_ = _e2519;
                                             }
-                                            let _e2432 = phi_2812_;
-                                            let _e2436 = (_e2432.x - (_e1806 * _e2432.z));
-                                            let _e2440 = (_e2432.y - (_e1809 * _e2432.z));
-                                            let _e2442 = triangles.member[(0u + _e2409)].v1_;
-                                            let _e2444 = (_e2442.x - _e252);
-                                            let _e2446 = (_e2442.y - _e254);
-                                            let _e2448 = (_e2442.z - _e256);
-                                            if (_e1795 == 0u) {
-                                                phi_2842_ = vec3<f32>(_e2446, _e2448, _e2444);
+                                            let _e2521 = phi_2903_;
+                                            let _e2525 = (_e2521.x - (_e1895 * _e2521.z));
+                                            let _e2529 = (_e2521.y - (_e1898 * _e2521.z));
+                                            let _e2531 = triangles.member[(0u + _e2498)].v1_;
+                                            let _e2533 = (_e2531.x - _e253);
+                                            let _e2535 = (_e2531.y - _e255);
+                                            let _e2537 = (_e2531.z - _e257);
+                                            if (_e1884 == 0u) {
+                                                phi_2933_ = vec3<f32>(_e2535, _e2537, _e2533);
                                             } else {
-                                                if (_e1795 == 1u) {
-                                                    phi_2841_ = vec3<f32>(_e2448, _e2444, _e2446);
+                                                if (_e1884 == 1u) {
+                                                    phi_2932_ = vec3<f32>(_e2537, _e2533, _e2535);
                                                 } else {
-                                                    phi_2841_ = (_e2442 - vec3<f32>(_e252, _e254, _e256));
+                                                    phi_2932_ = (_e2531 - vec3<f32>(_e253, _e255, _e257));
                                                 }
-                                                let _e2456 = phi_2841_;
-                                                phi_2842_ = _e2456;
+                                                let _e2545 = phi_2932_;
+                                                phi_2933_ = _e2545;
                                             }
-                                            let _e2458 = phi_2842_;
-                                            let _e2462 = (_e2458.x - (_e1806 * _e2458.z));
-                                            let _e2466 = (_e2458.y - (_e1809 * _e2458.z));
-                                            let _e2468 = triangles.member[(0u + _e2409)].v2_;
-                                            let _e2470 = (_e2468.x - _e252);
-                                            let _e2472 = (_e2468.y - _e254);
-                                            let _e2474 = (_e2468.z - _e256);
-                                            if (_e1795 == 0u) {
-                                                phi_2872_ = vec3<f32>(_e2472, _e2474, _e2470);
+                                            let _e2547 = phi_2933_;
+                                            let _e2551 = (_e2547.x - (_e1895 * _e2547.z));
+                                            let _e2555 = (_e2547.y - (_e1898 * _e2547.z));
+                                            let _e2557 = triangles.member[(0u + _e2498)].v2_;
+                                            let _e2559 = (_e2557.x - _e253);
+                                            let _e2561 = (_e2557.y - _e255);
+                                            let _e2563 = (_e2557.z - _e257);
+                                            if (_e1884 == 0u) {
+                                                phi_2963_ = vec3<f32>(_e2561, _e2563, _e2559);
                                             } else {
-                                                if (_e1795 == 1u) {
-                                                    phi_2871_ = vec3<f32>(_e2474, _e2470, _e2472);
+                                                if (_e1884 == 1u) {
+                                                    phi_2962_ = vec3<f32>(_e2563, _e2559, _e2561);
                                                 } else {
-                                                    phi_2871_ = (_e2468 - vec3<f32>(_e252, _e254, _e256));
+                                                    phi_2962_ = (_e2557 - vec3<f32>(_e253, _e255, _e257));
                                                 }
-                                                let _e2482 = phi_2871_;
-                                                phi_2872_ = _e2482;
+                                                let _e2571 = phi_2962_;
+                                                phi_2963_ = _e2571;
                                             }
-                                            let _e2484 = phi_2872_;
-                                            let _e2488 = (_e2484.x - (_e1806 * _e2484.z));
-                                            let _e2492 = (_e2484.y - (_e1809 * _e2484.z));
-                                            if (_e2462 < _e2488) {
-                                                phi_2891_ = true;
+                                            let _e2573 = phi_2963_;
+                                            let _e2577 = (_e2573.x - (_e1895 * _e2573.z));
+                                            let _e2581 = (_e2573.y - (_e1898 * _e2573.z));
+                                            if (_e2551 < _e2577) {
+                                                phi_2982_ = true;
                                             } else {
-                                                if (_e2462 == _e2488) {
-                                                    phi_2890_ = (_e2466 < _e2492);
+                                                if (_e2551 == _e2577) {
+                                                    phi_2981_ = (_e2555 < _e2581);
                                                 } else {
-                                                    phi_2890_ = false;
+                                                    phi_2981_ = false;
                                                 }
-                                                let _e2497 = phi_2890_;
-                                                phi_2891_ = _e2497;
+                                                let _e2586 = phi_2981_;
+                                                phi_2982_ = _e2586;
                                             }
-                                            let _e2499 = phi_2891_;
-                                            if _e2499 {
-                                                phi_2895_ = _e2492;
-                                                phi_2896_ = _e2488;
-                                                phi_2897_ = _e2466;
-                                                phi_2898_ = _e2462;
+                                            let _e2588 = phi_2982_;
+                                            if _e2588 {
+                                                phi_2986_ = _e2581;
+                                                phi_2987_ = _e2577;
+                                                phi_2988_ = _e2555;
+                                                phi_2989_ = _e2551;
                                             } else {
-                                                phi_2895_ = _e2466;
-                                                phi_2896_ = _e2462;
-                                                phi_2897_ = _e2492;
-                                                phi_2898_ = _e2488;
+                                                phi_2986_ = _e2555;
+                                                phi_2987_ = _e2551;
+                                                phi_2988_ = _e2581;
+                                                phi_2989_ = _e2577;
                                             }
-                                            let _e2501 = phi_2895_;
-                                            let _e2503 = phi_2896_;
-                                            let _e2505 = phi_2897_;
-                                            let _e2507 = phi_2898_;
-                                            let _e2510 = ((_e2507 * _e2501) - (_e2505 * _e2503));
-                                            if _e2499 {
-                                                phi_2906_ = -(_e2510);
+                                            let _e2590 = phi_2986_;
+                                            let _e2592 = phi_2987_;
+                                            let _e2594 = phi_2988_;
+                                            let _e2596 = phi_2989_;
+                                            let _e2599 = ((_e2596 * _e2590) - (_e2594 * _e2592));
+                                            if _e2588 {
+                                                phi_2997_ = -(_e2599);
                                             } else {
-                                                phi_2906_ = _e2510;
+                                                phi_2997_ = _e2599;
                                             }
-                                            let _e2513 = phi_2906_;
-                                            if (_e2488 < _e2436) {
-                                                phi_2917_ = true;
+                                            let _e2602 = phi_2997_;
+                                            if (_e2577 < _e2525) {
+                                                phi_3008_ = true;
                                             } else {
-                                                if (_e2488 == _e2436) {
-                                                    phi_2916_ = (_e2492 < _e2440);
+                                                if (_e2577 == _e2525) {
+                                                    phi_3007_ = (_e2581 < _e2529);
                                                 } else {
-                                                    phi_2916_ = false;
+                                                    phi_3007_ = false;
                                                 }
-                                                let _e2518 = phi_2916_;
-                                                phi_2917_ = _e2518;
+                                                let _e2607 = phi_3007_;
+                                                phi_3008_ = _e2607;
                                             }
-                                            let _e2520 = phi_2917_;
-                                            if _e2520 {
-                                                phi_2921_ = _e2440;
-                                                phi_2922_ = _e2436;
-                                                phi_2923_ = _e2492;
-                                                phi_2924_ = _e2488;
+                                            let _e2609 = phi_3008_;
+                                            if _e2609 {
+                                                phi_3012_ = _e2529;
+                                                phi_3013_ = _e2525;
+                                                phi_3014_ = _e2581;
+                                                phi_3015_ = _e2577;
                                             } else {
-                                                phi_2921_ = _e2492;
-                                                phi_2922_ = _e2488;
-                                                phi_2923_ = _e2440;
-                                                phi_2924_ = _e2436;
+                                                phi_3012_ = _e2581;
+                                                phi_3013_ = _e2577;
+                                                phi_3014_ = _e2529;
+                                                phi_3015_ = _e2525;
                                             }
-                                            let _e2522 = phi_2921_;
-                                            let _e2524 = phi_2922_;
-                                            let _e2526 = phi_2923_;
-                                            let _e2528 = phi_2924_;
-                                            let _e2531 = ((_e2528 * _e2522) - (_e2526 * _e2524));
-                                            if _e2520 {
-                                                phi_2932_ = -(_e2531);
+                                            let _e2611 = phi_3012_;
+                                            let _e2613 = phi_3013_;
+                                            let _e2615 = phi_3014_;
+                                            let _e2617 = phi_3015_;
+                                            let _e2620 = ((_e2617 * _e2611) - (_e2615 * _e2613));
+                                            if _e2609 {
+                                                phi_3023_ = -(_e2620);
                                             } else {
-                                                phi_2932_ = _e2531;
+                                                phi_3023_ = _e2620;
                                             }
-                                            let _e2534 = phi_2932_;
-                                            if (_e2436 < _e2462) {
-                                                phi_2943_ = true;
+                                            let _e2623 = phi_3023_;
+                                            if (_e2525 < _e2551) {
+                                                phi_3034_ = true;
                                             } else {
-                                                if (_e2436 == _e2462) {
-                                                    phi_2942_ = (_e2440 < _e2466);
+                                                if (_e2525 == _e2551) {
+                                                    phi_3033_ = (_e2529 < _e2555);
                                                 } else {
-                                                    phi_2942_ = false;
+                                                    phi_3033_ = false;
                                                 }
-                                                let _e2539 = phi_2942_;
-                                                phi_2943_ = _e2539;
+                                                let _e2628 = phi_3033_;
+                                                phi_3034_ = _e2628;
                                             }
-                                            let _e2541 = phi_2943_;
-                                            if _e2541 {
-                                                phi_2947_ = _e2466;
-                                                phi_2948_ = _e2462;
-                                                phi_2949_ = _e2440;
-                                                phi_2950_ = _e2436;
+                                            let _e2630 = phi_3034_;
+                                            if _e2630 {
+                                                phi_3038_ = _e2555;
+                                                phi_3039_ = _e2551;
+                                                phi_3040_ = _e2529;
+                                                phi_3041_ = _e2525;
                                             } else {
-                                                phi_2947_ = _e2440;
-                                                phi_2948_ = _e2436;
-                                                phi_2949_ = _e2466;
-                                                phi_2950_ = _e2462;
+                                                phi_3038_ = _e2529;
+                                                phi_3039_ = _e2525;
+                                                phi_3040_ = _e2555;
+                                                phi_3041_ = _e2551;
                                             }
-                                            let _e2543 = phi_2947_;
-                                            let _e2545 = phi_2948_;
-                                            let _e2547 = phi_2949_;
-                                            let _e2549 = phi_2950_;
-                                            let _e2552 = ((_e2549 * _e2543) - (_e2547 * _e2545));
-                                            if _e2541 {
-                                                phi_2958_ = -(_e2552);
+                                            let _e2632 = phi_3038_;
+                                            let _e2634 = phi_3039_;
+                                            let _e2636 = phi_3040_;
+                                            let _e2638 = phi_3041_;
+                                            let _e2641 = ((_e2638 * _e2632) - (_e2636 * _e2634));
+                                            if _e2630 {
+                                                phi_3049_ = -(_e2641);
                                             } else {
-                                                phi_2958_ = _e2552;
+                                                phi_3049_ = _e2641;
                                             }
-                                            let _e2555 = phi_2958_;
-                                            if (_e2513 >= 0f) {
-                                                if (_e2534 >= 0f) {
-                                                    if (_e2555 >= 0f) {
-                                                        phi_2973_ = ((_e2513 + _e2534) + _e2555);
-                                                        phi_2974_ = false;
+                                            let _e2644 = phi_3049_;
+                                            if (_e2602 >= 0f) {
+                                                if (_e2623 >= 0f) {
+                                                    if (_e2644 >= 0f) {
+                                                        phi_3064_ = ((_e2602 + _e2623) + _e2644);
+                                                        phi_3065_ = false;
                                                     } else {
-                                                        phi_2973_ = f32();
-                                                        phi_2974_ = true;
+                                                        phi_3064_ = f32();
+                                                        phi_3065_ = true;
                                                     }
-                                                    let _e2562 = phi_2973_;
-                                                    let _e2564 = phi_2974_;
-                                                    phi_2975_ = _e2562;
-                                                    phi_2976_ = _e2564;
+                                                    let _e2651 = phi_3064_;
+                                                    let _e2653 = phi_3065_;
+                                                    phi_3066_ = _e2651;
+                                                    phi_3067_ = _e2653;
                                                 } else {
-                                                    phi_2975_ = f32();
-                                                    phi_2976_ = true;
+                                                    phi_3066_ = f32();
+                                                    phi_3067_ = true;
                                                 }
-                                                let _e2566 = phi_2975_;
-                                                let _e2568 = phi_2976_;
-                                                phi_2977_ = _e2566;
-                                                phi_2978_ = _e2568;
+                                                let _e2655 = phi_3066_;
+                                                let _e2657 = phi_3067_;
+                                                phi_3068_ = _e2655;
+                                                phi_3069_ = _e2657;
                                             } else {
-                                                phi_2977_ = f32();
-                                                phi_2978_ = true;
+                                                phi_3068_ = f32();
+                                                phi_3069_ = true;
                                             }
-                                            let _e2570 = phi_2977_;
-                                            let _e2572 = phi_2978_;
-                                            if _e2572 {
-                                                if (_e2513 <= 0f) {
-                                                    if (_e2534 <= 0f) {
-                                                        let _e2575 = (_e2555 <= 0f);
-                                                        if _e2575 {
+                                            let _e2659 = phi_3068_;
+                                            let _e2661 = phi_3069_;
+                                            if _e2661 {
+                                                if (_e2602 <= 0f) {
+                                                    if (_e2623 <= 0f) {
+                                                        let _e2664 = (_e2644 <= 0f);
+                                                        if _e2664 {
                                                         }
-                                                        phi_2996_ = ((_e2513 + _e2534) + _e2555);
-                                                        phi_2997_ = false;
-                                                        phi_2998_ = _e2575;
+                                                        phi_3087_ = ((_e2602 + _e2623) + _e2644);
+                                                        phi_3088_ = false;
+                                                        phi_3089_ = _e2664;
                                                     } else {
-                                                        phi_2996_ = f32();
-                                                        phi_2997_ = true;
-                                                        phi_2998_ = false;
+                                                        phi_3087_ = f32();
+                                                        phi_3088_ = true;
+                                                        phi_3089_ = false;
                                                     }
-                                                    let _e2579 = phi_2996_;
-                                                    let _e2581 = phi_2997_;
-                                                    let _e2583 = phi_2998_;
-                                                    phi_2999_ = _e2579;
-                                                    phi_3000_ = _e2581;
-                                                    phi_3001_ = _e2583;
+                                                    let _e2668 = phi_3087_;
+                                                    let _e2670 = phi_3088_;
+                                                    let _e2672 = phi_3089_;
+                                                    phi_3090_ = _e2668;
+                                                    phi_3091_ = _e2670;
+                                                    phi_3092_ = _e2672;
                                                 } else {
-                                                    phi_2999_ = f32();
-                                                    phi_3000_ = true;
-                                                    phi_3001_ = false;
+                                                    phi_3090_ = f32();
+                                                    phi_3091_ = true;
+                                                    phi_3092_ = false;
                                                 }
-                                                let _e2585 = phi_2999_;
-                                                let _e2587 = phi_3000_;
-                                                let _e2589 = phi_3001_;
-                                                if _e2587 {
-                                                    phi_3005_ = false;
+                                                let _e2674 = phi_3090_;
+                                                let _e2676 = phi_3091_;
+                                                let _e2678 = phi_3092_;
+                                                if _e2676 {
+                                                    phi_3096_ = false;
                                                 } else {
-                                                    phi_3005_ = _e2589;
+                                                    phi_3096_ = _e2678;
                                                 }
-                                                let _e2591 = phi_3005_;
-                                                phi_3006_ = _e2585;
-                                                phi_3007_ = _e2591;
+                                                let _e2680 = phi_3096_;
+                                                phi_3097_ = _e2674;
+                                                phi_3098_ = _e2680;
                                             } else {
-                                                phi_3006_ = _e2570;
-                                                phi_3007_ = true;
+                                                phi_3097_ = _e2659;
+                                                phi_3098_ = true;
                                             }
-                                            let _e2593 = phi_3006_;
-                                            let _e2595 = phi_3007_;
-                                            if _e2595 {
-                                                let _e2596 = (_e2593 == 0f);
-                                                if _e2596 {
-                                                    phi_3323_ = lt_bvh_triangle_Intersection();
-                                                    phi_3324_ = false;
+                                            let _e2682 = phi_3097_;
+                                            let _e2684 = phi_3098_;
+                                            if _e2684 {
+                                                let _e2685 = (_e2682 == 0f);
+                                                if _e2685 {
+                                                    phi_3414_ = lt_bvh_triangle_Intersection();
+                                                    phi_3415_ = false;
                                                 } else {
-                                                    let _e2598 = triangles.member[(0u + _e2409)].v0_;
-                                                    let _e2600 = (_e2598.x - _e252);
-                                                    let _e2602 = (_e2598.y - _e254);
-                                                    let _e2604 = (_e2598.z - _e256);
-                                                    if (_e1795 == 0u) {
-                                                        phi_3036_ = vec3<f32>(_e2602, _e2604, _e2600);
+                                                    let _e2687 = triangles.member[(0u + _e2498)].v0_;
+                                                    let _e2689 = (_e2687.x - _e253);
+                                                    let _e2691 = (_e2687.y - _e255);
+                                                    let _e2693 = (_e2687.z - _e257);
+                                                    if (_e1884 == 0u) {
+                                                        phi_3127_ = vec3<f32>(_e2691, _e2693, _e2689);
                                                     } else {
-                                                        if (_e1795 == 1u) {
-                                                            phi_3035_ = vec3<f32>(_e2604, _e2600, _e2602);
+                                                        if (_e1884 == 1u) {
+                                                            phi_3126_ = vec3<f32>(_e2693, _e2689, _e2691);
                                                         } else {
-                                                            phi_3035_ = (_e2598 - vec3<f32>(_e252, _e254, _e256));
+                                                            phi_3126_ = (_e2687 - vec3<f32>(_e253, _e255, _e257));
                                                         }
-                                                        let _e2612 = phi_3035_;
-                                                        phi_3036_ = _e2612;
+                                                        let _e2701 = phi_3126_;
+                                                        phi_3127_ = _e2701;
                                                     }
-                                                    let _e2614 = phi_3036_;
-                                                    let _e2616 = triangles.member[(0u + _e2409)].v1_;
-                                                    let _e2618 = triangles.member[(0u + _e2409)].v0_;
-                                                    let _e2621 = (_e2616.x - _e2618.x);
-                                                    let _e2624 = (_e2616.y - _e2618.y);
-                                                    let _e2627 = (_e2616.z - _e2618.z);
-                                                    if (_e1795 == 0u) {
-                                                        phi_3062_ = vec3<f32>(_e2624, _e2627, _e2621);
+                                                    let _e2703 = phi_3127_;
+                                                    let _e2705 = triangles.member[(0u + _e2498)].v1_;
+                                                    let _e2707 = triangles.member[(0u + _e2498)].v0_;
+                                                    let _e2710 = (_e2705.x - _e2707.x);
+                                                    let _e2713 = (_e2705.y - _e2707.y);
+                                                    let _e2716 = (_e2705.z - _e2707.z);
+                                                    if (_e1884 == 0u) {
+                                                        phi_3153_ = vec3<f32>(_e2713, _e2716, _e2710);
                                                     } else {
-                                                        if (_e1795 == 1u) {
-                                                            phi_3061_ = vec3<f32>(_e2627, _e2621, _e2624);
+                                                        if (_e1884 == 1u) {
+                                                            phi_3152_ = vec3<f32>(_e2716, _e2710, _e2713);
                                                         } else {
-                                                            phi_3061_ = (_e2616 - _e2618);
+                                                            phi_3152_ = (_e2705 - _e2707);
                                                         }
-                                                        let _e2634 = phi_3061_;
-                                                        phi_3062_ = _e2634;
+                                                        let _e2723 = phi_3152_;
+                                                        phi_3153_ = _e2723;
                                                     }
-                                                    let _e2636 = phi_3062_;
-                                                    let _e2638 = triangles.member[(0u + _e2409)].v2_;
-                                                    let _e2640 = triangles.member[(0u + _e2409)].v0_;
-                                                    let _e2643 = (_e2638.x - _e2640.x);
-                                                    let _e2646 = (_e2638.y - _e2640.y);
-                                                    let _e2649 = (_e2638.z - _e2640.z);
-                                                    if (_e1795 == 0u) {
-                                                        phi_3088_ = vec3<f32>(_e2646, _e2649, _e2643);
+                                                    let _e2725 = phi_3153_;
+                                                    let _e2727 = triangles.member[(0u + _e2498)].v2_;
+                                                    let _e2729 = triangles.member[(0u + _e2498)].v0_;
+                                                    let _e2732 = (_e2727.x - _e2729.x);
+                                                    let _e2735 = (_e2727.y - _e2729.y);
+                                                    let _e2738 = (_e2727.z - _e2729.z);
+                                                    if (_e1884 == 0u) {
+                                                        phi_3179_ = vec3<f32>(_e2735, _e2738, _e2732);
                                                     } else {
-                                                        if (_e1795 == 1u) {
-                                                            phi_3087_ = vec3<f32>(_e2649, _e2643, _e2646);
+                                                        if (_e1884 == 1u) {
+                                                            phi_3178_ = vec3<f32>(_e2738, _e2732, _e2735);
                                                         } else {
-                                                            phi_3087_ = (_e2638 - _e2640);
+                                                            phi_3178_ = (_e2727 - _e2729);
                                                         }
-                                                        let _e2656 = phi_3087_;
-                                                        phi_3088_ = _e2656;
+                                                        let _e2745 = phi_3178_;
+                                                        phi_3179_ = _e2745;
                                                     }
-                                                    let _e2658 = phi_3088_;
-                                                    let _e2665 = ((_e2636.y * _e2658.z) - (_e2636.z * _e2658.y));
-                                                    let _e2672 = ((_e2636.z * _e2658.x) - (_e2636.x * _e2658.z));
-                                                    let _e2679 = ((_e2636.x * _e2658.y) - (_e2636.y * _e2658.x));
-                                                    let _e2693 = (((1f / _e1803.z) * (((_e2665 * _e2614.x) + (_e2672 * _e2614.y)) + (_e2679 * _e2614.z))) / (((_e2665 * _e1806) + (_e2672 * _e1809)) + _e2679));
-                                                    if (_e2693 > 0f) {
-                                                        if (_e2693 < _e264) {
-                                                            let _e2697 = triangles.member[(0u + _e2409)].v0_;
-                                                            let _e2699 = triangles.member[(0u + _e2409)].v1_;
-                                                            if (_e2697.x < _e2699.x) {
-                                                                phi_3144_ = _e2697.x;
+                                                    let _e2747 = phi_3179_;
+                                                    let _e2754 = ((_e2725.y * _e2747.z) - (_e2725.z * _e2747.y));
+                                                    let _e2761 = ((_e2725.z * _e2747.x) - (_e2725.x * _e2747.z));
+                                                    let _e2768 = ((_e2725.x * _e2747.y) - (_e2725.y * _e2747.x));
+                                                    let _e2782 = (((1f / _e1892.z) * (((_e2754 * _e2703.x) + (_e2761 * _e2703.y)) + (_e2768 * _e2703.z))) / (((_e2754 * _e1895) + (_e2761 * _e1898)) + _e2768));
+                                                    if (_e2782 > 0f) {
+                                                        if (_e2782 < _e265) {
+                                                            let _e2786 = triangles.member[(0u + _e2498)].v0_;
+                                                            let _e2788 = triangles.member[(0u + _e2498)].v1_;
+                                                            if (_e2786.x < _e2788.x) {
+                                                                phi_3235_ = _e2786.x;
                                                             } else {
-                                                                phi_3144_ = _e2699.x;
+                                                                phi_3235_ = _e2788.x;
                                                             }
-                                                            let _e2706 = phi_3144_;
-                                                            if (_e2697.y < _e2699.y) {
-                                                                phi_3153_ = _e2697.y;
+                                                            let _e2795 = phi_3235_;
+                                                            if (_e2786.y < _e2788.y) {
+                                                                phi_3244_ = _e2786.y;
                                                             } else {
-                                                                phi_3153_ = _e2699.y;
+                                                                phi_3244_ = _e2788.y;
                                                             }
-                                                            let _e2713 = phi_3153_;
-                                                            if (_e2697.z < _e2699.z) {
-                                                                phi_3162_ = _e2697.z;
+                                                            let _e2802 = phi_3244_;
+                                                            if (_e2786.z < _e2788.z) {
+                                                                phi_3253_ = _e2786.z;
                                                             } else {
-                                                                phi_3162_ = _e2699.z;
+                                                                phi_3253_ = _e2788.z;
                                                             }
-                                                            let _e2720 = phi_3162_;
-                                                            let _e2722 = triangles.member[(0u + _e2409)].v2_;
-                                                            if (_e2706 < _e2722.x) {
-                                                                phi_3171_ = _e2706;
+                                                            let _e2809 = phi_3253_;
+                                                            let _e2811 = triangles.member[(0u + _e2498)].v2_;
+                                                            if (_e2795 < _e2811.x) {
+                                                                phi_3262_ = _e2795;
                                                             } else {
-                                                                phi_3171_ = _e2722.x;
+                                                                phi_3262_ = _e2811.x;
                                                             }
-                                                            let _e2727 = phi_3171_;
-                                                            if (_e2713 < _e2722.y) {
-                                                                phi_3178_ = _e2713;
+                                                            let _e2816 = phi_3262_;
+                                                            if (_e2802 < _e2811.y) {
+                                                                phi_3269_ = _e2802;
                                                             } else {
-                                                                phi_3178_ = _e2722.y;
+                                                                phi_3269_ = _e2811.y;
                                                             }
-                                                            let _e2732 = phi_3178_;
-                                                            if (_e2720 < _e2722.z) {
-                                                                phi_3185_ = _e2720;
+                                                            let _e2821 = phi_3269_;
+                                                            if (_e2809 < _e2811.z) {
+                                                                phi_3276_ = _e2809;
                                                             } else {
-                                                                phi_3185_ = _e2722.z;
+                                                                phi_3276_ = _e2811.z;
                                                             }
-                                                            let _e2737 = phi_3185_;
-                                                            let _e2739 = triangles.member[(0u + _e2409)].v0_;
-                                                            let _e2741 = triangles.member[(0u + _e2409)].v1_;
-                                                            if (_e2739.x > _e2741.x) {
-                                                                phi_3198_ = _e2739.x;
+                                                            let _e2826 = phi_3276_;
+                                                            let _e2828 = triangles.member[(0u + _e2498)].v0_;
+                                                            let _e2830 = triangles.member[(0u + _e2498)].v1_;
+                                                            if (_e2828.x > _e2830.x) {
+                                                                phi_3289_ = _e2828.x;
                                                             } else {
-                                                                phi_3198_ = _e2741.x;
+                                                                phi_3289_ = _e2830.x;
                                                             }
-                                                            let _e2748 = phi_3198_;
-                                                            if (_e2739.y > _e2741.y) {
-                                                                phi_3207_ = _e2739.y;
+                                                            let _e2837 = phi_3289_;
+                                                            if (_e2828.y > _e2830.y) {
+                                                                phi_3298_ = _e2828.y;
                                                             } else {
-                                                                phi_3207_ = _e2741.y;
+                                                                phi_3298_ = _e2830.y;
                                                             }
-                                                            let _e2755 = phi_3207_;
-                                                            if (_e2739.z > _e2741.z) {
-                                                                phi_3216_ = _e2739.z;
+                                                            let _e2844 = phi_3298_;
+                                                            if (_e2828.z > _e2830.z) {
+                                                                phi_3307_ = _e2828.z;
                                                             } else {
-                                                                phi_3216_ = _e2741.z;
+                                                                phi_3307_ = _e2830.z;
                                                             }
-                                                            let _e2762 = phi_3216_;
-                                                            let _e2764 = triangles.member[(0u + _e2409)].v2_;
-                                                            if (_e2748 > _e2764.x) {
-                                                                phi_3225_ = _e2748;
+                                                            let _e2851 = phi_3307_;
+                                                            let _e2853 = triangles.member[(0u + _e2498)].v2_;
+                                                            if (_e2837 > _e2853.x) {
+                                                                phi_3316_ = _e2837;
                                                             } else {
-                                                                phi_3225_ = _e2764.x;
+                                                                phi_3316_ = _e2853.x;
                                                             }
-                                                            let _e2769 = phi_3225_;
-                                                            if (_e2755 > _e2764.y) {
-                                                                phi_3232_ = _e2755;
+                                                            let _e2858 = phi_3316_;
+                                                            if (_e2844 > _e2853.y) {
+                                                                phi_3323_ = _e2844;
                                                             } else {
-                                                                phi_3232_ = _e2764.y;
+                                                                phi_3323_ = _e2853.y;
                                                             }
-                                                            let _e2774 = phi_3232_;
-                                                            if (_e2762 > _e2764.z) {
-                                                                phi_3239_ = _e2762;
+                                                            let _e2863 = phi_3323_;
+                                                            if (_e2851 > _e2853.z) {
+                                                                phi_3330_ = _e2851;
                                                             } else {
-                                                                phi_3239_ = _e2764.z;
+                                                                phi_3330_ = _e2853.z;
                                                             }
-                                                            let _e2779 = phi_3239_;
-                                                            let _e2783 = ((_e2727 - _e252) * _e1720);
-                                                            let _e2784 = ((_e2732 - _e254) * _e1730);
-                                                            let _e2785 = ((_e2737 - _e256) * _e1740);
-                                                            let _e2789 = ((_e2769 - _e252) * _e1720);
-                                                            let _e2790 = ((_e2774 - _e254) * _e1730);
-                                                            let _e2791 = ((_e2779 - _e256) * _e1740);
-                                                            if (_e2783 < _e2789) {
-                                                                phi_3256_ = _e2783;
+                                                            let _e2868 = phi_3330_;
+                                                            let _e2872 = ((_e2816 - _e253) * _e1809);
+                                                            let _e2873 = ((_e2821 - _e255) * _e1819);
+                                                            let _e2874 = ((_e2826 - _e257) * _e1829);
+                                                            let _e2878 = ((_e2858 - _e253) * _e1809);
+                                                            let _e2879 = ((_e2863 - _e255) * _e1819);
+                                                            let _e2880 = ((_e2868 - _e257) * _e1829);
+                                                            if (_e2872 < _e2878) {
+                                                                phi_3347_ = _e2872;
                                                             } else {
-                                                                phi_3256_ = _e2789;
+                                                                phi_3347_ = _e2878;
                                                             }
-                                                            let _e2794 = phi_3256_;
-                                                            if (_e2784 < _e2790) {
-                                                                phi_3261_ = _e2784;
+                                                            let _e2883 = phi_3347_;
+                                                            if (_e2873 < _e2879) {
+                                                                phi_3352_ = _e2873;
                                                             } else {
-                                                                phi_3261_ = _e2790;
+                                                                phi_3352_ = _e2879;
                                                             }
-                                                            let _e2797 = phi_3261_;
-                                                            if (_e2785 < _e2791) {
-                                                                phi_3266_ = _e2785;
+                                                            let _e2886 = phi_3352_;
+                                                            if (_e2874 < _e2880) {
+                                                                phi_3357_ = _e2874;
                                                             } else {
-                                                                phi_3266_ = _e2791;
+                                                                phi_3357_ = _e2880;
                                                             }
-                                                            let _e2800 = phi_3266_;
-                                                            if (_e2783 > _e2789) {
-                                                                phi_3274_ = _e2783;
+                                                            let _e2889 = phi_3357_;
+                                                            if (_e2872 > _e2878) {
+                                                                phi_3365_ = _e2872;
                                                             } else {
-                                                                phi_3274_ = _e2789;
+                                                                phi_3365_ = _e2878;
                                                             }
-                                                            let _e2806 = phi_3274_;
-                                                            if (_e2784 > _e2790) {
-                                                                phi_3279_ = _e2784;
+                                                            let _e2895 = phi_3365_;
+                                                            if (_e2873 > _e2879) {
+                                                                phi_3370_ = _e2873;
                                                             } else {
-                                                                phi_3279_ = _e2790;
+                                                                phi_3370_ = _e2879;
                                                             }
-                                                            let _e2809 = phi_3279_;
-                                                            if (_e2785 > _e2791) {
-                                                                phi_3284_ = _e2785;
+                                                            let _e2898 = phi_3370_;
+                                                            if (_e2874 > _e2880) {
+                                                                phi_3375_ = _e2874;
                                                             } else {
-                                                                phi_3284_ = _e2791;
+                                                                phi_3375_ = _e2880;
                                                             }
-                                                            let _e2812 = phi_3284_;
-                                                            let _e2816 = core_intrinsics_maximum_number_nsz_f32_((_e2794 - _e1779), (_e2797 - _e1780));
-                                                            let _e2817 = core_intrinsics_maximum_number_nsz_f32_(_e2816, (_e2800 - _e1781));
-                                                            let _e2818 = core_intrinsics_minimum_number_nsz_f32_((_e2806 + _e1779), (_e2809 + _e1780));
-                                                            let _e2819 = core_intrinsics_minimum_number_nsz_f32_(_e2818, (_e2812 + _e1781));
-                                                            if (_e2817 > -300000000000000000000000000000000000000f) {
-                                                                phi_3296_ = _e2817;
+                                                            let _e2901 = phi_3375_;
+                                                            let _e2905 = core_intrinsics_maximum_number_nsz_f32_((_e2883 - _e1868), (_e2886 - _e1869));
+                                                            let _e2906 = core_intrinsics_maximum_number_nsz_f32_(_e2905, (_e2889 - _e1870));
+                                                            let _e2907 = core_intrinsics_minimum_number_nsz_f32_((_e2895 + _e1868), (_e2898 + _e1869));
+                                                            let _e2908 = core_intrinsics_minimum_number_nsz_f32_(_e2907, (_e2901 + _e1870));
+                                                            if (_e2906 > -300000000000000000000000000000000000000f) {
+                                                                phi_3387_ = _e2906;
                                                             } else {
-                                                                phi_3296_ = -300000000000000000000000000000000000000f;
+                                                                phi_3387_ = -300000000000000000000000000000000000000f;
                                                             }
-                                                            let _e2822 = phi_3296_;
-                                                            if (_e2819 < 300000000000000000000000000000000000000f) {
-                                                                phi_3301_ = _e2819;
+                                                            let _e2911 = phi_3387_;
+                                                            if (_e2908 < 300000000000000000000000000000000000000f) {
+                                                                phi_3392_ = _e2908;
                                                             } else {
-                                                                phi_3301_ = 300000000000000000000000000000000000000f;
+                                                                phi_3392_ = 300000000000000000000000000000000000000f;
                                                             }
-                                                            let _e2825 = phi_3301_;
-                                                            if (_e2693 < _e2822) {
-                                                                phi_3306_ = _e2822;
+                                                            let _e2914 = phi_3392_;
+                                                            if (_e2782 < _e2911) {
+                                                                phi_3397_ = _e2911;
                                                             } else {
-                                                                phi_3306_ = _e2693;
+                                                                phi_3397_ = _e2782;
                                                             }
-                                                            let _e2828 = phi_3306_;
-                                                            if (_e2828 > _e2825) {
-                                                                phi_3311_ = _e2825;
+                                                            let _e2917 = phi_3397_;
+                                                            if (_e2917 > _e2914) {
+                                                                phi_3402_ = _e2914;
                                                             } else {
-                                                                phi_3311_ = _e2828;
+                                                                phi_3402_ = _e2917;
                                                             }
-                                                            let _e2831 = phi_3311_;
-                                                            phi_3316_ = lt_bvh_triangle_Intersection(_e2831, (_e2534 / _e2593), (_e2555 / _e2593), (_e2822 <= _e2825));
-                                                            phi_3317_ = false;
+                                                            let _e2920 = phi_3402_;
+                                                            phi_3407_ = lt_bvh_triangle_Intersection(_e2920, (_e2623 / _e2682), (_e2644 / _e2682), (_e2911 <= _e2914));
+                                                            phi_3408_ = false;
                                                         } else {
-                                                            phi_3316_ = lt_bvh_triangle_Intersection();
-                                                            phi_3317_ = true;
+                                                            phi_3407_ = lt_bvh_triangle_Intersection();
+                                                            phi_3408_ = true;
                                                         }
-                                                        let _e2837 = phi_3316_;
-                                                        let _e2839 = phi_3317_;
-                                                        phi_3318_ = _e2837;
-                                                        phi_3319_ = _e2839;
+                                                        let _e2926 = phi_3407_;
+                                                        let _e2928 = phi_3408_;
+                                                        phi_3409_ = _e2926;
+                                                        phi_3410_ = _e2928;
                                                     } else {
-                                                        phi_3318_ = lt_bvh_triangle_Intersection();
-                                                        phi_3319_ = true;
+                                                        phi_3409_ = lt_bvh_triangle_Intersection();
+                                                        phi_3410_ = true;
                                                     }
-                                                    let _e2841 = phi_3318_;
-                                                    let _e2843 = phi_3319_;
-                                                    if _e2843 {
+                                                    let _e2930 = phi_3409_;
+                                                    let _e2932 = phi_3410_;
+                                                    if _e2932 {
                                                     }
-                                                    phi_3323_ = _e2841;
-                                                    phi_3324_ = _e2843;
+                                                    phi_3414_ = _e2930;
+                                                    phi_3415_ = _e2932;
                                                 }
-                                                let _e2845 = phi_3323_;
-                                                let _e2847 = phi_3324_;
-                                                phi_3325_ = _e2845;
-                                                phi_3326_ = _e2596;
-                                                phi_3327_ = _e2847;
+                                                let _e2934 = phi_3414_;
+                                                let _e2936 = phi_3415_;
+                                                phi_3416_ = _e2934;
+                                                phi_3417_ = _e2685;
+                                                phi_3418_ = _e2936;
                                             } else {
-                                                phi_3325_ = lt_bvh_triangle_Intersection();
-                                                phi_3326_ = true;
-                                                phi_3327_ = false;
+                                                phi_3416_ = lt_bvh_triangle_Intersection();
+                                                phi_3417_ = true;
+                                                phi_3418_ = false;
                                             }
-                                            let _e2849 = phi_3325_;
-                                            let _e2851 = phi_3326_;
-                                            let _e2853 = phi_3327_;
-                                            if _e2851 {
-                                                phi_3331_ = true;
+                                            let _e2938 = phi_3416_;
+                                            let _e2940 = phi_3417_;
+                                            let _e2942 = phi_3418_;
+                                            if _e2940 {
+                                                phi_3422_ = true;
                                             } else {
-                                                phi_3331_ = _e2853;
+                                                phi_3422_ = _e2942;
                                             }
-                                            let _e2855 = phi_3331_;
-                                            if _e2855 {
-                                                phi_3335_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                            let _e2944 = phi_3422_;
+                                            if _e2944 {
+                                                phi_3426_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                             } else {
-                                                phi_3335_ = _e2849;
+                                                phi_3426_ = _e2938;
                                             }
-                                            let _e2857 = phi_3335_;
-                                            if _e2857.is_hit {
-                                                if (_e2857.t > 0f) {
-                                                    if (_e2857.t < _e264) {
+                                            let _e2946 = phi_3426_;
+                                            if _e2946.is_hit {
+                                                if (_e2946.t > 0f) {
+                                                    if (_e2946.t < _e265) {
                                                         if true {
-                                                            phi_3355_ = false;
+                                                            phi_3446_ = false;
                                                         } else {
-                                                            phi_3355_ = true;
+                                                            phi_3446_ = true;
                                                         }
-                                                        let _e2866 = phi_3355_;
-                                                        phi_3356_ = true;
-                                                        phi_3357_ = _e2866;
+                                                        let _e2955 = phi_3446_;
+                                                        phi_3447_ = true;
+                                                        phi_3448_ = _e2955;
                                                     } else {
-                                                        phi_3356_ = _e2400;
-                                                        phi_3357_ = true;
+                                                        phi_3447_ = _e2489;
+                                                        phi_3448_ = true;
                                                     }
-                                                    let _e2868 = phi_3356_;
-                                                    let _e2870 = phi_3357_;
-                                                    phi_3358_ = _e2868;
-                                                    phi_3359_ = _e2870;
+                                                    let _e2957 = phi_3447_;
+                                                    let _e2959 = phi_3448_;
+                                                    phi_3449_ = _e2957;
+                                                    phi_3450_ = _e2959;
                                                 } else {
-                                                    phi_3358_ = _e2400;
-                                                    phi_3359_ = true;
+                                                    phi_3449_ = _e2489;
+                                                    phi_3450_ = true;
                                                 }
-                                                let _e2872 = phi_3358_;
-                                                let _e2874 = phi_3359_;
-                                                phi_3360_ = _e2872;
-                                                phi_3361_ = _e2874;
+                                                let _e2961 = phi_3449_;
+                                                let _e2963 = phi_3450_;
+                                                phi_3451_ = _e2961;
+                                                phi_3452_ = _e2963;
                                             } else {
-                                                phi_3360_ = _e2400;
-                                                phi_3361_ = true;
+                                                phi_3451_ = _e2489;
+                                                phi_3452_ = true;
                                             }
-                                            let _e2876 = phi_3360_;
-                                            let _e2878 = phi_3361_;
-                                            if _e2878 {
+                                            let _e2965 = phi_3451_;
+                                            let _e2967 = phi_3452_;
+                                            if _e2967 {
                                             }
-                                            phi_2765_ = (_e2398 & (_e2398 - 1u));
-                                            phi_2768_ = _e2876;
-                                            phi_3365_ = _e2878;
+                                            phi_2856_ = (_e2487 & (_e2487 - 1u));
+                                            phi_2859_ = _e2965;
+                                            phi_3456_ = _e2967;
                                         }
-                                        let _e2880 = phi_2765_;
-                                        let _e2882 = phi_2768_;
-                                        let _e2884 = phi_3365_;
+                                        let _e2969 = phi_2856_;
+                                        let _e2971 = phi_2859_;
+                                        let _e2973 = phi_3456_;
                                         continue;
                                         continuing {
-                                            phi_2764_ = _e2880;
-                                            phi_2767_ = _e2882;
-                                            break if !(_e2884);
+                                            phi_2855_ = _e2969;
+                                            phi_2858_ = _e2971;
+                                            break if !(_e2973);
                                         }
                                     }
-                                    let _e2887 = local_10;
-                                    if _e2887 {
-                                        let _e2889 = local.group_mask;
-                                        if ((_e2889 & 4278190080u) == 0u) {
-                                            let _e2893 = local.len;
-                                            if (_e2893 == 0u) {
-                                                phi_3407_ = false;
+                                    let _e2976 = local_12;
+                                    if _e2976 {
+                                        let _e2978 = local.group_mask;
+                                        if ((_e2978 & 4278190080u) == 0u) {
+                                            let _e2982 = local.len;
+                                            if (_e2982 == 0u) {
+                                                phi_3498_ = false;
                                             } else {
-                                                let _e2897 = local.len;
-                                                local.len = (_e2897 - 1u);
-                                                let _e2900 = local.len;
-                                                if (_e2900 < 32u) {
+                                                let _e2986 = local.len;
+                                                local.len = (_e2986 - 1u);
+                                                let _e2989 = local.len;
+                                                if (_e2989 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e2905 = local.first[(0u + _e2900)];
-                                                local.group = _e2905;
-                                                let _e2908 = local.len;
-                                                if (_e2908 < 32u) {
+                                                let _e2994 = local.first[(0u + _e2989)];
+                                                local.group = _e2994;
+                                                let _e2997 = local.len;
+                                                if (_e2997 < 32u) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e2913 = local.mask[(0u + _e2908)];
-                                                local.group_mask = _e2913;
-                                                phi_3407_ = true;
+                                                let _e3002 = local.mask[(0u + _e2997)];
+                                                local.group_mask = _e3002;
+                                                phi_3498_ = true;
                                             }
-                                            let _e2916 = phi_3407_;
-                                            phi_3408_ = _e2916;
+                                            let _e3005 = phi_3498_;
+                                            phi_3499_ = _e3005;
                                         } else {
-                                            phi_3408_ = true;
+                                            phi_3499_ = true;
                                         }
-                                        let _e2918 = phi_3408_;
-                                        if _e2918 {
-                                            let _e2920 = local.group_mask;
-                                            let _e2926 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2920)), 32u, (_e2920 == 0u)));
-                                            let _e2930 = local.group_mask;
-                                            let _e2944 = local.group_mask;
-                                            local.group_mask = (_e2944 & ~((1u << bitcast<u32>((_e2926 & 31u)))));
-                                            let _e2947 = local.group;
-                                            phi_3439_ = (_e2947 + countOneBits(((_e2930 & ~((4294967295u << bitcast<u32>((((_e2926 - 24u) ^ _e1822) & 31u))))) & 255u)));
+                                        let _e3007 = phi_3499_;
+                                        if _e3007 {
+                                            let _e3009 = local.group_mask;
+                                            let _e3015 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3009)), 32u, (_e3009 == 0u)));
+                                            let _e3019 = local.group_mask;
+                                            let _e3033 = local.group_mask;
+                                            local.group_mask = (_e3033 & ~((1u << bitcast<u32>((_e3015 & 31u)))));
+                                            let _e3036 = local.group;
+                                            phi_3530_ = (_e3036 + countOneBits(((_e3019 & ~((4294967295u << bitcast<u32>((((_e3015 - 24u) ^ _e1911) & 31u))))) & 255u)));
                                         } else {
-                                            phi_3439_ = 4294967295u;
+                                            phi_3530_ = 4294967295u;
                                         }
-                                        let _e2950 = phi_3439_;
-                                        phi_3440_ = _e2950;
+                                        let _e3039 = phi_3530_;
+                                        phi_3531_ = _e3039;
                                     } else {
-                                        phi_3440_ = u32();
+                                        phi_3531_ = u32();
                                     }
-                                    let _e2952 = phi_3440_;
-                                    phi_2433_ = _e2952;
-                                    let _e3412 = local_20;
-                                    phi_2436_ = _e3412;
-                                    let _e3415 = local_21;
-                                    phi_3441_ = _e3415;
-                                    phi_3442_ = false;
+                                    let _e3041 = phi_3531_;
+                                    phi_2524_ = _e3041;
+                                    let _e3498 = local_22;
+                                    phi_2527_ = _e3498;
+                                    let _e3501 = local_23;
+                                    phi_3532_ = _e3501;
+                                    phi_3533_ = false;
                                 } else {
-                                    phi_2433_ = u32();
-                                    phi_2436_ = bool();
-                                    phi_3441_ = false;
-                                    phi_3442_ = true;
+                                    phi_2524_ = u32();
+                                    phi_2527_ = bool();
+                                    phi_3532_ = false;
+                                    phi_3533_ = true;
                                 }
-                                let _e2954 = phi_2433_;
-                                let _e2956 = phi_2436_;
-                                let _e2958 = phi_3441_;
-                                let _e2960 = phi_3442_;
-                                local_11 = _e2960;
+                                let _e3043 = phi_2524_;
+                                let _e3045 = phi_2527_;
+                                let _e3047 = phi_3532_;
+                                let _e3049 = phi_3533_;
+                                local_13 = _e3049;
                                 continue;
                                 continuing {
-                                    phi_2432_ = _e2954;
-                                    phi_2435_ = _e2956;
-                                    break if !(_e2958);
+                                    phi_2523_ = _e3043;
+                                    phi_2526_ = _e3045;
+                                    break if !(_e3047);
                                 }
                             }
-                            let _e2963 = local_11;
-                            if _e2963 {
-                                phi_3446_ = false;
+                            let _e3052 = local_13;
+                            if _e3052 {
+                                phi_3537_ = false;
                             } else {
-                                phi_3446_ = true;
+                                phi_3537_ = true;
                             }
-                            let _e2965 = phi_3446_;
-                            if _e2965 {
-                                phi_3450_ = true;
+                            let _e3054 = phi_3537_;
+                            if _e3054 {
+                                phi_3541_ = true;
                             } else {
-                                let _e3421 = local_22;
-                                phi_3450_ = _e3421;
+                                let _e3507 = local_24;
+                                phi_3541_ = _e3507;
                             }
-                            let _e2967 = phi_3450_;
-                            phi_3451_ = _e2967;
+                            let _e3056 = phi_3541_;
+                            phi_3542_ = _e3056;
                         }
-                        let _e2969 = phi_3451_;
-                        phi_3452_ = _e2969;
-                        phi_3453_ = _e1644;
+                        let _e3058 = phi_3542_;
+                        phi_3543_ = _e3058;
+                        phi_3544_ = _e1733;
                     } else {
-                        phi_3452_ = bool();
-                        phi_3453_ = true;
+                        phi_3543_ = bool();
+                        phi_3544_ = true;
                     }
-                    let _e2971 = phi_3452_;
-                    let _e2973 = phi_3453_;
-                    if _e2973 {
-                        phi_3457_ = false;
+                    let _e3060 = phi_3543_;
+                    let _e3062 = phi_3544_;
+                    if _e3062 {
+                        phi_3548_ = false;
                     } else {
-                        phi_3457_ = _e2971;
+                        phi_3548_ = _e3060;
                     }
-                    let _e2975 = phi_3457_;
-                    phi_3458_ = _e2975;
+                    let _e3064 = phi_3548_;
+                    phi_3549_ = _e3064;
                 }
-                let _e2977 = phi_3458_;
-                phi_3459_ = _e2977;
+                let _e3066 = phi_3549_;
+                phi_3550_ = _e3066;
             } else {
-                phi_3459_ = false;
+                phi_3550_ = false;
             }
-            let _e2979 = phi_3459_;
-            if _e2979 {
-                phi_3463_ = 0f;
+            let _e3068 = phi_3550_;
+            if _e3068 {
+                phi_3554_ = 0f;
             } else {
-                phi_3463_ = 1f;
+                phi_3554_ = 1f;
             }
-            let _e2981 = phi_3463_;
-            phi_3464_ = _e2981;
+            let _e3070 = phi_3554_;
+            phi_3555_ = _e3070;
         }
-        let _e2983 = phi_3464_;
-        if (_e91.shift < arrayLength((&visibility.member))) {
+        let _e3072 = phi_3555_;
+        if (_e92.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e91.shift)] = _e2983;
+        visibility.member[(0u + _e92.shift)] = _e3072;
     }
     return;
 }

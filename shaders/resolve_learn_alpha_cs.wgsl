@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_37 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +93,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_41 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -105,7 +105,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_45 {
+struct type_44 {
     member: array<abi_Vertex>,
 }
 
@@ -121,7 +121,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_49 {
+struct type_48 {
     member: array<abi_Material>,
 }
 
@@ -156,17 +156,17 @@ var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
 var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_41;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 @group(0) @binding(7) 
-var<storage> vertices: type_45;
+var<storage> vertices: type_44;
 @group(0) @binding(8) 
-var<storage> materials: type_49;
+var<storage> materials: type_48;
 @group(0) @binding(9) 
 var<storage> alpha_texels: type_13;
 

@@ -74,7 +74,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_36 {
+struct type_35 {
     member: array<lt_bvh_Node>,
 }
 
@@ -87,7 +87,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_40 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -111,9 +111,9 @@ var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
 var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 

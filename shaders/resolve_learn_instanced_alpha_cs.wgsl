@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_38 {
+struct type_37 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +93,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_42 {
+struct type_41 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -105,7 +105,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_46 {
+struct type_45 {
     member: array<abi_Vertex>,
 }
 
@@ -121,7 +121,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_50 {
+struct type_49 {
     member: array<abi_Material>,
 }
 
@@ -159,7 +159,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_64 {
+struct type_62 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -171,19 +171,19 @@ var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
 var<uniform> p: type_33;
 @group(0) @binding(2) 
-var<storage> nodes: type_38;
+var<storage> nodes: type_37;
 @group(0) @binding(3) 
-var<storage> triangles: type_42;
+var<storage> triangles: type_41;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 @group(0) @binding(7) 
-var<storage> instances: type_64;
+var<storage> instances: type_62;
 @group(0) @binding(8) 
-var<storage> vertices: type_46;
+var<storage> vertices: type_45;
 @group(0) @binding(9) 
-var<storage> materials: type_50;
+var<storage> materials: type_49;
 @group(0) @binding(10) 
 var<storage> alpha_texels: type_13;
 

@@ -74,7 +74,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_37 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -87,7 +87,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_41 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -114,7 +114,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_51 {
+struct type_50 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -126,15 +126,15 @@ var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
 var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_41;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 @group(0) @binding(7) 
-var<storage> instances: type_51;
+var<storage> instances: type_50;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
     var phi_173_: bool;

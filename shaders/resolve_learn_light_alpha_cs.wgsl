@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_37 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +93,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_41 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -105,7 +105,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_45 {
+struct type_44 {
     member: array<abi_Vertex>,
 }
 
@@ -121,7 +121,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_49 {
+struct type_48 {
     member: array<abi_Material>,
 }
 
@@ -154,37 +154,30 @@ struct lt_math_Evsm {
     min_variance: f32,
 }
 
-struct type_62 {
+struct type_60 {
     member: array<vec4<u32>>,
 }
 
 struct lt_bvh_LightSpace {
-    shear: vec3<f32>,
-    axis: u32,
+    shear: vec2<f32>,
+    diagonal: vec2<f32>,
     middle: vec3<f32>,
     sign: f32,
     low: vec3<f32>,
     is_parallel: u32,
     high: vec3<f32>,
-    pad: u32,
+    axis: u32,
     roots: vec4<u32>,
     roots_z: vec4<u32>,
 }
 
-struct type_65 {
+struct type_64 {
     member: lt_bvh_LightSpace,
 }
 
 struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
     unnamed: lt_math_Evsm,
     unnamed_1: u32,
-}
-
-struct lt_bvh_LightNode {
-    frame: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    rest: vec4<u32>,
 }
 
 var<private> id_1: vec3<u32>;
@@ -195,415 +188,415 @@ var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
 var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_41;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 @group(0) @binding(7) 
-var<storage> rows: type_62;
+var<storage> rows: type_60;
 @group(0) @binding(8) 
-var<uniform> space: type_65;
+var<uniform> space: type_64;
 @group(0) @binding(9) 
-var<storage> vertices: type_45;
+var<storage> vertices: type_44;
 @group(0) @binding(10) 
-var<storage> materials: type_49;
+var<storage> materials: type_48;
 @group(0) @binding(11) 
 var<storage> alpha_texels: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_231_: bool;
-    var phi_235_: f32;
+    var phi_230_: bool;
+    var phi_234_: f32;
 
     if (param != param) {
-        phi_231_ = true;
+        phi_230_ = true;
     } else {
-        let _e83 = (param_1 >= param);
-        if _e83 {
+        let _e82 = (param_1 >= param);
+        if _e82 {
         }
-        phi_231_ = _e83;
+        phi_230_ = _e82;
     }
-    let _e85 = phi_231_;
-    if _e85 {
-        phi_235_ = param_1;
+    let _e84 = phi_230_;
+    if _e84 {
+        phi_234_ = param_1;
     } else {
-        phi_235_ = param;
+        phi_234_ = param;
     }
-    let _e87 = phi_235_;
-    return _e87;
+    let _e86 = phi_234_;
+    return _e86;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_247_: bool;
-    var phi_251_: f32;
+    var phi_246_: bool;
+    var phi_250_: f32;
 
     if (param_2 != param_2) {
-        phi_247_ = true;
+        phi_246_ = true;
     } else {
-        let _e83 = (param_3 <= param_2);
-        if _e83 {
+        let _e82 = (param_3 <= param_2);
+        if _e82 {
         }
-        phi_247_ = _e83;
+        phi_246_ = _e82;
     }
-    let _e85 = phi_247_;
-    if _e85 {
-        phi_251_ = param_3;
+    let _e84 = phi_246_;
+    if _e84 {
+        phi_250_ = param_3;
     } else {
-        phi_251_ = param_2;
+        phi_250_ = param_2;
     }
-    let _e87 = phi_251_;
-    return _e87;
+    let _e86 = phi_250_;
+    return _e86;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
-    var phi_293_: f32;
-    var phi_298_: f32;
-    var phi_299_: bool;
-    var phi_300_: f32;
-    var phi_301_: bool;
-    var phi_305_: f32;
-    var phi_331_: f32;
-    var phi_336_: f32;
-    var phi_337_: bool;
-    var phi_338_: f32;
-    var phi_339_: bool;
-    var phi_343_: f32;
+    var phi_292_: f32;
+    var phi_297_: f32;
+    var phi_298_: bool;
+    var phi_299_: f32;
+    var phi_300_: bool;
+    var phi_304_: f32;
+    var phi_330_: f32;
+    var phi_335_: f32;
+    var phi_336_: bool;
+    var phi_337_: f32;
+    var phi_338_: bool;
+    var phi_342_: f32;
+    var phi_350_: f32;
     var phi_351_: f32;
     var phi_352_: f32;
-    var phi_353_: f32;
+    var phi_361_: f32;
     var phi_362_: f32;
-    var phi_363_: f32;
-    var phi_381_: u32;
-    var phi_395_: u32;
-    var phi_402_: u32;
-    var phi_407_: u32;
-    var phi_413_: u32;
-    var phi_418_: u32;
-    var phi_420_: texture_Axis;
-    var phi_448_: f32;
-    var phi_453_: f32;
-    var phi_454_: bool;
-    var phi_455_: f32;
-    var phi_456_: bool;
-    var phi_460_: f32;
-    var phi_486_: f32;
-    var phi_491_: f32;
-    var phi_492_: bool;
-    var phi_493_: f32;
-    var phi_494_: bool;
-    var phi_498_: f32;
+    var phi_380_: u32;
+    var phi_394_: u32;
+    var phi_401_: u32;
+    var phi_406_: u32;
+    var phi_412_: u32;
+    var phi_417_: u32;
+    var phi_419_: texture_Axis;
+    var phi_447_: f32;
+    var phi_452_: f32;
+    var phi_453_: bool;
+    var phi_454_: f32;
+    var phi_455_: bool;
+    var phi_459_: f32;
+    var phi_485_: f32;
+    var phi_490_: f32;
+    var phi_491_: bool;
+    var phi_492_: f32;
+    var phi_493_: bool;
+    var phi_497_: f32;
+    var phi_505_: f32;
     var phi_506_: f32;
     var phi_507_: f32;
-    var phi_508_: f32;
+    var phi_516_: f32;
     var phi_517_: f32;
-    var phi_518_: f32;
-    var phi_536_: u32;
-    var phi_550_: u32;
-    var phi_557_: u32;
-    var phi_562_: u32;
-    var phi_568_: u32;
-    var phi_573_: u32;
-    var phi_575_: texture_Axis;
+    var phi_535_: u32;
+    var phi_549_: u32;
+    var phi_556_: u32;
+    var phi_561_: u32;
+    var phi_567_: u32;
+    var phi_572_: u32;
+    var phi_574_: texture_Axis;
 
-    let _e84 = (*param_4).size;
-    let _e85 = (_e84 & 65535u);
-    let _e87 = (*param_4).size;
-    let _e89 = (_e87 >> bitcast<u32>(16i));
-    let _e91 = (*param_4).flags;
-    let _e93 = ((_e91 & 4u) != 0u);
-    let _e95 = (*param_4).flags;
-    let _e98 = ((_e95 >> bitcast<u32>(4u)) & 3u);
-    if (_e98 == 0u) {
+    let _e83 = (*param_4).size;
+    let _e84 = (_e83 & 65535u);
+    let _e86 = (*param_4).size;
+    let _e88 = (_e86 >> bitcast<u32>(16i));
+    let _e90 = (*param_4).flags;
+    let _e92 = ((_e90 & 4u) != 0u);
+    let _e94 = (*param_4).flags;
+    let _e97 = ((_e94 >> bitcast<u32>(4u)) & 3u);
+    if (_e97 == 0u) {
         if (param_5 > -8388608f) {
-            let _e111 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e111 > param_5) {
-                phi_293_ = 1f;
+            let _e110 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e110 > param_5) {
+                phi_292_ = 1f;
             } else {
-                phi_293_ = 0f;
+                phi_292_ = 0f;
             }
-            let _e114 = phi_293_;
+            let _e113 = phi_292_;
             if (param_5 < 8388608f) {
-                phi_298_ = (_e111 - _e114);
-                phi_299_ = false;
+                phi_297_ = (_e110 - _e113);
+                phi_298_ = false;
             } else {
-                phi_298_ = f32();
-                phi_299_ = true;
+                phi_297_ = f32();
+                phi_298_ = true;
             }
-            let _e117 = phi_298_;
-            let _e119 = phi_299_;
-            phi_300_ = _e117;
-            phi_301_ = _e119;
+            let _e116 = phi_297_;
+            let _e118 = phi_298_;
+            phi_299_ = _e116;
+            phi_300_ = _e118;
         } else {
-            phi_300_ = f32();
-            phi_301_ = true;
+            phi_299_ = f32();
+            phi_300_ = true;
         }
-        let _e121 = phi_300_;
-        let _e123 = phi_301_;
-        if _e123 {
-            phi_305_ = param_5;
+        let _e120 = phi_299_;
+        let _e122 = phi_300_;
+        if _e122 {
+            phi_304_ = param_5;
         } else {
-            phi_305_ = _e121;
+            phi_304_ = _e120;
         }
-        let _e125 = phi_305_;
-        phi_353_ = (param_5 - _e125);
+        let _e124 = phi_304_;
+        phi_352_ = (param_5 - _e124);
     } else {
-        if (_e98 == 1u) {
-            let _e128 = (param_5 * 0.5f);
-            if (_e128 > -8388608f) {
-                let _e140 = f32(select(0i, select(select(i32(_e128), i32(-2147483648), (_e128 < bitcast<f32>(3472883712u))), 2147483647i, (_e128 > bitcast<f32>(1325400063u))), (_e128 == _e128)));
-                if (_e140 > _e128) {
-                    phi_331_ = 1f;
+        if (_e97 == 1u) {
+            let _e127 = (param_5 * 0.5f);
+            if (_e127 > -8388608f) {
+                let _e139 = f32(select(0i, select(select(i32(_e127), i32(-2147483648), (_e127 < bitcast<f32>(3472883712u))), 2147483647i, (_e127 > bitcast<f32>(1325400063u))), (_e127 == _e127)));
+                if (_e139 > _e127) {
+                    phi_330_ = 1f;
                 } else {
-                    phi_331_ = 0f;
+                    phi_330_ = 0f;
                 }
-                let _e143 = phi_331_;
-                if (_e128 < 8388608f) {
-                    phi_336_ = (_e140 - _e143);
-                    phi_337_ = false;
+                let _e142 = phi_330_;
+                if (_e127 < 8388608f) {
+                    phi_335_ = (_e139 - _e142);
+                    phi_336_ = false;
                 } else {
-                    phi_336_ = f32();
-                    phi_337_ = true;
+                    phi_335_ = f32();
+                    phi_336_ = true;
                 }
-                let _e146 = phi_336_;
-                let _e148 = phi_337_;
-                phi_338_ = _e146;
-                phi_339_ = _e148;
+                let _e145 = phi_335_;
+                let _e147 = phi_336_;
+                phi_337_ = _e145;
+                phi_338_ = _e147;
             } else {
-                phi_338_ = f32();
-                phi_339_ = true;
+                phi_337_ = f32();
+                phi_338_ = true;
             }
-            let _e150 = phi_338_;
-            let _e152 = phi_339_;
-            if _e152 {
-                phi_343_ = _e128;
+            let _e149 = phi_337_;
+            let _e151 = phi_338_;
+            if _e151 {
+                phi_342_ = _e127;
             } else {
-                phi_343_ = _e150;
+                phi_342_ = _e149;
             }
-            let _e154 = phi_343_;
-            let _e156 = (param_5 - (2f * _e154));
-            if (_e156 > 1f) {
-                phi_351_ = (2f - _e156);
+            let _e153 = phi_342_;
+            let _e155 = (param_5 - (2f * _e153));
+            if (_e155 > 1f) {
+                phi_350_ = (2f - _e155);
             } else {
-                phi_351_ = _e156;
+                phi_350_ = _e155;
             }
-            let _e160 = phi_351_;
-            phi_352_ = _e160;
+            let _e159 = phi_350_;
+            phi_351_ = _e159;
         } else {
-            phi_352_ = param_5;
+            phi_351_ = param_5;
         }
-        let _e162 = phi_352_;
-        phi_353_ = _e162;
+        let _e161 = phi_351_;
+        phi_352_ = _e161;
     }
-    let _e164 = phi_353_;
-    if (_e164 > 0f) {
-        if (_e164 < 1f) {
-            phi_362_ = _e164;
+    let _e163 = phi_352_;
+    if (_e163 > 0f) {
+        if (_e163 < 1f) {
+            phi_361_ = _e163;
         } else {
-            phi_362_ = 1f;
+            phi_361_ = 1f;
         }
-        let _e168 = phi_362_;
-        phi_363_ = _e168;
+        let _e167 = phi_361_;
+        phi_362_ = _e167;
     } else {
-        phi_363_ = 0f;
+        phi_362_ = 0f;
     }
-    let _e170 = phi_363_;
-    let _e171 = (_e85 - 1u);
-    let _e173 = (_e170 * f32(_e85));
-    if _e93 {
-        let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
-        if (_e171 < _e180) {
-            phi_381_ = _e171;
+    let _e169 = phi_362_;
+    let _e170 = (_e84 - 1u);
+    let _e172 = (_e169 * f32(_e84));
+    if _e92 {
+        let _e179 = select(select(u32(_e172), 0u, (_e172 < bitcast<f32>(0u))), 4294967295u, (_e172 > bitcast<f32>(1333788671u)));
+        if (_e170 < _e179) {
+            phi_380_ = _e170;
         } else {
-            phi_381_ = _e180;
+            phi_380_ = _e179;
         }
-        let _e183 = phi_381_;
-        phi_420_ = texture_Axis(_e183, _e183, 0f);
+        let _e182 = phi_380_;
+        phi_419_ = texture_Axis(_e182, _e182, 0f);
     } else {
-        let _e185 = (_e173 + 0.5f);
-        let _e192 = select(select(u32(_e185), 0u, (_e185 < bitcast<f32>(0u))), 4294967295u, (_e185 > bitcast<f32>(1333788671u)));
-        if (_e85 < _e192) {
-            phi_395_ = _e85;
+        let _e184 = (_e172 + 0.5f);
+        let _e191 = select(select(u32(_e184), 0u, (_e184 < bitcast<f32>(0u))), 4294967295u, (_e184 > bitcast<f32>(1333788671u)));
+        if (_e84 < _e191) {
+            phi_394_ = _e84;
         } else {
-            phi_395_ = _e192;
+            phi_394_ = _e191;
         }
-        let _e195 = phi_395_;
-        if (_e98 == 0u) {
-            phi_402_ = _e171;
+        let _e194 = phi_394_;
+        if (_e97 == 0u) {
+            phi_401_ = _e170;
         } else {
-            phi_402_ = 0u;
+            phi_401_ = 0u;
         }
-        let _e200 = phi_402_;
-        if (_e98 == 0u) {
-            phi_407_ = 0u;
+        let _e199 = phi_401_;
+        if (_e97 == 0u) {
+            phi_406_ = 0u;
         } else {
-            phi_407_ = _e171;
+            phi_406_ = _e170;
         }
-        let _e203 = phi_407_;
-        if (_e195 == 0u) {
-            phi_413_ = _e200;
+        let _e202 = phi_406_;
+        if (_e194 == 0u) {
+            phi_412_ = _e199;
         } else {
-            phi_413_ = (_e195 - 1u);
+            phi_412_ = (_e194 - 1u);
         }
-        let _e207 = phi_413_;
-        if (_e195 > _e171) {
-            phi_418_ = _e203;
+        let _e206 = phi_412_;
+        if (_e194 > _e170) {
+            phi_417_ = _e202;
         } else {
-            phi_418_ = _e195;
+            phi_417_ = _e194;
         }
-        let _e210 = phi_418_;
-        phi_420_ = texture_Axis(_e207, _e210, (_e185 - f32(_e195)));
+        let _e209 = phi_417_;
+        phi_419_ = texture_Axis(_e206, _e209, (_e184 - f32(_e194)));
     }
-    let _e213 = phi_420_;
-    let _e215 = (*param_4).flags;
-    let _e218 = ((_e215 >> bitcast<u32>(6u)) & 3u);
-    if (_e218 == 0u) {
+    let _e212 = phi_419_;
+    let _e214 = (*param_4).flags;
+    let _e217 = ((_e214 >> bitcast<u32>(6u)) & 3u);
+    if (_e217 == 0u) {
         if (param_6 > -8388608f) {
-            let _e231 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
-            if (_e231 > param_6) {
-                phi_448_ = 1f;
+            let _e230 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
+            if (_e230 > param_6) {
+                phi_447_ = 1f;
             } else {
-                phi_448_ = 0f;
+                phi_447_ = 0f;
             }
-            let _e234 = phi_448_;
+            let _e233 = phi_447_;
             if (param_6 < 8388608f) {
-                phi_453_ = (_e231 - _e234);
-                phi_454_ = false;
+                phi_452_ = (_e230 - _e233);
+                phi_453_ = false;
             } else {
-                phi_453_ = f32();
-                phi_454_ = true;
+                phi_452_ = f32();
+                phi_453_ = true;
             }
-            let _e237 = phi_453_;
-            let _e239 = phi_454_;
-            phi_455_ = _e237;
-            phi_456_ = _e239;
+            let _e236 = phi_452_;
+            let _e238 = phi_453_;
+            phi_454_ = _e236;
+            phi_455_ = _e238;
         } else {
-            phi_455_ = f32();
-            phi_456_ = true;
+            phi_454_ = f32();
+            phi_455_ = true;
         }
-        let _e241 = phi_455_;
-        let _e243 = phi_456_;
-        if _e243 {
-            phi_460_ = param_6;
+        let _e240 = phi_454_;
+        let _e242 = phi_455_;
+        if _e242 {
+            phi_459_ = param_6;
         } else {
-            phi_460_ = _e241;
+            phi_459_ = _e240;
         }
-        let _e245 = phi_460_;
-        phi_508_ = (param_6 - _e245);
+        let _e244 = phi_459_;
+        phi_507_ = (param_6 - _e244);
     } else {
-        if (_e218 == 1u) {
-            let _e248 = (param_6 * 0.5f);
-            if (_e248 > -8388608f) {
-                let _e260 = f32(select(0i, select(select(i32(_e248), i32(-2147483648), (_e248 < bitcast<f32>(3472883712u))), 2147483647i, (_e248 > bitcast<f32>(1325400063u))), (_e248 == _e248)));
-                if (_e260 > _e248) {
-                    phi_486_ = 1f;
+        if (_e217 == 1u) {
+            let _e247 = (param_6 * 0.5f);
+            if (_e247 > -8388608f) {
+                let _e259 = f32(select(0i, select(select(i32(_e247), i32(-2147483648), (_e247 < bitcast<f32>(3472883712u))), 2147483647i, (_e247 > bitcast<f32>(1325400063u))), (_e247 == _e247)));
+                if (_e259 > _e247) {
+                    phi_485_ = 1f;
                 } else {
-                    phi_486_ = 0f;
+                    phi_485_ = 0f;
                 }
-                let _e263 = phi_486_;
-                if (_e248 < 8388608f) {
-                    phi_491_ = (_e260 - _e263);
-                    phi_492_ = false;
+                let _e262 = phi_485_;
+                if (_e247 < 8388608f) {
+                    phi_490_ = (_e259 - _e262);
+                    phi_491_ = false;
                 } else {
-                    phi_491_ = f32();
-                    phi_492_ = true;
+                    phi_490_ = f32();
+                    phi_491_ = true;
                 }
-                let _e266 = phi_491_;
-                let _e268 = phi_492_;
-                phi_493_ = _e266;
-                phi_494_ = _e268;
+                let _e265 = phi_490_;
+                let _e267 = phi_491_;
+                phi_492_ = _e265;
+                phi_493_ = _e267;
             } else {
-                phi_493_ = f32();
-                phi_494_ = true;
+                phi_492_ = f32();
+                phi_493_ = true;
             }
-            let _e270 = phi_493_;
-            let _e272 = phi_494_;
-            if _e272 {
-                phi_498_ = _e248;
+            let _e269 = phi_492_;
+            let _e271 = phi_493_;
+            if _e271 {
+                phi_497_ = _e247;
             } else {
-                phi_498_ = _e270;
+                phi_497_ = _e269;
             }
-            let _e274 = phi_498_;
-            let _e276 = (param_6 - (2f * _e274));
-            if (_e276 > 1f) {
-                phi_506_ = (2f - _e276);
+            let _e273 = phi_497_;
+            let _e275 = (param_6 - (2f * _e273));
+            if (_e275 > 1f) {
+                phi_505_ = (2f - _e275);
             } else {
-                phi_506_ = _e276;
+                phi_505_ = _e275;
             }
-            let _e280 = phi_506_;
-            phi_507_ = _e280;
+            let _e279 = phi_505_;
+            phi_506_ = _e279;
         } else {
-            phi_507_ = param_6;
+            phi_506_ = param_6;
         }
-        let _e282 = phi_507_;
-        phi_508_ = _e282;
+        let _e281 = phi_506_;
+        phi_507_ = _e281;
     }
-    let _e284 = phi_508_;
-    if (_e284 > 0f) {
-        if (_e284 < 1f) {
-            phi_517_ = _e284;
+    let _e283 = phi_507_;
+    if (_e283 > 0f) {
+        if (_e283 < 1f) {
+            phi_516_ = _e283;
         } else {
-            phi_517_ = 1f;
+            phi_516_ = 1f;
         }
-        let _e288 = phi_517_;
-        phi_518_ = _e288;
+        let _e287 = phi_516_;
+        phi_517_ = _e287;
     } else {
-        phi_518_ = 0f;
+        phi_517_ = 0f;
     }
-    let _e290 = phi_518_;
-    let _e291 = (_e89 - 1u);
-    let _e293 = (_e290 * f32(_e89));
-    if _e93 {
-        let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
-        if (_e291 < _e300) {
-            phi_536_ = _e291;
+    let _e289 = phi_517_;
+    let _e290 = (_e88 - 1u);
+    let _e292 = (_e289 * f32(_e88));
+    if _e92 {
+        let _e299 = select(select(u32(_e292), 0u, (_e292 < bitcast<f32>(0u))), 4294967295u, (_e292 > bitcast<f32>(1333788671u)));
+        if (_e290 < _e299) {
+            phi_535_ = _e290;
         } else {
-            phi_536_ = _e300;
+            phi_535_ = _e299;
         }
-        let _e303 = phi_536_;
-        phi_575_ = texture_Axis(_e303, _e303, 0f);
+        let _e302 = phi_535_;
+        phi_574_ = texture_Axis(_e302, _e302, 0f);
     } else {
-        let _e305 = (_e293 + 0.5f);
-        let _e312 = select(select(u32(_e305), 0u, (_e305 < bitcast<f32>(0u))), 4294967295u, (_e305 > bitcast<f32>(1333788671u)));
-        if (_e89 < _e312) {
-            phi_550_ = _e89;
+        let _e304 = (_e292 + 0.5f);
+        let _e311 = select(select(u32(_e304), 0u, (_e304 < bitcast<f32>(0u))), 4294967295u, (_e304 > bitcast<f32>(1333788671u)));
+        if (_e88 < _e311) {
+            phi_549_ = _e88;
         } else {
-            phi_550_ = _e312;
+            phi_549_ = _e311;
         }
-        let _e315 = phi_550_;
-        if (_e218 == 0u) {
-            phi_557_ = _e291;
+        let _e314 = phi_549_;
+        if (_e217 == 0u) {
+            phi_556_ = _e290;
         } else {
-            phi_557_ = 0u;
+            phi_556_ = 0u;
         }
-        let _e320 = phi_557_;
-        if (_e218 == 0u) {
-            phi_562_ = 0u;
+        let _e319 = phi_556_;
+        if (_e217 == 0u) {
+            phi_561_ = 0u;
         } else {
-            phi_562_ = _e291;
+            phi_561_ = _e290;
         }
-        let _e323 = phi_562_;
-        if (_e315 == 0u) {
-            phi_568_ = _e320;
+        let _e322 = phi_561_;
+        if (_e314 == 0u) {
+            phi_567_ = _e319;
         } else {
-            phi_568_ = (_e315 - 1u);
+            phi_567_ = (_e314 - 1u);
         }
-        let _e327 = phi_568_;
-        if (_e315 > _e291) {
-            phi_573_ = _e323;
+        let _e326 = phi_567_;
+        if (_e314 > _e290) {
+            phi_572_ = _e322;
         } else {
-            phi_573_ = _e315;
+            phi_572_ = _e314;
         }
-        let _e330 = phi_573_;
-        phi_575_ = texture_Axis(_e327, _e330, (_e305 - f32(_e315)));
+        let _e329 = phi_572_;
+        phi_574_ = texture_Axis(_e326, _e329, (_e304 - f32(_e314)));
     }
-    let _e333 = phi_575_;
-    let _e337 = (*param_4).offset;
-    let _e344 = (*param_4).offset;
-    let _e351 = (*param_4).offset;
-    let _e358 = (*param_4).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e337 + (_e333.low * _e85)) + _e213.low), ((_e344 + (_e333.low * _e85)) + _e213.high), ((_e351 + (_e333.high * _e85)) + _e213.low), ((_e358 + (_e333.high * _e85)) + _e213.high)), vec4<f32>(((1f - _e213.fraction) * (1f - _e333.fraction)), (_e213.fraction * (1f - _e333.fraction)), ((1f - _e213.fraction) * _e333.fraction), (_e213.fraction * _e333.fraction)));
+    let _e332 = phi_574_;
+    let _e336 = (*param_4).offset;
+    let _e343 = (*param_4).offset;
+    let _e350 = (*param_4).offset;
+    let _e357 = (*param_4).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e336 + (_e332.low * _e84)) + _e212.low), ((_e343 + (_e332.low * _e84)) + _e212.high), ((_e350 + (_e332.high * _e84)) + _e212.low), ((_e357 + (_e332.high * _e84)) + _e212.high)), vec4<f32>(((1f - _e212.fraction) * (1f - _e332.fraction)), (_e212.fraction * (1f - _e332.fraction)), ((1f - _e212.fraction) * _e332.fraction), (_e212.fraction * _e332.fraction)));
 }
 
 fn function_() {
@@ -611,438 +604,433 @@ fn function_() {
     var local_1: lt_bvh_traverse_Stack;
     var local_2: texture_TextureView;
     var local_3: array<u32, 32>;
-    var phi_726_: f32;
+    var phi_725_: f32;
+    var phi_758_: bool;
     var phi_759_: bool;
     var phi_760_: bool;
     var phi_761_: bool;
-    var phi_762_: bool;
-    var phi_766_: bool;
+    var phi_765_: bool;
+    var phi_778_: bool;
     var phi_779_: bool;
     var phi_780_: bool;
     var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_786_: bool;
+    var phi_785_: bool;
+    var phi_798_: bool;
     var phi_799_: bool;
     var phi_800_: bool;
-    var phi_801_: bool;
+    var phi_804_: bool;
     var phi_805_: bool;
     var phi_806_: bool;
     var phi_807_: bool;
     var phi_808_: bool;
-    var phi_809_: bool;
-    var phi_813_: bool;
+    var phi_812_: bool;
+    var phi_835_: bool;
     var phi_836_: bool;
     var phi_837_: bool;
     var phi_838_: bool;
     var phi_839_: bool;
     var phi_840_: bool;
-    var phi_841_: bool;
-    var phi_845_: bool;
+    var phi_844_: bool;
+    var phi_857_: bool;
     var phi_858_: bool;
     var phi_859_: bool;
-    var phi_860_: bool;
-    var phi_864_: bool;
+    var phi_863_: bool;
+    var phi_880_: bool;
     var phi_881_: bool;
     var phi_882_: bool;
     var phi_883_: bool;
     var phi_884_: bool;
     var phi_885_: bool;
     var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_891_: bool;
+    var phi_890_: bool;
+    var phi_910_: bool;
     var phi_911_: bool;
-    var phi_912_: bool;
-    var phi_920_: u32;
-    var phi_921_: f32;
-    var phi_922_: u32;
-    var phi_923_: f32;
-    var phi_928_: f32;
-    var phi_939_: u32;
-    var phi_949_: u32;
+    var phi_919_: u32;
+    var phi_920_: f32;
+    var phi_921_: u32;
+    var phi_922_: f32;
+    var phi_927_: f32;
+    var phi_938_: u32;
+    var phi_948_: u32;
+    var phi_954_: u32;
     var phi_955_: u32;
     var phi_956_: u32;
-    var phi_957_: u32;
+    var phi_967_: vec3<f32>;
     var phi_968_: vec3<f32>;
-    var phi_969_: vec3<f32>;
+    var phi_990_: vec3<f32>;
     var phi_991_: vec3<f32>;
-    var phi_992_: vec3<f32>;
-    var phi_1015_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
-    var phi_1083_: f32;
-    var phi_1090_: f32;
-    var phi_1097_: f32;
-    var phi_1104_: f32;
-    var phi_1111_: f32;
-    var phi_1118_: f32;
-    var phi_1135_: f32;
+    var phi_1013_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
+    var phi_1088_: f32;
+    var phi_1095_: f32;
+    var phi_1102_: f32;
+    var phi_1109_: f32;
+    var phi_1116_: f32;
+    var phi_1123_: f32;
     var phi_1140_: f32;
     var phi_1145_: f32;
     var phi_1150_: f32;
     var phi_1155_: f32;
-    var phi_1177_: bool;
-    var phi_1178_: bool;
-    var phi_1186_: u32;
-    var phi_1187_: u32;
-    var phi_1198_: vec3<f32>;
-    var phi_1199_: vec3<f32>;
-    var phi_1211_: u32;
-    var phi_1214_: u32;
-    var phi_1223_: u32;
+    var phi_1160_: f32;
+    var phi_1182_: bool;
+    var phi_1183_: bool;
+    var phi_1191_: u32;
+    var phi_1192_: u32;
+    var phi_1203_: vec3<f32>;
+    var phi_1204_: vec3<f32>;
+    var phi_1216_: u32;
+    var phi_1219_: u32;
+    var phi_1224_: u32;
     var phi_1226_: u32;
     var phi_1228_: u32;
     var phi_1230_: u32;
+    var phi_1302_: f32;
     var phi_1303_: f32;
-    var phi_1304_: f32;
-    var phi_1318_: u32;
+    var phi_1317_: u32;
+    var phi_1340_: f32;
     var phi_1341_: f32;
-    var phi_1342_: f32;
-    var phi_1356_: u32;
-    var phi_1379_: f32;
-    var phi_1380_: f32;
-    var phi_1394_: u32;
-    var phi_1541_: u32;
-    var phi_1542_: u32;
-    var phi_1546_: u32;
-    var phi_1547_: u32;
-    var phi_1548_: u32;
-    var phi_1549_: u32;
-    var phi_1550_: u32;
-    var phi_1551_: u32;
-    var phi_1569_: u32;
-    var phi_1570_: u32;
-    var phi_1571_: u32;
-    var phi_1572_: u32;
-    var phi_1573_: u32;
-    var phi_1574_: u32;
-    var phi_1575_: u32;
-    var phi_1576_: u32;
-    var phi_1224_: u32;
+    var phi_1355_: u32;
+    var phi_1377_: f32;
+    var phi_1378_: f32;
+    var phi_1392_: u32;
+    var phi_1415_: f32;
+    var phi_1416_: f32;
+    var phi_1430_: u32;
+    var phi_1622_: u32;
+    var phi_1623_: u32;
+    var phi_1628_: u32;
+    var phi_1629_: u32;
+    var phi_1630_: u32;
     var phi_1227_: u32;
     var phi_1229_: u32;
-    var phi_1231_: u32;
-    var phi_1577_: bool;
+    var phi_1631_: u32;
+    var phi_1649_: u32;
+    var phi_1650_: u32;
+    var phi_1217_: u32;
+    var phi_1220_: u32;
+    var phi_1659_: bool;
+    var phi_1660_: bool;
+    var phi_1661_: bool;
     var local_4: bool;
-    var phi_1582_: u32;
     var local_5: u32;
-    var phi_1621_: u32;
-    var phi_1622_: u32;
-    var phi_1628_: u32;
-    var phi_1657_: vec3<f32>;
-    var phi_1658_: vec3<f32>;
-    var phi_1687_: vec3<f32>;
-    var phi_1688_: vec3<f32>;
-    var phi_1717_: vec3<f32>;
-    var phi_1718_: vec3<f32>;
-    var phi_1736_: bool;
-    var phi_1737_: bool;
-    var phi_1741_: f32;
-    var phi_1742_: f32;
-    var phi_1743_: f32;
-    var phi_1744_: f32;
-    var phi_1752_: f32;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1767_: f32;
-    var phi_1768_: f32;
-    var phi_1769_: f32;
-    var phi_1770_: f32;
-    var phi_1778_: f32;
-    var phi_1788_: bool;
-    var phi_1789_: bool;
-    var phi_1793_: f32;
-    var phi_1794_: f32;
-    var phi_1795_: f32;
-    var phi_1796_: f32;
-    var phi_1804_: f32;
-    var phi_1819_: f32;
+    var phi_1670_: u32;
+    var local_6: u32;
+    var phi_1705_: u32;
+    var phi_1706_: u32;
+    var phi_1712_: u32;
+    var phi_1740_: vec3<f32>;
+    var phi_1741_: vec3<f32>;
+    var phi_1770_: vec3<f32>;
+    var phi_1771_: vec3<f32>;
+    var phi_1800_: vec3<f32>;
+    var phi_1801_: vec3<f32>;
+    var phi_1819_: bool;
     var phi_1820_: bool;
-    var phi_1821_: f32;
-    var phi_1822_: bool;
-    var phi_1823_: f32;
-    var phi_1824_: bool;
-    var phi_1842_: f32;
-    var phi_1843_: bool;
-    var phi_1844_: bool;
-    var phi_1845_: f32;
+    var phi_1824_: f32;
+    var phi_1825_: f32;
+    var phi_1826_: f32;
+    var phi_1827_: f32;
+    var phi_1835_: f32;
+    var phi_1845_: bool;
     var phi_1846_: bool;
-    var phi_1847_: bool;
-    var phi_1851_: bool;
+    var phi_1850_: f32;
+    var phi_1851_: f32;
     var phi_1852_: f32;
-    var phi_1853_: bool;
-    var phi_1881_: vec3<f32>;
-    var phi_1882_: vec3<f32>;
-    var phi_1907_: vec3<f32>;
-    var phi_1908_: vec3<f32>;
-    var phi_1933_: vec3<f32>;
-    var phi_1934_: vec3<f32>;
-    var phi_1990_: f32;
-    var phi_1999_: f32;
-    var phi_2008_: f32;
-    var phi_2017_: f32;
-    var phi_2024_: f32;
-    var phi_2031_: f32;
-    var phi_2044_: f32;
-    var phi_2053_: f32;
-    var phi_2062_: f32;
-    var phi_2071_: f32;
-    var phi_2078_: f32;
-    var phi_2085_: f32;
-    var phi_2102_: f32;
+    var phi_1853_: f32;
+    var phi_1861_: f32;
+    var phi_1871_: bool;
+    var phi_1872_: bool;
+    var phi_1876_: f32;
+    var phi_1877_: f32;
+    var phi_1878_: f32;
+    var phi_1879_: f32;
+    var phi_1887_: f32;
+    var phi_1902_: f32;
+    var phi_1903_: bool;
+    var phi_1904_: f32;
+    var phi_1905_: bool;
+    var phi_1906_: f32;
+    var phi_1907_: bool;
+    var phi_1925_: f32;
+    var phi_1926_: bool;
+    var phi_1927_: bool;
+    var phi_1928_: f32;
+    var phi_1929_: bool;
+    var phi_1930_: bool;
+    var phi_1934_: bool;
+    var phi_1935_: f32;
+    var phi_1936_: bool;
+    var phi_1964_: vec3<f32>;
+    var phi_1965_: vec3<f32>;
+    var phi_1990_: vec3<f32>;
+    var phi_1991_: vec3<f32>;
+    var phi_2016_: vec3<f32>;
+    var phi_2017_: vec3<f32>;
+    var phi_2073_: f32;
+    var phi_2082_: f32;
+    var phi_2091_: f32;
+    var phi_2100_: f32;
     var phi_2107_: f32;
-    var phi_2112_: f32;
-    var phi_2120_: f32;
-    var phi_2125_: f32;
-    var phi_2130_: f32;
-    var phi_2142_: f32;
-    var phi_2147_: f32;
-    var phi_2152_: f32;
-    var phi_2157_: f32;
-    var phi_2162_: lt_bvh_triangle_Intersection;
-    var phi_2163_: bool;
-    var phi_2164_: lt_bvh_triangle_Intersection;
-    var phi_2165_: bool;
-    var phi_2169_: lt_bvh_triangle_Intersection;
-    var phi_2170_: bool;
-    var phi_2171_: lt_bvh_triangle_Intersection;
-    var phi_2172_: bool;
-    var phi_2173_: bool;
-    var phi_2177_: bool;
-    var phi_2181_: lt_bvh_triangle_Intersection;
-    var phi_2395_: f32;
-    var phi_2398_: bool;
-    var phi_2399_: bool;
-    var phi_2403_: bool;
-    var phi_2404_: bool;
-    var phi_2405_: bool;
-    var phi_2406_: bool;
-    var phi_2407_: bool;
-    var phi_2408_: bool;
-    var phi_2409_: bool;
-    var phi_2410_: bool;
-    var phi_2411_: bool;
-    var phi_2412_: bool;
-    var phi_2413_: bool;
-    var phi_2414_: bool;
-    var phi_2415_: bool;
-    var phi_2416_: bool;
-    var phi_2420_: bool;
-    var phi_2421_: bool;
-    var phi_2422_: bool;
-    var phi_2426_: bool;
-    var phi_2427_: bool;
-    var phi_1583_: u32;
-    var phi_2428_: bool;
-    var phi_2429_: bool;
-    var phi_2430_: bool;
-    var local_6: bool;
-    var phi_2434_: bool;
-    var phi_2435_: bool;
-    var phi_1212_: u32;
-    var phi_1215_: u32;
-    var phi_2436_: bool;
-    var phi_2437_: bool;
-    var phi_2438_: bool;
-    var local_7: bool;
-    var phi_2442_: bool;
-    var phi_2443_: bool;
-    var phi_2447_: bool;
-    var phi_2451_: bool;
-    var phi_2455_: bool;
-    var phi_2456_: bool;
-    var phi_2460_: bool;
-    var phi_2476_: bool;
-    var phi_2477_: bool;
-    var phi_2478_: bool;
-    var phi_2479_: bool;
-    var phi_2483_: bool;
+    var phi_2114_: f32;
+    var phi_2127_: f32;
+    var phi_2136_: f32;
+    var phi_2145_: f32;
+    var phi_2154_: f32;
+    var phi_2161_: f32;
+    var phi_2168_: f32;
+    var phi_2185_: f32;
+    var phi_2190_: f32;
+    var phi_2195_: f32;
+    var phi_2203_: f32;
+    var phi_2208_: f32;
+    var phi_2213_: f32;
+    var phi_2225_: f32;
+    var phi_2230_: f32;
+    var phi_2235_: f32;
+    var phi_2240_: f32;
+    var phi_2245_: lt_bvh_triangle_Intersection;
+    var phi_2246_: bool;
+    var phi_2247_: lt_bvh_triangle_Intersection;
+    var phi_2248_: bool;
+    var phi_2252_: lt_bvh_triangle_Intersection;
+    var phi_2253_: bool;
+    var phi_2254_: lt_bvh_triangle_Intersection;
+    var phi_2255_: bool;
+    var phi_2256_: bool;
+    var phi_2260_: bool;
+    var phi_2264_: lt_bvh_triangle_Intersection;
+    var phi_2478_: f32;
+    var phi_2481_: bool;
+    var phi_2482_: bool;
+    var phi_2486_: bool;
+    var phi_2487_: bool;
+    var phi_2488_: bool;
+    var phi_2489_: bool;
+    var phi_2490_: bool;
+    var phi_2491_: bool;
+    var phi_2492_: bool;
+    var phi_2493_: bool;
+    var phi_2494_: bool;
+    var phi_2495_: bool;
     var phi_2496_: bool;
     var phi_2497_: bool;
     var phi_2498_: bool;
     var phi_2499_: bool;
     var phi_2503_: bool;
+    var phi_2504_: bool;
+    var phi_2505_: bool;
+    var phi_2513_: bool;
+    var phi_2514_: bool;
+    var phi_2515_: bool;
     var phi_2516_: bool;
     var phi_2517_: bool;
-    var phi_2518_: bool;
+    var local_7: bool;
+    var phi_2521_: bool;
     var phi_2522_: bool;
     var phi_2523_: bool;
     var phi_2524_: bool;
     var phi_2525_: bool;
-    var phi_2526_: bool;
-    var phi_2530_: bool;
-    var phi_2600_: f32;
-    var phi_2607_: f32;
-    var phi_2614_: f32;
-    var phi_2621_: f32;
-    var phi_2628_: f32;
-    var phi_2635_: f32;
-    var phi_2652_: f32;
-    var phi_2657_: f32;
-    var phi_2662_: f32;
-    var phi_2667_: f32;
-    var phi_2672_: f32;
-    var phi_2698_: bool;
-    var phi_2699_: bool;
-    var phi_2707_: u32;
-    var phi_2708_: u32;
-    var phi_2719_: vec3<f32>;
-    var phi_2720_: vec3<f32>;
-    var phi_2733_: u32;
-    var phi_2738_: u32;
-    var phi_2743_: u32;
-    var phi_2857_: bool;
-    var phi_2858_: bool;
-    var phi_2889_: u32;
-    var phi_2891_: u32;
-    var phi_2894_: bool;
-    var phi_2974_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3001_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3028_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3034_: u32;
-    var phi_3037_: u32;
-    var phi_3051_: u32;
-    var phi_3061_: u32;
-    var phi_3071_: u32;
-    var phi_3089_: u32;
-    var phi_3099_: u32;
-    var phi_3109_: u32;
-    var phi_3145_: u32;
-    var phi_3158_: u32;
-    var phi_3163_: u32;
-    var phi_3164_: u32;
-    var phi_3165_: u32;
-    var phi_3035_: u32;
-    var phi_3038_: u32;
     var local_8: u32;
-    var local_9: u32;
+    var phi_2533_: bool;
+    var phi_2534_: bool;
+    var phi_2535_: bool;
+    var phi_2536_: bool;
+    var local_9: bool;
+    var phi_2540_: bool;
+    var phi_2544_: bool;
+    var phi_2548_: bool;
+    var phi_2549_: bool;
+    var phi_2565_: bool;
+    var phi_2566_: bool;
+    var phi_2567_: bool;
+    var phi_2568_: bool;
+    var phi_2572_: bool;
+    var phi_2585_: bool;
+    var phi_2586_: bool;
+    var phi_2587_: bool;
+    var phi_2588_: bool;
+    var phi_2592_: bool;
+    var phi_2605_: bool;
+    var phi_2606_: bool;
+    var phi_2607_: bool;
+    var phi_2611_: bool;
+    var phi_2612_: bool;
+    var phi_2613_: bool;
+    var phi_2614_: bool;
+    var phi_2615_: bool;
+    var phi_2619_: bool;
+    var phi_2689_: f32;
+    var phi_2696_: f32;
+    var phi_2703_: f32;
+    var phi_2710_: f32;
+    var phi_2717_: f32;
+    var phi_2724_: f32;
+    var phi_2741_: f32;
+    var phi_2746_: f32;
+    var phi_2751_: f32;
+    var phi_2756_: f32;
+    var phi_2761_: f32;
+    var phi_2787_: bool;
+    var phi_2788_: bool;
+    var phi_2796_: u32;
+    var phi_2797_: u32;
+    var phi_2808_: vec3<f32>;
+    var phi_2809_: vec3<f32>;
+    var phi_2822_: u32;
+    var phi_2827_: u32;
+    var phi_2832_: u32;
+    var phi_2946_: bool;
+    var phi_2947_: bool;
+    var phi_2978_: u32;
+    var phi_2980_: u32;
+    var phi_2983_: bool;
+    var phi_3063_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3090_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3117_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3123_: u32;
+    var phi_3126_: u32;
+    var phi_3140_: u32;
+    var phi_3150_: u32;
+    var phi_3160_: u32;
+    var phi_3178_: u32;
+    var phi_3188_: u32;
+    var phi_3198_: u32;
+    var phi_3234_: u32;
+    var phi_3247_: u32;
+    var phi_3252_: u32;
+    var phi_3253_: u32;
+    var phi_3254_: u32;
+    var phi_3124_: u32;
+    var phi_3127_: u32;
     var local_10: u32;
-    var phi_3223_: u32;
-    var phi_3226_: bool;
-    var phi_3270_: vec3<f32>;
-    var phi_3271_: vec3<f32>;
-    var phi_3300_: vec3<f32>;
-    var phi_3301_: vec3<f32>;
-    var phi_3330_: vec3<f32>;
-    var phi_3331_: vec3<f32>;
-    var phi_3349_: bool;
-    var phi_3350_: bool;
-    var phi_3354_: f32;
-    var phi_3355_: f32;
-    var phi_3356_: f32;
-    var phi_3357_: f32;
-    var phi_3365_: f32;
-    var phi_3375_: bool;
-    var phi_3376_: bool;
-    var phi_3380_: f32;
-    var phi_3381_: f32;
-    var phi_3382_: f32;
-    var phi_3383_: f32;
-    var phi_3391_: f32;
-    var phi_3401_: bool;
-    var phi_3402_: bool;
-    var phi_3406_: f32;
-    var phi_3407_: f32;
-    var phi_3408_: f32;
-    var phi_3409_: f32;
-    var phi_3417_: f32;
-    var phi_3432_: f32;
-    var phi_3433_: bool;
-    var phi_3434_: f32;
-    var phi_3435_: bool;
-    var phi_3436_: f32;
-    var phi_3437_: bool;
-    var phi_3455_: f32;
-    var phi_3456_: bool;
-    var phi_3457_: bool;
-    var phi_3458_: f32;
-    var phi_3459_: bool;
-    var phi_3460_: bool;
+    var local_11: u32;
+    var local_12: u32;
+    var phi_3312_: u32;
+    var phi_3315_: bool;
+    var phi_3359_: vec3<f32>;
+    var phi_3360_: vec3<f32>;
+    var phi_3389_: vec3<f32>;
+    var phi_3390_: vec3<f32>;
+    var phi_3419_: vec3<f32>;
+    var phi_3420_: vec3<f32>;
+    var phi_3438_: bool;
+    var phi_3439_: bool;
+    var phi_3443_: f32;
+    var phi_3444_: f32;
+    var phi_3445_: f32;
+    var phi_3446_: f32;
+    var phi_3454_: f32;
     var phi_3464_: bool;
-    var phi_3465_: f32;
-    var phi_3466_: bool;
-    var phi_3494_: vec3<f32>;
-    var phi_3495_: vec3<f32>;
-    var phi_3520_: vec3<f32>;
-    var phi_3521_: vec3<f32>;
-    var phi_3546_: vec3<f32>;
-    var phi_3547_: vec3<f32>;
-    var phi_3603_: f32;
-    var phi_3612_: f32;
-    var phi_3621_: f32;
-    var phi_3630_: f32;
-    var phi_3637_: f32;
-    var phi_3644_: f32;
-    var phi_3657_: f32;
-    var phi_3666_: f32;
-    var phi_3675_: f32;
-    var phi_3684_: f32;
-    var phi_3691_: f32;
-    var phi_3698_: f32;
-    var phi_3715_: f32;
-    var phi_3720_: f32;
-    var phi_3725_: f32;
+    var phi_3465_: bool;
+    var phi_3469_: f32;
+    var phi_3470_: f32;
+    var phi_3471_: f32;
+    var phi_3472_: f32;
+    var phi_3480_: f32;
+    var phi_3490_: bool;
+    var phi_3491_: bool;
+    var phi_3495_: f32;
+    var phi_3496_: f32;
+    var phi_3497_: f32;
+    var phi_3498_: f32;
+    var phi_3506_: f32;
+    var phi_3521_: f32;
+    var phi_3522_: bool;
+    var phi_3523_: f32;
+    var phi_3524_: bool;
+    var phi_3525_: f32;
+    var phi_3526_: bool;
+    var phi_3544_: f32;
+    var phi_3545_: bool;
+    var phi_3546_: bool;
+    var phi_3547_: f32;
+    var phi_3548_: bool;
+    var phi_3549_: bool;
+    var phi_3553_: bool;
+    var phi_3554_: f32;
+    var phi_3555_: bool;
+    var phi_3583_: vec3<f32>;
+    var phi_3584_: vec3<f32>;
+    var phi_3609_: vec3<f32>;
+    var phi_3610_: vec3<f32>;
+    var phi_3635_: vec3<f32>;
+    var phi_3636_: vec3<f32>;
+    var phi_3692_: f32;
+    var phi_3701_: f32;
+    var phi_3710_: f32;
+    var phi_3719_: f32;
+    var phi_3726_: f32;
     var phi_3733_: f32;
-    var phi_3738_: f32;
-    var phi_3743_: f32;
+    var phi_3746_: f32;
     var phi_3755_: f32;
-    var phi_3760_: f32;
-    var phi_3765_: f32;
-    var phi_3770_: f32;
-    var phi_3775_: lt_bvh_triangle_Intersection;
-    var phi_3776_: bool;
-    var phi_3777_: lt_bvh_triangle_Intersection;
-    var phi_3778_: bool;
-    var phi_3782_: lt_bvh_triangle_Intersection;
-    var phi_3783_: bool;
-    var phi_3784_: lt_bvh_triangle_Intersection;
-    var phi_3785_: bool;
-    var phi_3786_: bool;
-    var phi_3790_: bool;
-    var phi_3794_: lt_bvh_triangle_Intersection;
-    var phi_4008_: f32;
-    var phi_4011_: bool;
-    var phi_4012_: bool;
-    var phi_4013_: bool;
-    var phi_4017_: bool;
-    var phi_4018_: bool;
-    var phi_4019_: bool;
-    var phi_4020_: bool;
-    var phi_4021_: bool;
-    var phi_4022_: bool;
-    var phi_4023_: bool;
-    var phi_4024_: bool;
-    var phi_4025_: bool;
-    var phi_4026_: bool;
-    var phi_3224_: u32;
-    var phi_3227_: bool;
-    var phi_4030_: bool;
-    var phi_4031_: bool;
-    var local_11: bool;
-    var phi_4073_: bool;
-    var phi_4074_: bool;
-    var phi_4105_: u32;
-    var phi_4106_: u32;
-    var phi_2892_: u32;
-    var phi_2895_: bool;
+    var phi_3764_: f32;
+    var phi_3773_: f32;
+    var phi_3780_: f32;
+    var phi_3787_: f32;
+    var phi_3804_: f32;
+    var phi_3809_: f32;
+    var phi_3814_: f32;
+    var phi_3822_: f32;
+    var phi_3827_: f32;
+    var phi_3832_: f32;
+    var phi_3844_: f32;
+    var phi_3849_: f32;
+    var phi_3854_: f32;
+    var phi_3859_: f32;
+    var phi_3864_: lt_bvh_triangle_Intersection;
+    var phi_3865_: bool;
+    var phi_3866_: lt_bvh_triangle_Intersection;
+    var phi_3867_: bool;
+    var phi_3871_: lt_bvh_triangle_Intersection;
+    var phi_3872_: bool;
+    var phi_3873_: lt_bvh_triangle_Intersection;
+    var phi_3874_: bool;
+    var phi_3875_: bool;
+    var phi_3879_: bool;
+    var phi_3883_: lt_bvh_triangle_Intersection;
+    var phi_4097_: f32;
+    var phi_4100_: bool;
+    var phi_4101_: bool;
+    var phi_4102_: bool;
+    var phi_4106_: bool;
     var phi_4107_: bool;
     var phi_4108_: bool;
     var phi_4109_: bool;
-    var local_12: bool;
+    var phi_4110_: bool;
+    var phi_4111_: bool;
+    var phi_4112_: bool;
     var phi_4113_: bool;
-    var phi_4117_: bool;
-    var phi_4118_: bool;
+    var phi_4114_: bool;
+    var phi_4115_: bool;
+    var phi_3313_: u32;
+    var phi_3316_: bool;
     var phi_4119_: bool;
     var phi_4120_: bool;
-    var phi_4124_: bool;
-    var phi_4125_: bool;
-    var phi_4126_: bool;
-    var phi_4130_: f32;
-    var phi_4171_: u32;
-    var phi_4190_: u32;
-    var phi_4198_: u32;
-    var phi_4206_: u32;
-    var phi_4211_: u32;
-    var local_13: u32;
+    var local_13: bool;
+    var phi_4162_: bool;
+    var phi_4163_: bool;
+    var phi_4194_: u32;
+    var phi_4195_: u32;
+    var phi_2981_: u32;
+    var phi_2984_: bool;
+    var phi_4196_: bool;
+    var phi_4197_: bool;
+    var phi_4198_: bool;
     var local_14: bool;
-    var local_15: bool;
+    var phi_4202_: bool;
+    var phi_4206_: bool;
+    var phi_4207_: bool;
+    var phi_4208_: bool;
+    var phi_4209_: bool;
+    var phi_4213_: bool;
+    var phi_4214_: bool;
+    var phi_4215_: bool;
+    var phi_4219_: f32;
+    var phi_4260_: u32;
+    var phi_4279_: u32;
+    var phi_4287_: u32;
+    var phi_4295_: u32;
+    var phi_4300_: u32;
+    var local_15: u32;
     var local_16: u32;
     var local_17: u32;
     var local_18: bool;
@@ -1053,2841 +1041,2852 @@ fn function_() {
     var local_23: bool;
     var local_24: bool;
     var local_25: bool;
+    var local_26: bool;
+    var local_27: bool;
 
-    let _e84 = id_1;
-    let _e91 = arrayLength((&nodes.member));
-    let _e94 = arrayLength((&triangles.member));
-    let _e97 = arrayLength((&visibility.member));
-    let _e100 = arrayLength((&list.member));
-    let _e103 = arrayLength((&bits.member));
-    let _e106 = arrayLength((&rows.member));
-    let _e110 = arrayLength((&vertices.member));
-    let _e113 = arrayLength((&materials.member));
-    let _e116 = arrayLength((&alpha_texels.member));
-    let _e120 = ((_e84.y * 2097152u) + _e84.x);
-    if (3u < _e100) {
+    let _e83 = id_1;
+    let _e90 = arrayLength((&nodes.member));
+    let _e93 = arrayLength((&triangles.member));
+    let _e96 = arrayLength((&visibility.member));
+    let _e99 = arrayLength((&list.member));
+    let _e102 = arrayLength((&bits.member));
+    let _e105 = arrayLength((&rows.member));
+    let _e109 = arrayLength((&vertices.member));
+    let _e112 = arrayLength((&materials.member));
+    let _e115 = arrayLength((&alpha_texels.member));
+    let _e119 = ((_e83.y * 2097152u) + _e83.x);
+    if (3u < _e99) {
     } else {
         return;
     }
-    let _e123 = list.member[3u];
-    if (_e120 < _e123) {
-        let _e125 = (_e120 + 4u);
-        if (_e125 < _e100) {
+    let _e122 = list.member[3u];
+    if (_e119 < _e122) {
+        let _e124 = (_e119 + 4u);
+        if (_e124 < _e99) {
         } else {
             return;
         }
-        let _e129 = list.member[(0u + _e125)];
-        let _e130 = space.member;
-        if (_e129 < arrayLength((&samples.member))) {
+        let _e128 = list.member[(0u + _e124)];
+        let _e129 = space.member;
+        if (_e128 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e136 = samples.member[(0u + _e129)].position;
-        let _e138 = samples.member[(0u + _e129)].normal;
-        let _e140 = samples.member[(0u + _e129)].magnitude;
-        let _e142 = ((8f / 8388608f) * _e140);
-        let _e144 = (_e138.x * _e142);
-        let _e146 = (_e138.y * _e142);
-        let _e148 = (_e138.z * _e142);
-        let _e150 = (_e136.x + _e144);
-        let _e152 = (_e136.y + _e146);
-        let _e154 = (_e136.z + _e148);
-        let _e158 = p.member.light.place;
-        if (_e158.w == 0f) {
-            phi_726_ = 300000000000000000000000000000000000000f;
+        let _e135 = samples.member[(0u + _e128)].position;
+        let _e137 = samples.member[(0u + _e128)].normal;
+        let _e139 = samples.member[(0u + _e128)].magnitude;
+        let _e141 = ((8f / 8388608f) * _e139);
+        let _e143 = (_e137.x * _e141);
+        let _e145 = (_e137.y * _e141);
+        let _e147 = (_e137.z * _e141);
+        let _e149 = (_e135.x + _e143);
+        let _e151 = (_e135.y + _e145);
+        let _e153 = (_e135.z + _e147);
+        let _e157 = p.member.light.place;
+        if (_e157.w == 0f) {
+            phi_725_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_726_ = 1f;
+            phi_725_ = 1f;
         }
-        let _e162 = phi_726_;
-        let _e170 = (_e158.x - (_e150 * _e158.w));
-        let _e171 = (_e158.y - (_e152 * _e158.w));
-        let _e172 = (_e158.z - (_e154 * _e158.w));
-        let _e173 = vec3<f32>(_e170, _e171, _e172);
+        let _e161 = phi_725_;
+        let _e169 = (_e157.x - (_e149 * _e157.w));
+        let _e170 = (_e157.y - (_e151 * _e157.w));
+        let _e171 = (_e157.z - (_e153 * _e157.w));
+        let _e172 = vec3<f32>(_e169, _e170, _e171);
+        let _e173 = abs(_e169);
         let _e174 = abs(_e170);
         let _e175 = abs(_e171);
-        let _e176 = abs(_e172);
-        if (abs(_e150) < 1000000000000000f) {
-            if (abs(_e152) < 1000000000000000f) {
-                phi_759_ = (abs(_e154) < 1000000000000000f);
-                phi_760_ = false;
+        if (abs(_e149) < 1000000000000000f) {
+            if (abs(_e151) < 1000000000000000f) {
+                phi_758_ = (abs(_e153) < 1000000000000000f);
+                phi_759_ = false;
             } else {
-                phi_759_ = bool();
-                phi_760_ = true;
+                phi_758_ = bool();
+                phi_759_ = true;
             }
-            let _e184 = phi_759_;
-            let _e186 = phi_760_;
-            phi_761_ = _e184;
-            phi_762_ = _e186;
+            let _e183 = phi_758_;
+            let _e185 = phi_759_;
+            phi_760_ = _e183;
+            phi_761_ = _e185;
         } else {
-            phi_761_ = bool();
-            phi_762_ = true;
+            phi_760_ = bool();
+            phi_761_ = true;
         }
-        let _e188 = phi_761_;
-        let _e190 = phi_762_;
-        if _e190 {
-            phi_766_ = false;
+        let _e187 = phi_760_;
+        let _e189 = phi_761_;
+        if _e189 {
+            phi_765_ = false;
         } else {
-            phi_766_ = _e188;
+            phi_765_ = _e187;
         }
-        let _e192 = phi_766_;
-        if _e192 {
-            if (_e174 < 1000000000000000f) {
-                if (_e175 < 1000000000000000f) {
-                    phi_779_ = (_e176 < 1000000000000000f);
-                    phi_780_ = false;
+        let _e191 = phi_765_;
+        if _e191 {
+            if (_e173 < 1000000000000000f) {
+                if (_e174 < 1000000000000000f) {
+                    phi_778_ = (_e175 < 1000000000000000f);
+                    phi_779_ = false;
                 } else {
-                    phi_779_ = bool();
-                    phi_780_ = true;
+                    phi_778_ = bool();
+                    phi_779_ = true;
                 }
-                let _e197 = phi_779_;
-                let _e199 = phi_780_;
-                phi_781_ = _e197;
-                phi_782_ = _e199;
+                let _e196 = phi_778_;
+                let _e198 = phi_779_;
+                phi_780_ = _e196;
+                phi_781_ = _e198;
             } else {
-                phi_781_ = bool();
-                phi_782_ = true;
+                phi_780_ = bool();
+                phi_781_ = true;
             }
-            let _e201 = phi_781_;
-            let _e203 = phi_782_;
-            if _e203 {
-                phi_786_ = false;
+            let _e200 = phi_780_;
+            let _e202 = phi_781_;
+            if _e202 {
+                phi_785_ = false;
             } else {
-                phi_786_ = _e201;
+                phi_785_ = _e200;
             }
-            let _e205 = phi_786_;
-            if _e205 {
-                if (_e174 > 0f) {
-                    phi_800_ = bool();
-                    phi_801_ = true;
+            let _e204 = phi_785_;
+            if _e204 {
+                if (_e173 > 0f) {
+                    phi_799_ = bool();
+                    phi_800_ = true;
                 } else {
-                    let _e207 = (_e175 > 0f);
-                    if _e207 {
-                        phi_799_ = bool();
+                    let _e206 = (_e174 > 0f);
+                    if _e206 {
+                        phi_798_ = bool();
                     } else {
-                        phi_799_ = (_e176 > 0f);
+                        phi_798_ = (_e175 > 0f);
                     }
-                    let _e210 = phi_799_;
-                    phi_800_ = _e210;
-                    phi_801_ = _e207;
+                    let _e209 = phi_798_;
+                    phi_799_ = _e209;
+                    phi_800_ = _e206;
                 }
-                let _e212 = phi_800_;
-                let _e214 = phi_801_;
-                if _e214 {
-                    phi_805_ = true;
+                let _e211 = phi_799_;
+                let _e213 = phi_800_;
+                if _e213 {
+                    phi_804_ = true;
                 } else {
-                    phi_805_ = _e212;
+                    phi_804_ = _e211;
                 }
-                let _e216 = phi_805_;
-                phi_806_ = _e216;
-                phi_807_ = false;
+                let _e215 = phi_804_;
+                phi_805_ = _e215;
+                phi_806_ = false;
             } else {
-                phi_806_ = bool();
-                phi_807_ = true;
+                phi_805_ = bool();
+                phi_806_ = true;
             }
-            let _e218 = phi_806_;
-            let _e220 = phi_807_;
-            phi_808_ = _e218;
-            phi_809_ = _e220;
+            let _e217 = phi_805_;
+            let _e219 = phi_806_;
+            phi_807_ = _e217;
+            phi_808_ = _e219;
         } else {
-            phi_808_ = bool();
-            phi_809_ = true;
+            phi_807_ = bool();
+            phi_808_ = true;
         }
-        let _e222 = phi_808_;
-        let _e224 = phi_809_;
-        if _e224 {
-            phi_813_ = false;
+        let _e221 = phi_807_;
+        let _e223 = phi_808_;
+        if _e223 {
+            phi_812_ = false;
         } else {
-            phi_813_ = _e222;
+            phi_812_ = _e221;
         }
-        let _e226 = phi_813_;
-        if _e226 {
-            if (_e130.low.x <= _e150) {
-                if (_e150 <= _e130.high.x) {
-                    if (_e130.low.y <= _e152) {
-                        phi_836_ = (_e152 <= _e130.high.y);
-                        phi_837_ = false;
+        let _e225 = phi_812_;
+        if _e225 {
+            if (_e129.low.x <= _e149) {
+                if (_e149 <= _e129.high.x) {
+                    if (_e129.low.y <= _e151) {
+                        phi_835_ = (_e151 <= _e129.high.y);
+                        phi_836_ = false;
                     } else {
-                        phi_836_ = bool();
-                        phi_837_ = true;
+                        phi_835_ = bool();
+                        phi_836_ = true;
                     }
-                    let _e244 = phi_836_;
-                    let _e246 = phi_837_;
-                    phi_838_ = _e244;
-                    phi_839_ = _e246;
+                    let _e243 = phi_835_;
+                    let _e245 = phi_836_;
+                    phi_837_ = _e243;
+                    phi_838_ = _e245;
                 } else {
-                    phi_838_ = bool();
-                    phi_839_ = true;
+                    phi_837_ = bool();
+                    phi_838_ = true;
                 }
-                let _e248 = phi_838_;
-                let _e250 = phi_839_;
-                phi_840_ = _e248;
-                phi_841_ = _e250;
+                let _e247 = phi_837_;
+                let _e249 = phi_838_;
+                phi_839_ = _e247;
+                phi_840_ = _e249;
             } else {
-                phi_840_ = bool();
-                phi_841_ = true;
+                phi_839_ = bool();
+                phi_840_ = true;
             }
-            let _e252 = phi_840_;
-            let _e254 = phi_841_;
-            if _e254 {
-                phi_845_ = false;
+            let _e251 = phi_839_;
+            let _e253 = phi_840_;
+            if _e253 {
+                phi_844_ = false;
             } else {
-                phi_845_ = _e252;
+                phi_844_ = _e251;
             }
-            let _e256 = phi_845_;
-            if (abs(_e170) > 0.000000000000000000000000000001f) {
-                phi_859_ = bool();
-                phi_860_ = true;
+            let _e255 = phi_844_;
+            if (abs(_e169) > 0.000000000000000000000000000001f) {
+                phi_858_ = bool();
+                phi_859_ = true;
             } else {
-                let _e261 = (abs(_e171) > 0.000000000000000000000000000001f);
-                if _e261 {
-                    phi_858_ = bool();
+                let _e260 = (abs(_e170) > 0.000000000000000000000000000001f);
+                if _e260 {
+                    phi_857_ = bool();
                 } else {
-                    phi_858_ = (abs(_e172) > 0.000000000000000000000000000001f);
+                    phi_857_ = (abs(_e171) > 0.000000000000000000000000000001f);
                 }
-                let _e264 = phi_858_;
-                phi_859_ = _e264;
-                phi_860_ = _e261;
+                let _e263 = phi_857_;
+                phi_858_ = _e263;
+                phi_859_ = _e260;
             }
-            let _e266 = phi_859_;
-            let _e268 = phi_860_;
-            if _e268 {
-                phi_864_ = true;
+            let _e265 = phi_858_;
+            let _e267 = phi_859_;
+            if _e267 {
+                phi_863_ = true;
             } else {
-                phi_864_ = _e266;
+                phi_863_ = _e265;
             }
-            let _e270 = phi_864_;
-            if _e256 {
-                if (_e130.low.z <= _e154) {
-                    if (_e154 <= _e130.high.z) {
-                        if (_e130.is_parallel == 0u) {
-                            phi_881_ = _e270;
+            let _e269 = phi_863_;
+            if _e255 {
+                if (_e129.low.z <= _e153) {
+                    if (_e153 <= _e129.high.z) {
+                        if (_e129.is_parallel == 0u) {
+                            phi_880_ = _e269;
                         } else {
-                            phi_881_ = true;
+                            phi_880_ = true;
                         }
-                        let _e276 = phi_881_;
-                        phi_882_ = _e276;
-                        phi_883_ = false;
+                        let _e275 = phi_880_;
+                        phi_881_ = _e275;
+                        phi_882_ = false;
                     } else {
-                        phi_882_ = bool();
-                        phi_883_ = true;
+                        phi_881_ = bool();
+                        phi_882_ = true;
                     }
-                    let _e278 = phi_882_;
-                    let _e280 = phi_883_;
-                    phi_884_ = _e278;
-                    phi_885_ = _e280;
+                    let _e277 = phi_881_;
+                    let _e279 = phi_882_;
+                    phi_883_ = _e277;
+                    phi_884_ = _e279;
                 } else {
-                    phi_884_ = bool();
-                    phi_885_ = true;
+                    phi_883_ = bool();
+                    phi_884_ = true;
                 }
-                let _e282 = phi_884_;
-                let _e284 = phi_885_;
-                phi_886_ = _e282;
-                phi_887_ = _e284;
+                let _e281 = phi_883_;
+                let _e283 = phi_884_;
+                phi_885_ = _e281;
+                phi_886_ = _e283;
             } else {
-                phi_886_ = bool();
-                phi_887_ = true;
+                phi_885_ = bool();
+                phi_886_ = true;
             }
-            let _e286 = phi_886_;
-            let _e288 = phi_887_;
-            if _e288 {
-                phi_891_ = false;
+            let _e285 = phi_885_;
+            let _e287 = phi_886_;
+            if _e287 {
+                phi_890_ = false;
             } else {
-                phi_891_ = _e286;
+                phi_890_ = _e285;
             }
-            let _e290 = phi_891_;
-            if _e290 {
-                if (_e130.is_parallel == 0u) {
+            let _e289 = phi_890_;
+            if _e289 {
+                if (_e129.is_parallel == 0u) {
+                    let _e292 = abs(_e169);
                     let _e293 = abs(_e170);
                     let _e294 = abs(_e171);
-                    let _e295 = abs(_e172);
-                    if (_e293 >= _e294) {
-                        if (_e293 >= _e295) {
-                            phi_911_ = false;
+                    if (_e292 >= _e293) {
+                        if (_e292 >= _e294) {
+                            phi_910_ = false;
                         } else {
-                            phi_911_ = true;
+                            phi_910_ = true;
                         }
-                        let _e299 = phi_911_;
-                        phi_912_ = _e299;
+                        let _e298 = phi_910_;
+                        phi_911_ = _e298;
                     } else {
-                        phi_912_ = true;
+                        phi_911_ = true;
                     }
-                    let _e301 = phi_912_;
-                    if _e301 {
-                        if (_e294 >= _e295) {
-                            phi_920_ = 1u;
-                            phi_921_ = _e171;
+                    let _e300 = phi_911_;
+                    if _e300 {
+                        if (_e293 >= _e294) {
+                            phi_919_ = 1u;
+                            phi_920_ = _e170;
                         } else {
-                            phi_920_ = 2u;
-                            phi_921_ = _e172;
+                            phi_919_ = 2u;
+                            phi_920_ = _e171;
                         }
-                        let _e304 = phi_920_;
-                        let _e306 = phi_921_;
-                        phi_922_ = _e304;
-                        phi_923_ = _e306;
+                        let _e303 = phi_919_;
+                        let _e305 = phi_920_;
+                        phi_921_ = _e303;
+                        phi_922_ = _e305;
                     } else {
-                        phi_922_ = 0u;
-                        phi_923_ = _e170;
+                        phi_921_ = 0u;
+                        phi_922_ = _e169;
                     }
-                    let _e308 = phi_922_;
-                    let _e310 = phi_923_;
-                    if (_e310 < 0f) {
-                        phi_928_ = -1f;
+                    let _e307 = phi_921_;
+                    let _e309 = phi_922_;
+                    if (_e309 < 0f) {
+                        phi_927_ = -1f;
                     } else {
-                        phi_928_ = 1f;
+                        phi_927_ = 1f;
                     }
-                    let _e313 = phi_928_;
-                    let _e314 = (_e313 < 0f);
-                    if (_e308 == 0u) {
-                        if _e314 {
-                            phi_939_ = _e130.roots.y;
+                    let _e312 = phi_927_;
+                    let _e313 = (_e312 < 0f);
+                    if (_e307 == 0u) {
+                        if _e313 {
+                            phi_938_ = _e129.roots.y;
                         } else {
-                            phi_939_ = _e130.roots.x;
+                            phi_938_ = _e129.roots.x;
                         }
-                        let _e321 = phi_939_;
-                        phi_957_ = _e321;
+                        let _e320 = phi_938_;
+                        phi_956_ = _e320;
                     } else {
-                        if (_e308 == 1u) {
-                            if _e314 {
-                                phi_949_ = _e130.roots.w;
+                        if (_e307 == 1u) {
+                            if _e313 {
+                                phi_948_ = _e129.roots.w;
                             } else {
-                                phi_949_ = _e130.roots.z;
+                                phi_948_ = _e129.roots.z;
                             }
-                            let _e328 = phi_949_;
-                            phi_956_ = _e328;
+                            let _e327 = phi_948_;
+                            phi_955_ = _e327;
                         } else {
-                            if _e314 {
-                                phi_955_ = _e130.roots_z.y;
+                            if _e313 {
+                                phi_954_ = _e129.roots_z.y;
                             } else {
-                                phi_955_ = _e130.roots_z.x;
+                                phi_954_ = _e129.roots_z.x;
                             }
-                            let _e334 = phi_955_;
-                            phi_956_ = _e334;
+                            let _e333 = phi_954_;
+                            phi_955_ = _e333;
                         }
-                        let _e336 = phi_956_;
-                        phi_957_ = _e336;
+                        let _e335 = phi_955_;
+                        phi_956_ = _e335;
                     }
-                    let _e338 = phi_957_;
-                    if (_e308 == 0u) {
-                        phi_969_ = vec3<f32>(_e171, _e172, _e170);
+                    let _e337 = phi_956_;
+                    if (_e307 == 0u) {
+                        phi_968_ = vec3<f32>(_e170, _e171, _e169);
                     } else {
-                        if (_e308 == 1u) {
-                            phi_968_ = vec3<f32>(_e172, _e170, _e171);
+                        if (_e307 == 1u) {
+                            phi_967_ = vec3<f32>(_e171, _e169, _e170);
                         } else {
-                            phi_968_ = _e173;
+                            phi_967_ = _e172;
                         }
-                        let _e344 = phi_968_;
-                        phi_969_ = _e344;
+                        let _e343 = phi_967_;
+                        phi_968_ = _e343;
                     }
-                    let _e346 = phi_969_;
-                    phi_1015_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e346.x / _e346.z), (_e346.y / _e346.z), (_e313 / _e346.z)), _e338);
+                    let _e345 = phi_968_;
+                    phi_1013_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e345.x / _e345.z), (_e345.y / _e345.z), (_e312 / _e345.z)), _e337);
                 } else {
-                    if (_e130.axis == 0u) {
-                        phi_992_ = vec3<f32>(_e152, _e154, _e150);
+                    if (_e129.axis == 0u) {
+                        phi_991_ = vec3<f32>(_e151, _e153, _e149);
                     } else {
-                        if (_e130.axis == 1u) {
-                            phi_991_ = vec3<f32>(_e154, _e150, _e152);
+                        if (_e129.axis == 1u) {
+                            phi_990_ = vec3<f32>(_e153, _e149, _e151);
                         } else {
-                            phi_991_ = (_e136 + vec3<f32>(_e144, _e146, _e148));
+                            phi_990_ = (_e135 + vec3<f32>(_e143, _e145, _e147));
                         }
-                        let _e363 = phi_991_;
-                        phi_992_ = _e363;
+                        let _e362 = phi_990_;
+                        phi_991_ = _e362;
                     }
-                    let _e365 = phi_992_;
-                    let _e377 = (_e365.z - _e130.middle.z);
-                    phi_1015_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e365.x - _e130.middle.x) - (_e130.shear.x * _e377)), ((_e365.y - _e130.middle.y) - (_e130.shear.y * _e377)), (_e130.sign * _e377)), _e130.roots.x);
+                    let _e364 = phi_991_;
+                    let _e379 = (_e364.z - _e129.middle.z);
+                    phi_1013_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e364.x - _e129.middle.x) - (_e129.shear.x * _e379)), ((_e364.y - _e129.middle.y) - (_e129.shear.y * _e379)), (_e129.sign * _e379)), _e129.roots.x);
                 }
-                let _e390 = phi_1015_;
+                let _e390 = phi_1013_;
                 if (_e390.unnamed_1 == 4294967295u) {
-                    phi_2455_ = false;
-                    phi_2456_ = true;
+                    phi_2549_ = false;
                 } else {
-                    if (0u < _e91) {
+                    if (0u < _e90) {
                     } else {
                         return;
                     }
-                    let _e398 = nodes.member[0u].frame[0u];
-                    let _e402 = nodes.member[0u].frame[1u];
-                    let _e406 = nodes.member[0u].frame[2u];
-                    let _e410 = nodes.member[0u].frame[0u];
-                    let _e414 = nodes.member[0u].frame[1u];
-                    let _e418 = nodes.member[0u].frame[2u];
-                    let _e422 = nodes.member[0u].frame[3u];
-                    let _e456 = core_intrinsics_maximum_number_nsz_f32_(abs(_e170), abs(_e171));
-                    let _e457 = core_intrinsics_maximum_number_nsz_f32_(_e456, abs(_e172));
-                    let _e458 = (_e457 * 0.0000000000009094947f);
-                    if (abs(_e170) < _e458) {
-                        phi_1083_ = _e458;
+                    let _e407 = nodes.member[0u].frame[0u];
+                    let _e411 = nodes.member[0u].frame[1u];
+                    let _e415 = nodes.member[0u].frame[2u];
+                    let _e419 = nodes.member[0u].frame[0u];
+                    let _e423 = nodes.member[0u].frame[1u];
+                    let _e427 = nodes.member[0u].frame[2u];
+                    let _e431 = nodes.member[0u].frame[3u];
+                    let _e465 = core_intrinsics_maximum_number_nsz_f32_(abs(_e169), abs(_e170));
+                    let _e466 = core_intrinsics_maximum_number_nsz_f32_(_e465, abs(_e171));
+                    let _e467 = (_e466 * 0.0000000000009094947f);
+                    if (abs(_e169) < _e467) {
+                        phi_1088_ = _e467;
                     } else {
-                        phi_1083_ = abs(_e170);
+                        phi_1088_ = abs(_e169);
                     }
-                    let _e463 = phi_1083_;
+                    let _e472 = phi_1088_;
+                    if (_e169 < 0f) {
+                        phi_1095_ = (-1f / _e472);
+                    } else {
+                        phi_1095_ = (1f / _e472);
+                    }
+                    let _e477 = phi_1095_;
+                    if (abs(_e170) < _e467) {
+                        phi_1102_ = _e467;
+                    } else {
+                        phi_1102_ = abs(_e170);
+                    }
+                    let _e482 = phi_1102_;
                     if (_e170 < 0f) {
-                        phi_1090_ = (-1f / _e463);
+                        phi_1109_ = (-1f / _e482);
                     } else {
-                        phi_1090_ = (1f / _e463);
+                        phi_1109_ = (1f / _e482);
                     }
-                    let _e468 = phi_1090_;
-                    if (abs(_e171) < _e458) {
-                        phi_1097_ = _e458;
+                    let _e487 = phi_1109_;
+                    if (abs(_e171) < _e467) {
+                        phi_1116_ = _e467;
                     } else {
-                        phi_1097_ = abs(_e171);
+                        phi_1116_ = abs(_e171);
                     }
-                    let _e473 = phi_1097_;
+                    let _e492 = phi_1116_;
                     if (_e171 < 0f) {
-                        phi_1104_ = (-1f / _e473);
+                        phi_1123_ = (-1f / _e492);
                     } else {
-                        phi_1104_ = (1f / _e473);
+                        phi_1123_ = (1f / _e492);
                     }
-                    let _e478 = phi_1104_;
-                    if (abs(_e172) < _e458) {
-                        phi_1111_ = _e458;
+                    let _e497 = phi_1123_;
+                    let _e501 = abs((bitcast<f32>(_e407) - _e149));
+                    let _e502 = abs((bitcast<f32>(_e411) - _e151));
+                    let _e503 = abs((bitcast<f32>(_e415) - _e153));
+                    let _e507 = abs(((bitcast<f32>(_e419) + (bitcast<f32>((((_e431 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e149));
+                    let _e508 = abs(((bitcast<f32>(_e423) + (bitcast<f32>((((_e431 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151));
+                    let _e509 = abs(((bitcast<f32>(_e427) + (bitcast<f32>((((_e431 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153));
+                    if (_e501 > _e507) {
+                        phi_1140_ = _e501;
                     } else {
-                        phi_1111_ = abs(_e172);
+                        phi_1140_ = _e507;
                     }
-                    let _e483 = phi_1111_;
-                    if (_e172 < 0f) {
-                        phi_1118_ = (-1f / _e483);
+                    let _e512 = phi_1140_;
+                    if (_e502 > _e508) {
+                        phi_1145_ = _e502;
                     } else {
-                        phi_1118_ = (1f / _e483);
+                        phi_1145_ = _e508;
                     }
-                    let _e488 = phi_1118_;
-                    let _e492 = abs((bitcast<f32>(_e398) - _e150));
-                    let _e493 = abs((bitcast<f32>(_e402) - _e152));
-                    let _e494 = abs((bitcast<f32>(_e406) - _e154));
-                    let _e498 = abs(((bitcast<f32>(_e410) + (bitcast<f32>((((_e422 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150));
-                    let _e499 = abs(((bitcast<f32>(_e414) + (bitcast<f32>((((_e422 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e152));
-                    let _e500 = abs(((bitcast<f32>(_e418) + (bitcast<f32>((((_e422 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e154));
-                    if (_e492 > _e498) {
-                        phi_1135_ = _e492;
-                    } else {
-                        phi_1135_ = _e498;
-                    }
-                    let _e503 = phi_1135_;
-                    if (_e493 > _e499) {
-                        phi_1140_ = _e493;
-                    } else {
-                        phi_1140_ = _e499;
-                    }
-                    let _e506 = phi_1140_;
-                    if (_e494 > _e500) {
-                        phi_1145_ = _e494;
-                    } else {
-                        phi_1145_ = _e500;
-                    }
-                    let _e509 = phi_1145_;
-                    if (_e503 > _e506) {
+                    let _e515 = phi_1145_;
+                    if (_e503 > _e509) {
                         phi_1150_ = _e503;
                     } else {
-                        phi_1150_ = _e506;
+                        phi_1150_ = _e509;
                     }
-                    let _e512 = phi_1150_;
-                    if (_e512 > _e509) {
+                    let _e518 = phi_1150_;
+                    if (_e512 > _e515) {
                         phi_1155_ = _e512;
                     } else {
-                        phi_1155_ = _e509;
+                        phi_1155_ = _e515;
                     }
-                    let _e515 = phi_1155_;
-                    let _e522 = (_e515 * 0.0000009536743f);
-                    let _e523 = (abs(_e468) * _e522);
-                    let _e524 = (abs(_e478) * _e522);
-                    let _e525 = (abs(_e488) * _e522);
-                    let _e526 = abs(_e170);
-                    let _e527 = abs(_e171);
-                    let _e528 = abs(_e172);
-                    if (_e526 >= _e527) {
-                        if (_e526 >= _e528) {
-                            phi_1177_ = false;
-                        } else {
-                            phi_1177_ = true;
-                        }
-                        let _e532 = phi_1177_;
-                        phi_1178_ = _e532;
+                    let _e521 = phi_1155_;
+                    if (_e521 > _e518) {
+                        phi_1160_ = _e521;
                     } else {
-                        phi_1178_ = true;
+                        phi_1160_ = _e518;
                     }
-                    let _e534 = phi_1178_;
-                    if _e534 {
-                        if (_e527 >= _e528) {
-                            phi_1186_ = 1u;
+                    let _e524 = phi_1160_;
+                    let _e531 = (_e524 * 0.0000009536743f);
+                    let _e532 = (abs(_e477) * _e531);
+                    let _e533 = (abs(_e487) * _e531);
+                    let _e534 = (abs(_e497) * _e531);
+                    let _e535 = abs(_e169);
+                    let _e536 = abs(_e170);
+                    let _e537 = abs(_e171);
+                    if (_e535 >= _e536) {
+                        if (_e535 >= _e537) {
+                            phi_1182_ = false;
                         } else {
-                            phi_1186_ = 2u;
+                            phi_1182_ = true;
                         }
-                        let _e537 = phi_1186_;
-                        phi_1187_ = _e537;
+                        let _e541 = phi_1182_;
+                        phi_1183_ = _e541;
                     } else {
-                        phi_1187_ = 0u;
+                        phi_1183_ = true;
                     }
-                    let _e539 = phi_1187_;
-                    if (_e539 == 0u) {
-                        phi_1199_ = vec3<f32>(_e171, _e172, _e170);
-                    } else {
-                        if (_e539 == 1u) {
-                            phi_1198_ = vec3<f32>(_e172, _e170, _e171);
+                    let _e543 = phi_1183_;
+                    if _e543 {
+                        if (_e536 >= _e537) {
+                            phi_1191_ = 1u;
                         } else {
-                            phi_1198_ = _e173;
+                            phi_1191_ = 2u;
                         }
-                        let _e545 = phi_1198_;
-                        phi_1199_ = _e545;
+                        let _e546 = phi_1191_;
+                        phi_1192_ = _e546;
+                    } else {
+                        phi_1192_ = 0u;
                     }
-                    let _e547 = phi_1199_;
-                    let _e550 = (_e547.x / _e547.z);
-                    let _e553 = (_e547.y / _e547.z);
+                    let _e548 = phi_1192_;
+                    if (_e548 == 0u) {
+                        phi_1204_ = vec3<f32>(_e170, _e171, _e169);
+                    } else {
+                        if (_e548 == 1u) {
+                            phi_1203_ = vec3<f32>(_e171, _e169, _e170);
+                        } else {
+                            phi_1203_ = _e172;
+                        }
+                        let _e554 = phi_1203_;
+                        phi_1204_ = _e554;
+                    }
+                    let _e556 = phi_1204_;
+                    let _e559 = (_e556.x / _e556.z);
+                    let _e562 = (_e556.y / _e556.z);
                     local_3 = array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    phi_1211_ = ((_e390.unnamed_1 << bitcast<u32>(8i)) | 1u);
-                    phi_1214_ = 0u;
+                    phi_1216_ = ((_e390.unnamed_1 << bitcast<u32>(8i)) | 1u);
+                    phi_1219_ = 0u;
                     loop {
-                        let _e560 = phi_1211_;
-                        let _e562 = phi_1214_;
-                        let _e563 = (_e560 == 0u);
-                        local_7 = _e563;
-                        if _e563 {
-                            phi_1212_ = u32();
-                            phi_1215_ = u32();
-                            phi_2436_ = false;
-                            phi_2437_ = false;
-                            phi_2438_ = false;
-                        } else {
-                            phi_1223_ = _e560;
-                            phi_1226_ = 0u;
-                            phi_1228_ = 0u;
-                            phi_1230_ = _e562;
-                            loop {
-                                let _e565 = phi_1223_;
-                                let _e567 = phi_1226_;
-                                let _e569 = phi_1228_;
-                                let _e571 = phi_1230_;
-                                local_13 = _e569;
-                                local_5 = _e567;
-                                local_16 = _e565;
-                                local_17 = _e571;
-                                let _e572 = (_e565 == 0u);
-                                local_4 = _e572;
-                                if _e572 {
-                                    phi_1224_ = u32();
-                                    phi_1227_ = u32();
-                                    phi_1229_ = u32();
-                                    phi_1231_ = u32();
-                                    phi_1577_ = false;
+                        let _e569 = phi_1216_;
+                        let _e571 = phi_1219_;
+                        phi_1224_ = _e569;
+                        phi_1226_ = 0u;
+                        phi_1228_ = 0u;
+                        phi_1230_ = _e571;
+                        loop {
+                            let _e573 = phi_1224_;
+                            let _e575 = phi_1226_;
+                            let _e577 = phi_1228_;
+                            let _e579 = phi_1230_;
+                            let _e586 = (((_e573 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e573), 32u, (_e573 == 0u))) * 5u);
+                            if (_e586 < _e105) {
+                            } else {
+                                return;
+                            }
+                            let _e590 = rows.member[(0u + _e586)];
+                            let _e591 = (_e586 + 1u);
+                            if (_e591 < _e105) {
+                            } else {
+                                return;
+                            }
+                            let _e595 = rows.member[(0u + _e591)];
+                            let _e596 = (_e586 + 2u);
+                            if (_e596 < _e105) {
+                            } else {
+                                return;
+                            }
+                            let _e600 = rows.member[(0u + _e596)];
+                            let _e601 = (_e586 + 3u);
+                            if (_e601 < _e105) {
+                            } else {
+                                return;
+                            }
+                            let _e605 = rows.member[(0u + _e601)];
+                            let _e606 = (_e586 + 4u);
+                            if (_e606 < _e105) {
+                            } else {
+                                return;
+                            }
+                            let _e610 = rows.member[(0u + _e606)];
+                            let _e611 = lt_bvh_Node(_e590, _e595, _e600, _e605, _e610);
+                            let _e613 = (_e573 & (_e573 - 1u));
+                            let _e625 = (_e390.unnamed.positive_exponent - bitcast<f32>(_e611.frame.x));
+                            let _e628 = bitcast<f32>((((_e611.z.z >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e625 > 0f) {
+                                if (_e625 < (255f * _e628)) {
+                                    phi_1302_ = (_e625 / _e628);
                                 } else {
-                                    let _e573 = (_e569 == 0u);
-                                    if _e573 {
-                                        let _e580 = (((_e565 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e565), 32u, (_e565 == 0u))) * 4u);
-                                        if (_e580 < _e106) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e584 = rows.member[(0u + _e580)];
-                                        let _e585 = (_e580 + 1u);
-                                        if (_e585 < _e106) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e589 = rows.member[(0u + _e585)];
-                                        let _e590 = (_e580 + 2u);
-                                        if (_e590 < _e106) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e594 = rows.member[(0u + _e590)];
-                                        let _e595 = (_e580 + 3u);
-                                        if (_e595 < _e106) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e599 = rows.member[(0u + _e595)];
-                                        let _e600 = lt_bvh_LightNode(_e584, _e589, _e594, _e599);
-                                        let _e602 = (_e565 & (_e565 - 1u));
-                                        let _e614 = (_e390.unnamed.positive_exponent - bitcast<f32>(_e600.frame.x));
-                                        let _e617 = bitcast<f32>((((_e600.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                        if (_e614 > 0f) {
-                                            if (_e614 < (255f * _e617)) {
-                                                phi_1303_ = (_e614 / _e617);
+                                    phi_1302_ = 255f;
+                                }
+                                let _e634 = phi_1302_;
+                                phi_1303_ = _e634;
+                            } else {
+                                phi_1303_ = 0f;
+                            }
+                            let _e636 = phi_1303_;
+                            let _e643 = select(select(u32(_e636), 0u, (_e636 < bitcast<f32>(0u))), 4294967295u, (_e636 > bitcast<f32>(1333788671u)));
+                            if (f32(_e643) < _e636) {
+                                phi_1317_ = (_e643 + 1u);
+                            } else {
+                                phi_1317_ = _e643;
+                            }
+                            let _e648 = phi_1317_;
+                            let _e649 = (_e643 * 16843009u);
+                            let _e650 = (_e648 * 16843009u);
+                            let _e660 = (_e390.unnamed.negative_exponent - bitcast<f32>(_e611.frame.y));
+                            let _e663 = bitcast<f32>((((_e611.z.z >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e660 > 0f) {
+                                if (_e660 < (255f * _e663)) {
+                                    phi_1340_ = (_e660 / _e663);
+                                } else {
+                                    phi_1340_ = 255f;
+                                }
+                                let _e669 = phi_1340_;
+                                phi_1341_ = _e669;
+                            } else {
+                                phi_1341_ = 0f;
+                            }
+                            let _e671 = phi_1341_;
+                            let _e678 = select(select(u32(_e671), 0u, (_e671 < bitcast<f32>(0u))), 4294967295u, (_e671 > bitcast<f32>(1333788671u)));
+                            if (f32(_e678) < _e671) {
+                                phi_1355_ = (_e678 + 1u);
+                            } else {
+                                phi_1355_ = _e678;
+                            }
+                            let _e683 = phi_1355_;
+                            let _e684 = (_e678 * 16843009u);
+                            let _e685 = (_e683 * 16843009u);
+                            let _e694 = (((_e129.diagonal.x * _e390.unnamed.positive_exponent) + (_e129.diagonal.y * _e390.unnamed.negative_exponent)) - bitcast<f32>(_e611.frame.z));
+                            let _e697 = bitcast<f32>((((_e611.z.z >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e694 > 0f) {
+                                if (_e694 < (255f * _e697)) {
+                                    phi_1377_ = (_e694 / _e697);
+                                } else {
+                                    phi_1377_ = 255f;
+                                }
+                                let _e703 = phi_1377_;
+                                phi_1378_ = _e703;
+                            } else {
+                                phi_1378_ = 0f;
+                            }
+                            let _e705 = phi_1378_;
+                            let _e712 = select(select(u32(_e705), 0u, (_e705 < bitcast<f32>(0u))), 4294967295u, (_e705 > bitcast<f32>(1333788671u)));
+                            if (f32(_e712) < _e705) {
+                                phi_1392_ = (_e712 + 1u);
+                            } else {
+                                phi_1392_ = _e712;
+                            }
+                            let _e717 = phi_1392_;
+                            let _e718 = (_e712 * 16843009u);
+                            let _e719 = (_e717 * 16843009u);
+                            let _e729 = (_e390.unnamed.min_variance - bitcast<f32>(_e611.frame.w));
+                            let _e732 = bitcast<f32>((((_e611.z.z >> bitcast<u32>(((3u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e729 > 0f) {
+                                if (_e729 < (255f * _e732)) {
+                                    phi_1415_ = (_e729 / _e732);
+                                } else {
+                                    phi_1415_ = 255f;
+                                }
+                                let _e738 = phi_1415_;
+                                phi_1416_ = _e738;
+                            } else {
+                                phi_1416_ = 0f;
+                            }
+                            let _e740 = phi_1416_;
+                            let _e747 = select(select(u32(_e740), 0u, (_e740 < bitcast<f32>(0u))), 4294967295u, (_e740 > bitcast<f32>(1333788671u)));
+                            if (f32(_e747) < _e740) {
+                                phi_1430_ = (_e747 + 1u);
+                            } else {
+                                phi_1430_ = _e747;
+                            }
+                            let _e752 = phi_1430_;
+                            let _e753 = (_e752 * 16843009u);
+                            let _e934 = (((((((((((_e649 & ~(_e611.links.x)) | (~((_e611.links.x ^ _e649)) & ((_e649 | 2155905152u) - (_e611.links.x & 2139062143u)))) & ((_e611.links.z & ~(_e650)) | (~((_e650 ^ _e611.links.z)) & ((_e611.links.z | 2155905152u) - (_e650 & 2139062143u))))) & (((_e684 & ~(_e611.x.x)) | (~((_e611.x.x ^ _e684)) & ((_e684 | 2155905152u) - (_e611.x.x & 2139062143u)))) & ((_e611.x.z & ~(_e685)) | (~((_e685 ^ _e611.x.z)) & ((_e611.x.z | 2155905152u) - (_e685 & 2139062143u)))))) & (((_e718 & ~(_e611.y.x)) | (~((_e611.y.x ^ _e718)) & ((_e718 | 2155905152u) - (_e611.y.x & 2139062143u)))) & ((_e611.y.z & ~(_e719)) | (~((_e719 ^ _e611.y.z)) & ((_e611.y.z | 2155905152u) - (_e719 & 2139062143u)))))) & ((_e611.z.x & ~(_e753)) | (~((_e753 ^ _e611.z.x)) & ((_e611.z.x | 2155905152u) - (_e753 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e649 & ~(_e611.links.y)) | (~((_e611.links.y ^ _e649)) & ((_e649 | 2155905152u) - (_e611.links.y & 2139062143u)))) & ((_e611.links.w & ~(_e650)) | (~((_e650 ^ _e611.links.w)) & ((_e611.links.w | 2155905152u) - (_e650 & 2139062143u))))) & (((_e684 & ~(_e611.x.y)) | (~((_e611.x.y ^ _e684)) & ((_e684 | 2155905152u) - (_e611.x.y & 2139062143u)))) & ((_e611.x.w & ~(_e685)) | (~((_e685 ^ _e611.x.w)) & ((_e611.x.w | 2155905152u) - (_e685 & 2139062143u)))))) & (((_e718 & ~(_e611.y.y)) | (~((_e611.y.y ^ _e718)) & ((_e718 | 2155905152u) - (_e611.y.y & 2139062143u)))) & ((_e611.y.w & ~(_e719)) | (~((_e719 ^ _e611.y.w)) & ((_e611.y.w | 2155905152u) - (_e719 & 2139062143u)))))) & ((_e611.z.y & ~(_e753)) | (~((_e753 ^ _e611.z.y)) & ((_e611.z.y | 2155905152u) - (_e753 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                            if ((_e611.z.w & 2147483648u) != 0u) {
+                                phi_1630_ = _e613;
+                                phi_1227_ = (_e611.z.w & 2147483647u);
+                                phi_1229_ = _e934;
+                                phi_1631_ = _e579;
+                            } else {
+                                if (_e934 == 0u) {
+                                    phi_1628_ = _e613;
+                                    phi_1629_ = _e579;
+                                } else {
+                                    if ((_e613 & 255u) == 0u) {
+                                        phi_1623_ = _e579;
+                                    } else {
+                                        if (_e579 < 32u) {
+                                            if (_e579 < 32u) {
                                             } else {
-                                                phi_1303_ = 255f;
+                                                return;
                                             }
-                                            let _e623 = phi_1303_;
-                                            phi_1304_ = _e623;
+                                            local_3[(0u + _e579)] = _e613;
+                                            phi_1622_ = (_e579 + 1u);
                                         } else {
-                                            phi_1304_ = 0f;
+                                            phi_1622_ = _e579;
                                         }
-                                        let _e625 = phi_1304_;
-                                        let _e632 = select(select(u32(_e625), 0u, (_e625 < bitcast<f32>(0u))), 4294967295u, (_e625 > bitcast<f32>(1333788671u)));
-                                        if (f32(_e632) < _e625) {
-                                            phi_1318_ = (_e632 + 1u);
+                                        let _e951 = phi_1622_;
+                                        phi_1623_ = _e951;
+                                    }
+                                    let _e953 = phi_1623_;
+                                    phi_1628_ = (((_e611.z.w & 2147483647u) << bitcast<u32>(8i)) | _e934);
+                                    phi_1629_ = _e953;
+                                }
+                                let _e961 = phi_1628_;
+                                let _e963 = phi_1629_;
+                                phi_1630_ = _e961;
+                                phi_1227_ = _e575;
+                                phi_1229_ = _e577;
+                                phi_1631_ = _e963;
+                            }
+                            let _e965 = phi_1630_;
+                            let _e967 = phi_1227_;
+                            let _e969 = phi_1229_;
+                            let _e971 = phi_1631_;
+                            local_5 = _e969;
+                            local_17 = _e969;
+                            local_6 = _e967;
+                            if ((_e965 & 255u) == 0u) {
+                                if (_e971 > 0u) {
+                                    let _e975 = (_e971 - 1u);
+                                    if (_e975 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e979 = local_3[(0u + _e975)];
+                                    phi_1649_ = _e979;
+                                    phi_1650_ = _e975;
+                                } else {
+                                    phi_1649_ = 0u;
+                                    phi_1650_ = _e971;
+                                }
+                                let _e981 = phi_1649_;
+                                let _e983 = phi_1650_;
+                                phi_1217_ = _e981;
+                                phi_1220_ = _e983;
+                            } else {
+                                phi_1217_ = _e965;
+                                phi_1220_ = _e971;
+                            }
+                            let _e985 = phi_1217_;
+                            let _e987 = phi_1220_;
+                            local_15 = _e985;
+                            local_16 = _e987;
+                            local_8 = _e985;
+                            if (_e969 == 0u) {
+                                let _e989 = (_e985 == 0u);
+                                if _e989 {
+                                    phi_1659_ = false;
+                                } else {
+                                    phi_1659_ = true;
+                                }
+                                let _e991 = phi_1659_;
+                                phi_1660_ = _e991;
+                                phi_1661_ = _e989;
+                            } else {
+                                phi_1660_ = false;
+                                phi_1661_ = false;
+                            }
+                            let _e993 = phi_1660_;
+                            let _e995 = phi_1661_;
+                            local_4 = _e995;
+                            continue;
+                            continuing {
+                                phi_1224_ = _e985;
+                                phi_1226_ = _e967;
+                                phi_1228_ = _e969;
+                                phi_1230_ = _e987;
+                                break if !(_e993);
+                            }
+                        }
+                        let _e998 = local_4;
+                        if _e998 {
+                        }
+                        let _e1000 = local_5;
+                        if (_e1000 == 0u) {
+                            phi_2523_ = true;
+                            phi_2524_ = false;
+                            phi_2525_ = false;
+                        } else {
+                            let _e3560 = local_17;
+                            phi_1670_ = _e3560;
+                            loop {
+                                let _e1003 = phi_1670_;
+                                let _e1006 = select(firstTrailingBit(_e1003), 32u, (_e1003 == 0u));
+                                let _e1010 = local_6;
+                                let _e1011 = (_e1010 + (_e1006 >> bitcast<u32>(2i)));
+                                if (_e1011 < _e105) {
+                                } else {
+                                    return;
+                                }
+                                let _e1016 = rows.member[(0u + _e1011)][0u];
+                                let _e1020 = rows.member[(0u + _e1011)][1u];
+                                let _e1024 = rows.member[(0u + _e1011)][2u];
+                                let _e1028 = rows.member[(0u + _e1011)][3u];
+                                if ((_e1006 & 2u) == 0u) {
+                                    phi_1705_ = _e1020;
+                                    phi_1706_ = _e1016;
+                                } else {
+                                    phi_1705_ = _e1028;
+                                    phi_1706_ = _e1024;
+                                }
+                                let _e1032 = phi_1705_;
+                                let _e1034 = phi_1706_;
+                                if ((_e1006 & 1u) == 0u) {
+                                    phi_1712_ = _e1034;
+                                } else {
+                                    phi_1712_ = _e1032;
+                                }
+                                let _e1038 = phi_1712_;
+                                let _e1040 = (_e1003 & (_e1003 - 1u));
+                                if (_e1038 < _e93) {
+                                } else {
+                                    return;
+                                }
+                                let _e1045 = triangles.member[(0u + _e1038)].v0_;
+                                let _e1047 = (_e1045.x - _e149);
+                                let _e1049 = (_e1045.y - _e151);
+                                let _e1051 = (_e1045.z - _e153);
+                                if (_e548 == 0u) {
+                                    phi_1741_ = vec3<f32>(_e1049, _e1051, _e1047);
+                                } else {
+                                    if (_e548 == 1u) {
+                                        phi_1740_ = vec3<f32>(_e1051, _e1047, _e1049);
+                                    } else {
+                                        phi_1740_ = (_e1045 - vec3<f32>(_e149, _e151, _e153));
+                                    }
+                                    let _e1059 = phi_1740_;
+                                    phi_1741_ = _e1059;
+                                }
+                                let _e1061 = phi_1741_;
+                                let _e1065 = (_e1061.x - (_e559 * _e1061.z));
+                                let _e1069 = (_e1061.y - (_e562 * _e1061.z));
+                                let _e1071 = triangles.member[(0u + _e1038)].v1_;
+                                let _e1073 = (_e1071.x - _e149);
+                                let _e1075 = (_e1071.y - _e151);
+                                let _e1077 = (_e1071.z - _e153);
+                                if (_e548 == 0u) {
+                                    phi_1771_ = vec3<f32>(_e1075, _e1077, _e1073);
+                                } else {
+                                    if (_e548 == 1u) {
+                                        phi_1770_ = vec3<f32>(_e1077, _e1073, _e1075);
+                                    } else {
+                                        phi_1770_ = (_e1071 - vec3<f32>(_e149, _e151, _e153));
+                                    }
+                                    let _e1085 = phi_1770_;
+                                    phi_1771_ = _e1085;
+                                }
+                                let _e1087 = phi_1771_;
+                                let _e1091 = (_e1087.x - (_e559 * _e1087.z));
+                                let _e1095 = (_e1087.y - (_e562 * _e1087.z));
+                                let _e1097 = triangles.member[(0u + _e1038)].v2_;
+                                let _e1099 = (_e1097.x - _e149);
+                                let _e1101 = (_e1097.y - _e151);
+                                let _e1103 = (_e1097.z - _e153);
+                                if (_e548 == 0u) {
+                                    phi_1801_ = vec3<f32>(_e1101, _e1103, _e1099);
+                                } else {
+                                    if (_e548 == 1u) {
+                                        phi_1800_ = vec3<f32>(_e1103, _e1099, _e1101);
+                                    } else {
+                                        phi_1800_ = (_e1097 - vec3<f32>(_e149, _e151, _e153));
+                                    }
+                                    let _e1111 = phi_1800_;
+                                    phi_1801_ = _e1111;
+                                }
+                                let _e1113 = phi_1801_;
+                                let _e1117 = (_e1113.x - (_e559 * _e1113.z));
+                                let _e1121 = (_e1113.y - (_e562 * _e1113.z));
+                                if (_e1091 < _e1117) {
+                                    phi_1820_ = true;
+                                } else {
+                                    if (_e1091 == _e1117) {
+                                        phi_1819_ = (_e1095 < _e1121);
+                                    } else {
+                                        phi_1819_ = false;
+                                    }
+                                    let _e1126 = phi_1819_;
+                                    phi_1820_ = _e1126;
+                                }
+                                let _e1128 = phi_1820_;
+                                if _e1128 {
+                                    phi_1824_ = _e1121;
+                                    phi_1825_ = _e1117;
+                                    phi_1826_ = _e1095;
+                                    phi_1827_ = _e1091;
+                                } else {
+                                    phi_1824_ = _e1095;
+                                    phi_1825_ = _e1091;
+                                    phi_1826_ = _e1121;
+                                    phi_1827_ = _e1117;
+                                }
+                                let _e1130 = phi_1824_;
+                                let _e1132 = phi_1825_;
+                                let _e1134 = phi_1826_;
+                                let _e1136 = phi_1827_;
+                                let _e1139 = ((_e1136 * _e1130) - (_e1134 * _e1132));
+                                if _e1128 {
+                                    phi_1835_ = -(_e1139);
+                                } else {
+                                    phi_1835_ = _e1139;
+                                }
+                                let _e1142 = phi_1835_;
+                                if (_e1117 < _e1065) {
+                                    phi_1846_ = true;
+                                } else {
+                                    if (_e1117 == _e1065) {
+                                        phi_1845_ = (_e1121 < _e1069);
+                                    } else {
+                                        phi_1845_ = false;
+                                    }
+                                    let _e1147 = phi_1845_;
+                                    phi_1846_ = _e1147;
+                                }
+                                let _e1149 = phi_1846_;
+                                if _e1149 {
+                                    phi_1850_ = _e1069;
+                                    phi_1851_ = _e1065;
+                                    phi_1852_ = _e1121;
+                                    phi_1853_ = _e1117;
+                                } else {
+                                    phi_1850_ = _e1121;
+                                    phi_1851_ = _e1117;
+                                    phi_1852_ = _e1069;
+                                    phi_1853_ = _e1065;
+                                }
+                                let _e1151 = phi_1850_;
+                                let _e1153 = phi_1851_;
+                                let _e1155 = phi_1852_;
+                                let _e1157 = phi_1853_;
+                                let _e1160 = ((_e1157 * _e1151) - (_e1155 * _e1153));
+                                if _e1149 {
+                                    phi_1861_ = -(_e1160);
+                                } else {
+                                    phi_1861_ = _e1160;
+                                }
+                                let _e1163 = phi_1861_;
+                                if (_e1065 < _e1091) {
+                                    phi_1872_ = true;
+                                } else {
+                                    if (_e1065 == _e1091) {
+                                        phi_1871_ = (_e1069 < _e1095);
+                                    } else {
+                                        phi_1871_ = false;
+                                    }
+                                    let _e1168 = phi_1871_;
+                                    phi_1872_ = _e1168;
+                                }
+                                let _e1170 = phi_1872_;
+                                if _e1170 {
+                                    phi_1876_ = _e1095;
+                                    phi_1877_ = _e1091;
+                                    phi_1878_ = _e1069;
+                                    phi_1879_ = _e1065;
+                                } else {
+                                    phi_1876_ = _e1069;
+                                    phi_1877_ = _e1065;
+                                    phi_1878_ = _e1095;
+                                    phi_1879_ = _e1091;
+                                }
+                                let _e1172 = phi_1876_;
+                                let _e1174 = phi_1877_;
+                                let _e1176 = phi_1878_;
+                                let _e1178 = phi_1879_;
+                                let _e1181 = ((_e1178 * _e1172) - (_e1176 * _e1174));
+                                if _e1170 {
+                                    phi_1887_ = -(_e1181);
+                                } else {
+                                    phi_1887_ = _e1181;
+                                }
+                                let _e1184 = phi_1887_;
+                                if (_e1142 >= 0f) {
+                                    if (_e1163 >= 0f) {
+                                        if (_e1184 >= 0f) {
+                                            phi_1902_ = ((_e1142 + _e1163) + _e1184);
+                                            phi_1903_ = false;
                                         } else {
-                                            phi_1318_ = _e632;
+                                            phi_1902_ = f32();
+                                            phi_1903_ = true;
                                         }
-                                        let _e637 = phi_1318_;
-                                        let _e638 = (_e632 * 16843009u);
-                                        let _e639 = (_e637 * 16843009u);
-                                        let _e649 = (_e390.unnamed.negative_exponent - bitcast<f32>(_e600.frame.y));
-                                        let _e652 = bitcast<f32>((((_e600.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                        if (_e649 > 0f) {
-                                            if (_e649 < (255f * _e652)) {
-                                                phi_1341_ = (_e649 / _e652);
-                                            } else {
-                                                phi_1341_ = 255f;
+                                        let _e1191 = phi_1902_;
+                                        let _e1193 = phi_1903_;
+                                        phi_1904_ = _e1191;
+                                        phi_1905_ = _e1193;
+                                    } else {
+                                        phi_1904_ = f32();
+                                        phi_1905_ = true;
+                                    }
+                                    let _e1195 = phi_1904_;
+                                    let _e1197 = phi_1905_;
+                                    phi_1906_ = _e1195;
+                                    phi_1907_ = _e1197;
+                                } else {
+                                    phi_1906_ = f32();
+                                    phi_1907_ = true;
+                                }
+                                let _e1199 = phi_1906_;
+                                let _e1201 = phi_1907_;
+                                if _e1201 {
+                                    if (_e1142 <= 0f) {
+                                        if (_e1163 <= 0f) {
+                                            let _e1204 = (_e1184 <= 0f);
+                                            if _e1204 {
                                             }
-                                            let _e658 = phi_1341_;
-                                            phi_1342_ = _e658;
+                                            phi_1925_ = ((_e1142 + _e1163) + _e1184);
+                                            phi_1926_ = false;
+                                            phi_1927_ = _e1204;
                                         } else {
-                                            phi_1342_ = 0f;
+                                            phi_1925_ = f32();
+                                            phi_1926_ = true;
+                                            phi_1927_ = false;
                                         }
-                                        let _e660 = phi_1342_;
-                                        let _e667 = select(select(u32(_e660), 0u, (_e660 < bitcast<f32>(0u))), 4294967295u, (_e660 > bitcast<f32>(1333788671u)));
-                                        if (f32(_e667) < _e660) {
-                                            phi_1356_ = (_e667 + 1u);
+                                        let _e1208 = phi_1925_;
+                                        let _e1210 = phi_1926_;
+                                        let _e1212 = phi_1927_;
+                                        phi_1928_ = _e1208;
+                                        phi_1929_ = _e1210;
+                                        phi_1930_ = _e1212;
+                                    } else {
+                                        phi_1928_ = f32();
+                                        phi_1929_ = true;
+                                        phi_1930_ = false;
+                                    }
+                                    let _e1214 = phi_1928_;
+                                    let _e1216 = phi_1929_;
+                                    let _e1218 = phi_1930_;
+                                    if _e1216 {
+                                        phi_1934_ = false;
+                                    } else {
+                                        phi_1934_ = _e1218;
+                                    }
+                                    let _e1220 = phi_1934_;
+                                    phi_1935_ = _e1214;
+                                    phi_1936_ = _e1220;
+                                } else {
+                                    phi_1935_ = _e1199;
+                                    phi_1936_ = true;
+                                }
+                                let _e1222 = phi_1935_;
+                                let _e1224 = phi_1936_;
+                                if _e1224 {
+                                    let _e1225 = (_e1222 == 0f);
+                                    if _e1225 {
+                                        phi_2252_ = lt_bvh_triangle_Intersection();
+                                        phi_2253_ = false;
+                                    } else {
+                                        let _e1227 = triangles.member[(0u + _e1038)].v0_;
+                                        let _e1229 = (_e1227.x - _e149);
+                                        let _e1231 = (_e1227.y - _e151);
+                                        let _e1233 = (_e1227.z - _e153);
+                                        if (_e548 == 0u) {
+                                            phi_1965_ = vec3<f32>(_e1231, _e1233, _e1229);
                                         } else {
-                                            phi_1356_ = _e667;
-                                        }
-                                        let _e672 = phi_1356_;
-                                        let _e673 = (_e667 * 16843009u);
-                                        let _e674 = (_e672 * 16843009u);
-                                        let _e684 = (_e390.unnamed.min_variance - bitcast<f32>(_e600.frame.z));
-                                        let _e687 = bitcast<f32>((((_e600.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                        if (_e684 > 0f) {
-                                            if (_e684 < (255f * _e687)) {
-                                                phi_1379_ = (_e684 / _e687);
+                                            if (_e548 == 1u) {
+                                                phi_1964_ = vec3<f32>(_e1233, _e1229, _e1231);
                                             } else {
-                                                phi_1379_ = 255f;
+                                                phi_1964_ = (_e1227 - vec3<f32>(_e149, _e151, _e153));
                                             }
-                                            let _e693 = phi_1379_;
-                                            phi_1380_ = _e693;
-                                        } else {
-                                            phi_1380_ = 0f;
+                                            let _e1241 = phi_1964_;
+                                            phi_1965_ = _e1241;
                                         }
-                                        let _e695 = phi_1380_;
-                                        let _e702 = select(select(u32(_e695), 0u, (_e695 < bitcast<f32>(0u))), 4294967295u, (_e695 > bitcast<f32>(1333788671u)));
-                                        if (f32(_e702) < _e695) {
-                                            phi_1394_ = (_e702 + 1u);
+                                        let _e1243 = phi_1965_;
+                                        let _e1245 = triangles.member[(0u + _e1038)].v1_;
+                                        let _e1247 = triangles.member[(0u + _e1038)].v0_;
+                                        let _e1250 = (_e1245.x - _e1247.x);
+                                        let _e1253 = (_e1245.y - _e1247.y);
+                                        let _e1256 = (_e1245.z - _e1247.z);
+                                        if (_e548 == 0u) {
+                                            phi_1991_ = vec3<f32>(_e1253, _e1256, _e1250);
                                         } else {
-                                            phi_1394_ = _e702;
-                                        }
-                                        let _e707 = phi_1394_;
-                                        let _e708 = (_e707 * 16843009u);
-                                        let _e841 = (((((((((((_e638 & ~(_e600.x.x)) | (~((_e600.x.x ^ _e638)) & ((_e638 | 2155905152u) - (_e600.x.x & 2139062143u)))) & ((_e600.x.z & ~(_e639)) | (~((_e639 ^ _e600.x.z)) & ((_e600.x.z | 2155905152u) - (_e639 & 2139062143u))))) & ((_e673 & ~(_e600.y.x)) | (~((_e600.y.x ^ _e673)) & ((_e673 | 2155905152u) - (_e600.y.x & 2139062143u))))) & ((_e600.y.z & ~(_e674)) | (~((_e674 ^ _e600.y.z)) & ((_e600.y.z | 2155905152u) - (_e674 & 2139062143u))))) & ((_e600.rest.x & ~(_e708)) | (~((_e708 ^ _e600.rest.x)) & ((_e600.rest.x | 2155905152u) - (_e708 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e638 & ~(_e600.x.y)) | (~((_e600.x.y ^ _e638)) & ((_e638 | 2155905152u) - (_e600.x.y & 2139062143u)))) & ((_e600.x.w & ~(_e639)) | (~((_e639 ^ _e600.x.w)) & ((_e600.x.w | 2155905152u) - (_e639 & 2139062143u))))) & ((_e673 & ~(_e600.y.y)) | (~((_e600.y.y ^ _e673)) & ((_e673 | 2155905152u) - (_e600.y.y & 2139062143u))))) & ((_e600.y.w & ~(_e674)) | (~((_e674 ^ _e600.y.w)) & ((_e600.y.w | 2155905152u) - (_e674 & 2139062143u))))) & ((_e600.rest.y & ~(_e708)) | (~((_e708 ^ _e600.rest.y)) & ((_e600.rest.y | 2155905152u) - (_e708 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                                        if ((_e600.frame.w & 16777216u) != 0u) {
-                                            phi_1548_ = _e602;
-                                            phi_1549_ = _e600.rest.z;
-                                            phi_1550_ = _e841;
-                                            phi_1551_ = _e571;
-                                        } else {
-                                            if (_e841 == 0u) {
-                                                phi_1546_ = _e602;
-                                                phi_1547_ = _e571;
+                                            if (_e548 == 1u) {
+                                                phi_1990_ = vec3<f32>(_e1256, _e1250, _e1253);
                                             } else {
-                                                if ((_e602 & 255u) == 0u) {
-                                                    phi_1542_ = _e571;
+                                                phi_1990_ = (_e1245 - _e1247);
+                                            }
+                                            let _e1263 = phi_1990_;
+                                            phi_1991_ = _e1263;
+                                        }
+                                        let _e1265 = phi_1991_;
+                                        let _e1267 = triangles.member[(0u + _e1038)].v2_;
+                                        let _e1269 = triangles.member[(0u + _e1038)].v0_;
+                                        let _e1272 = (_e1267.x - _e1269.x);
+                                        let _e1275 = (_e1267.y - _e1269.y);
+                                        let _e1278 = (_e1267.z - _e1269.z);
+                                        if (_e548 == 0u) {
+                                            phi_2017_ = vec3<f32>(_e1275, _e1278, _e1272);
+                                        } else {
+                                            if (_e548 == 1u) {
+                                                phi_2016_ = vec3<f32>(_e1278, _e1272, _e1275);
+                                            } else {
+                                                phi_2016_ = (_e1267 - _e1269);
+                                            }
+                                            let _e1285 = phi_2016_;
+                                            phi_2017_ = _e1285;
+                                        }
+                                        let _e1287 = phi_2017_;
+                                        let _e1294 = ((_e1265.y * _e1287.z) - (_e1265.z * _e1287.y));
+                                        let _e1301 = ((_e1265.z * _e1287.x) - (_e1265.x * _e1287.z));
+                                        let _e1308 = ((_e1265.x * _e1287.y) - (_e1265.y * _e1287.x));
+                                        let _e1322 = (((1f / _e556.z) * (((_e1294 * _e1243.x) + (_e1301 * _e1243.y)) + (_e1308 * _e1243.z))) / (((_e1294 * _e559) + (_e1301 * _e562)) + _e1308));
+                                        if (_e1322 > 0f) {
+                                            if (_e1322 < _e161) {
+                                                let _e1326 = triangles.member[(0u + _e1038)].v0_;
+                                                let _e1328 = triangles.member[(0u + _e1038)].v1_;
+                                                if (_e1326.x < _e1328.x) {
+                                                    phi_2073_ = _e1326.x;
                                                 } else {
-                                                    if (_e571 < 32u) {
-                                                        if (_e571 < 32u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        local_3[(0u + _e571)] = _e602;
-                                                        phi_1541_ = (_e571 + 1u);
-                                                    } else {
-                                                        phi_1541_ = _e571;
-                                                    }
-                                                    let _e857 = phi_1541_;
-                                                    phi_1542_ = _e857;
+                                                    phi_2073_ = _e1328.x;
                                                 }
-                                                let _e859 = phi_1542_;
-                                                phi_1546_ = ((_e600.rest.z << bitcast<u32>(8i)) | _e841);
-                                                phi_1547_ = _e859;
+                                                let _e1335 = phi_2073_;
+                                                if (_e1326.y < _e1328.y) {
+                                                    phi_2082_ = _e1326.y;
+                                                } else {
+                                                    phi_2082_ = _e1328.y;
+                                                }
+                                                let _e1342 = phi_2082_;
+                                                if (_e1326.z < _e1328.z) {
+                                                    phi_2091_ = _e1326.z;
+                                                } else {
+                                                    phi_2091_ = _e1328.z;
+                                                }
+                                                let _e1349 = phi_2091_;
+                                                let _e1351 = triangles.member[(0u + _e1038)].v2_;
+                                                if (_e1335 < _e1351.x) {
+                                                    phi_2100_ = _e1335;
+                                                } else {
+                                                    phi_2100_ = _e1351.x;
+                                                }
+                                                let _e1356 = phi_2100_;
+                                                if (_e1342 < _e1351.y) {
+                                                    phi_2107_ = _e1342;
+                                                } else {
+                                                    phi_2107_ = _e1351.y;
+                                                }
+                                                let _e1361 = phi_2107_;
+                                                if (_e1349 < _e1351.z) {
+                                                    phi_2114_ = _e1349;
+                                                } else {
+                                                    phi_2114_ = _e1351.z;
+                                                }
+                                                let _e1366 = phi_2114_;
+                                                let _e1368 = triangles.member[(0u + _e1038)].v0_;
+                                                let _e1370 = triangles.member[(0u + _e1038)].v1_;
+                                                if (_e1368.x > _e1370.x) {
+                                                    phi_2127_ = _e1368.x;
+                                                } else {
+                                                    phi_2127_ = _e1370.x;
+                                                }
+                                                let _e1377 = phi_2127_;
+                                                if (_e1368.y > _e1370.y) {
+                                                    phi_2136_ = _e1368.y;
+                                                } else {
+                                                    phi_2136_ = _e1370.y;
+                                                }
+                                                let _e1384 = phi_2136_;
+                                                if (_e1368.z > _e1370.z) {
+                                                    phi_2145_ = _e1368.z;
+                                                } else {
+                                                    phi_2145_ = _e1370.z;
+                                                }
+                                                let _e1391 = phi_2145_;
+                                                let _e1393 = triangles.member[(0u + _e1038)].v2_;
+                                                if (_e1377 > _e1393.x) {
+                                                    phi_2154_ = _e1377;
+                                                } else {
+                                                    phi_2154_ = _e1393.x;
+                                                }
+                                                let _e1398 = phi_2154_;
+                                                if (_e1384 > _e1393.y) {
+                                                    phi_2161_ = _e1384;
+                                                } else {
+                                                    phi_2161_ = _e1393.y;
+                                                }
+                                                let _e1403 = phi_2161_;
+                                                if (_e1391 > _e1393.z) {
+                                                    phi_2168_ = _e1391;
+                                                } else {
+                                                    phi_2168_ = _e1393.z;
+                                                }
+                                                let _e1408 = phi_2168_;
+                                                let _e1412 = ((_e1356 - _e149) * _e477);
+                                                let _e1413 = ((_e1361 - _e151) * _e487);
+                                                let _e1414 = ((_e1366 - _e153) * _e497);
+                                                let _e1418 = ((_e1398 - _e149) * _e477);
+                                                let _e1419 = ((_e1403 - _e151) * _e487);
+                                                let _e1420 = ((_e1408 - _e153) * _e497);
+                                                if (_e1412 < _e1418) {
+                                                    phi_2185_ = _e1412;
+                                                } else {
+                                                    phi_2185_ = _e1418;
+                                                }
+                                                let _e1423 = phi_2185_;
+                                                if (_e1413 < _e1419) {
+                                                    phi_2190_ = _e1413;
+                                                } else {
+                                                    phi_2190_ = _e1419;
+                                                }
+                                                let _e1426 = phi_2190_;
+                                                if (_e1414 < _e1420) {
+                                                    phi_2195_ = _e1414;
+                                                } else {
+                                                    phi_2195_ = _e1420;
+                                                }
+                                                let _e1429 = phi_2195_;
+                                                if (_e1412 > _e1418) {
+                                                    phi_2203_ = _e1412;
+                                                } else {
+                                                    phi_2203_ = _e1418;
+                                                }
+                                                let _e1435 = phi_2203_;
+                                                if (_e1413 > _e1419) {
+                                                    phi_2208_ = _e1413;
+                                                } else {
+                                                    phi_2208_ = _e1419;
+                                                }
+                                                let _e1438 = phi_2208_;
+                                                if (_e1414 > _e1420) {
+                                                    phi_2213_ = _e1414;
+                                                } else {
+                                                    phi_2213_ = _e1420;
+                                                }
+                                                let _e1441 = phi_2213_;
+                                                let _e1445 = core_intrinsics_maximum_number_nsz_f32_((_e1423 - _e532), (_e1426 - _e533));
+                                                let _e1446 = core_intrinsics_maximum_number_nsz_f32_(_e1445, (_e1429 - _e534));
+                                                let _e1447 = core_intrinsics_minimum_number_nsz_f32_((_e1435 + _e532), (_e1438 + _e533));
+                                                let _e1448 = core_intrinsics_minimum_number_nsz_f32_(_e1447, (_e1441 + _e534));
+                                                if (_e1446 > -300000000000000000000000000000000000000f) {
+                                                    phi_2225_ = _e1446;
+                                                } else {
+                                                    phi_2225_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1451 = phi_2225_;
+                                                if (_e1448 < 300000000000000000000000000000000000000f) {
+                                                    phi_2230_ = _e1448;
+                                                } else {
+                                                    phi_2230_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1454 = phi_2230_;
+                                                if (_e1322 < _e1451) {
+                                                    phi_2235_ = _e1451;
+                                                } else {
+                                                    phi_2235_ = _e1322;
+                                                }
+                                                let _e1457 = phi_2235_;
+                                                if (_e1457 > _e1454) {
+                                                    phi_2240_ = _e1454;
+                                                } else {
+                                                    phi_2240_ = _e1457;
+                                                }
+                                                let _e1460 = phi_2240_;
+                                                phi_2245_ = lt_bvh_triangle_Intersection(_e1460, (_e1163 / _e1222), (_e1184 / _e1222), (_e1451 <= _e1454));
+                                                phi_2246_ = false;
+                                            } else {
+                                                phi_2245_ = lt_bvh_triangle_Intersection();
+                                                phi_2246_ = true;
                                             }
-                                            let _e866 = phi_1546_;
-                                            let _e868 = phi_1547_;
-                                            phi_1548_ = _e866;
-                                            phi_1549_ = _e567;
-                                            phi_1550_ = _e569;
-                                            phi_1551_ = _e868;
+                                            let _e1466 = phi_2245_;
+                                            let _e1468 = phi_2246_;
+                                            phi_2247_ = _e1466;
+                                            phi_2248_ = _e1468;
+                                        } else {
+                                            phi_2247_ = lt_bvh_triangle_Intersection();
+                                            phi_2248_ = true;
                                         }
-                                        let _e870 = phi_1548_;
-                                        let _e872 = phi_1549_;
-                                        let _e874 = phi_1550_;
-                                        let _e876 = phi_1551_;
-                                        if ((_e870 & 255u) == 0u) {
-                                            if (_e876 > 0u) {
-                                                let _e880 = (_e876 - 1u);
-                                                if (_e880 < 32u) {
+                                        let _e1470 = phi_2247_;
+                                        let _e1472 = phi_2248_;
+                                        if _e1472 {
+                                        }
+                                        phi_2252_ = _e1470;
+                                        phi_2253_ = _e1472;
+                                    }
+                                    let _e1474 = phi_2252_;
+                                    let _e1476 = phi_2253_;
+                                    phi_2254_ = _e1474;
+                                    phi_2255_ = _e1225;
+                                    phi_2256_ = _e1476;
+                                } else {
+                                    phi_2254_ = lt_bvh_triangle_Intersection();
+                                    phi_2255_ = true;
+                                    phi_2256_ = false;
+                                }
+                                let _e1478 = phi_2254_;
+                                let _e1480 = phi_2255_;
+                                let _e1482 = phi_2256_;
+                                if _e1480 {
+                                    phi_2260_ = true;
+                                } else {
+                                    phi_2260_ = _e1482;
+                                }
+                                let _e1484 = phi_2260_;
+                                if _e1484 {
+                                    phi_2264_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2264_ = _e1478;
+                                }
+                                let _e1486 = phi_2264_;
+                                if _e1486.is_hit {
+                                    if (_e1486.t > 0f) {
+                                        if (_e1486.t < _e161) {
+                                            let _e1493 = triangles.member[(0u + _e1038)].i0_;
+                                            let _e1495 = ((_e1493 & 2147483648u) == 0u);
+                                            if _e1495 {
+                                                phi_2487_ = false;
+                                                phi_2488_ = false;
+                                            } else {
+                                                if (_e1038 < _e93) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e884 = local_3[(0u + _e880)];
-                                                phi_1569_ = _e884;
-                                                phi_1570_ = _e880;
-                                            } else {
-                                                phi_1569_ = 0u;
-                                                phi_1570_ = _e876;
-                                            }
-                                            let _e886 = phi_1569_;
-                                            let _e888 = phi_1570_;
-                                            phi_1571_ = _e886;
-                                            phi_1572_ = _e888;
-                                        } else {
-                                            phi_1571_ = _e870;
-                                            phi_1572_ = _e876;
-                                        }
-                                        let _e890 = phi_1571_;
-                                        let _e892 = phi_1572_;
-                                        phi_1573_ = _e890;
-                                        phi_1574_ = _e872;
-                                        phi_1575_ = _e874;
-                                        phi_1576_ = _e892;
-                                    } else {
-                                        phi_1573_ = u32();
-                                        phi_1574_ = u32();
-                                        phi_1575_ = u32();
-                                        phi_1576_ = u32();
-                                    }
-                                    let _e894 = phi_1573_;
-                                    let _e896 = phi_1574_;
-                                    let _e898 = phi_1575_;
-                                    let _e900 = phi_1576_;
-                                    phi_1224_ = _e894;
-                                    phi_1227_ = _e896;
-                                    phi_1229_ = _e898;
-                                    phi_1231_ = _e900;
-                                    phi_1577_ = _e573;
-                                }
-                                let _e902 = phi_1224_;
-                                let _e904 = phi_1227_;
-                                let _e906 = phi_1229_;
-                                let _e908 = phi_1231_;
-                                let _e910 = phi_1577_;
-                                continue;
-                                continuing {
-                                    phi_1223_ = _e902;
-                                    phi_1226_ = _e904;
-                                    phi_1228_ = _e906;
-                                    phi_1230_ = _e908;
-                                    break if !(_e910);
-                                }
-                            }
-                            let _e913 = local_4;
-                            if _e913 {
-                            }
-                            let _e3471 = local_13;
-                            phi_1582_ = _e3471;
-                            loop {
-                                let _e915 = phi_1582_;
-                                let _e916 = (_e915 == 0u);
-                                local_6 = _e916;
-                                local_18 = _e916;
-                                if _e916 {
-                                    phi_1583_ = u32();
-                                    phi_2428_ = false;
-                                    phi_2429_ = false;
-                                    phi_2430_ = false;
-                                } else {
-                                    let _e919 = select(firstTrailingBit(_e915), 32u, (_e915 == 0u));
-                                    let _e923 = local_5;
-                                    let _e924 = (_e923 + (_e919 >> bitcast<u32>(2i)));
-                                    if (_e924 < _e106) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e929 = rows.member[(0u + _e924)][0u];
-                                    let _e933 = rows.member[(0u + _e924)][1u];
-                                    let _e937 = rows.member[(0u + _e924)][2u];
-                                    let _e941 = rows.member[(0u + _e924)][3u];
-                                    if ((_e919 & 2u) == 0u) {
-                                        phi_1621_ = _e933;
-                                        phi_1622_ = _e929;
-                                    } else {
-                                        phi_1621_ = _e941;
-                                        phi_1622_ = _e937;
-                                    }
-                                    let _e945 = phi_1621_;
-                                    let _e947 = phi_1622_;
-                                    if ((_e919 & 1u) == 0u) {
-                                        phi_1628_ = _e947;
-                                    } else {
-                                        phi_1628_ = _e945;
-                                    }
-                                    let _e951 = phi_1628_;
-                                    if (_e951 < _e94) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e958 = triangles.member[(0u + _e951)].v0_;
-                                    let _e960 = (_e958.x - _e150);
-                                    let _e962 = (_e958.y - _e152);
-                                    let _e964 = (_e958.z - _e154);
-                                    if (_e539 == 0u) {
-                                        phi_1658_ = vec3<f32>(_e962, _e964, _e960);
-                                    } else {
-                                        if (_e539 == 1u) {
-                                            phi_1657_ = vec3<f32>(_e964, _e960, _e962);
-                                        } else {
-                                            phi_1657_ = (_e958 - vec3<f32>(_e150, _e152, _e154));
-                                        }
-                                        let _e972 = phi_1657_;
-                                        phi_1658_ = _e972;
-                                    }
-                                    let _e974 = phi_1658_;
-                                    let _e978 = (_e974.x - (_e550 * _e974.z));
-                                    let _e982 = (_e974.y - (_e553 * _e974.z));
-                                    let _e984 = triangles.member[(0u + _e951)].v1_;
-                                    let _e986 = (_e984.x - _e150);
-                                    let _e988 = (_e984.y - _e152);
-                                    let _e990 = (_e984.z - _e154);
-                                    if (_e539 == 0u) {
-                                        phi_1688_ = vec3<f32>(_e988, _e990, _e986);
-                                    } else {
-                                        if (_e539 == 1u) {
-                                            phi_1687_ = vec3<f32>(_e990, _e986, _e988);
-                                        } else {
-                                            phi_1687_ = (_e984 - vec3<f32>(_e150, _e152, _e154));
-                                        }
-                                        let _e998 = phi_1687_;
-                                        phi_1688_ = _e998;
-                                    }
-                                    let _e1000 = phi_1688_;
-                                    let _e1004 = (_e1000.x - (_e550 * _e1000.z));
-                                    let _e1008 = (_e1000.y - (_e553 * _e1000.z));
-                                    let _e1010 = triangles.member[(0u + _e951)].v2_;
-                                    let _e1012 = (_e1010.x - _e150);
-                                    let _e1014 = (_e1010.y - _e152);
-                                    let _e1016 = (_e1010.z - _e154);
-                                    if (_e539 == 0u) {
-                                        phi_1718_ = vec3<f32>(_e1014, _e1016, _e1012);
-                                    } else {
-                                        if (_e539 == 1u) {
-                                            phi_1717_ = vec3<f32>(_e1016, _e1012, _e1014);
-                                        } else {
-                                            phi_1717_ = (_e1010 - vec3<f32>(_e150, _e152, _e154));
-                                        }
-                                        let _e1024 = phi_1717_;
-                                        phi_1718_ = _e1024;
-                                    }
-                                    let _e1026 = phi_1718_;
-                                    let _e1030 = (_e1026.x - (_e550 * _e1026.z));
-                                    let _e1034 = (_e1026.y - (_e553 * _e1026.z));
-                                    if (_e1004 < _e1030) {
-                                        phi_1737_ = true;
-                                    } else {
-                                        if (_e1004 == _e1030) {
-                                            phi_1736_ = (_e1008 < _e1034);
-                                        } else {
-                                            phi_1736_ = false;
-                                        }
-                                        let _e1039 = phi_1736_;
-                                        phi_1737_ = _e1039;
-                                    }
-                                    let _e1041 = phi_1737_;
-                                    if _e1041 {
-                                        phi_1741_ = _e1034;
-                                        phi_1742_ = _e1030;
-                                        phi_1743_ = _e1008;
-                                        phi_1744_ = _e1004;
-                                    } else {
-                                        phi_1741_ = _e1008;
-                                        phi_1742_ = _e1004;
-                                        phi_1743_ = _e1034;
-                                        phi_1744_ = _e1030;
-                                    }
-                                    let _e1043 = phi_1741_;
-                                    let _e1045 = phi_1742_;
-                                    let _e1047 = phi_1743_;
-                                    let _e1049 = phi_1744_;
-                                    let _e1052 = ((_e1049 * _e1043) - (_e1047 * _e1045));
-                                    if _e1041 {
-                                        phi_1752_ = -(_e1052);
-                                    } else {
-                                        phi_1752_ = _e1052;
-                                    }
-                                    let _e1055 = phi_1752_;
-                                    if (_e1030 < _e978) {
-                                        phi_1763_ = true;
-                                    } else {
-                                        if (_e1030 == _e978) {
-                                            phi_1762_ = (_e1034 < _e982);
-                                        } else {
-                                            phi_1762_ = false;
-                                        }
-                                        let _e1060 = phi_1762_;
-                                        phi_1763_ = _e1060;
-                                    }
-                                    let _e1062 = phi_1763_;
-                                    if _e1062 {
-                                        phi_1767_ = _e982;
-                                        phi_1768_ = _e978;
-                                        phi_1769_ = _e1034;
-                                        phi_1770_ = _e1030;
-                                    } else {
-                                        phi_1767_ = _e1034;
-                                        phi_1768_ = _e1030;
-                                        phi_1769_ = _e982;
-                                        phi_1770_ = _e978;
-                                    }
-                                    let _e1064 = phi_1767_;
-                                    let _e1066 = phi_1768_;
-                                    let _e1068 = phi_1769_;
-                                    let _e1070 = phi_1770_;
-                                    let _e1073 = ((_e1070 * _e1064) - (_e1068 * _e1066));
-                                    if _e1062 {
-                                        phi_1778_ = -(_e1073);
-                                    } else {
-                                        phi_1778_ = _e1073;
-                                    }
-                                    let _e1076 = phi_1778_;
-                                    if (_e978 < _e1004) {
-                                        phi_1789_ = true;
-                                    } else {
-                                        if (_e978 == _e1004) {
-                                            phi_1788_ = (_e982 < _e1008);
-                                        } else {
-                                            phi_1788_ = false;
-                                        }
-                                        let _e1081 = phi_1788_;
-                                        phi_1789_ = _e1081;
-                                    }
-                                    let _e1083 = phi_1789_;
-                                    if _e1083 {
-                                        phi_1793_ = _e1008;
-                                        phi_1794_ = _e1004;
-                                        phi_1795_ = _e982;
-                                        phi_1796_ = _e978;
-                                    } else {
-                                        phi_1793_ = _e982;
-                                        phi_1794_ = _e978;
-                                        phi_1795_ = _e1008;
-                                        phi_1796_ = _e1004;
-                                    }
-                                    let _e1085 = phi_1793_;
-                                    let _e1087 = phi_1794_;
-                                    let _e1089 = phi_1795_;
-                                    let _e1091 = phi_1796_;
-                                    let _e1094 = ((_e1091 * _e1085) - (_e1089 * _e1087));
-                                    if _e1083 {
-                                        phi_1804_ = -(_e1094);
-                                    } else {
-                                        phi_1804_ = _e1094;
-                                    }
-                                    let _e1097 = phi_1804_;
-                                    if (_e1055 >= 0f) {
-                                        if (_e1076 >= 0f) {
-                                            if (_e1097 >= 0f) {
-                                                phi_1819_ = ((_e1055 + _e1076) + _e1097);
-                                                phi_1820_ = false;
-                                            } else {
-                                                phi_1819_ = f32();
-                                                phi_1820_ = true;
-                                            }
-                                            let _e1104 = phi_1819_;
-                                            let _e1106 = phi_1820_;
-                                            phi_1821_ = _e1104;
-                                            phi_1822_ = _e1106;
-                                        } else {
-                                            phi_1821_ = f32();
-                                            phi_1822_ = true;
-                                        }
-                                        let _e1108 = phi_1821_;
-                                        let _e1110 = phi_1822_;
-                                        phi_1823_ = _e1108;
-                                        phi_1824_ = _e1110;
-                                    } else {
-                                        phi_1823_ = f32();
-                                        phi_1824_ = true;
-                                    }
-                                    let _e1112 = phi_1823_;
-                                    let _e1114 = phi_1824_;
-                                    if _e1114 {
-                                        if (_e1055 <= 0f) {
-                                            if (_e1076 <= 0f) {
-                                                let _e1117 = (_e1097 <= 0f);
-                                                if _e1117 {
-                                                }
-                                                phi_1842_ = ((_e1055 + _e1076) + _e1097);
-                                                phi_1843_ = false;
-                                                phi_1844_ = _e1117;
-                                            } else {
-                                                phi_1842_ = f32();
-                                                phi_1843_ = true;
-                                                phi_1844_ = false;
-                                            }
-                                            let _e1121 = phi_1842_;
-                                            let _e1123 = phi_1843_;
-                                            let _e1125 = phi_1844_;
-                                            phi_1845_ = _e1121;
-                                            phi_1846_ = _e1123;
-                                            phi_1847_ = _e1125;
-                                        } else {
-                                            phi_1845_ = f32();
-                                            phi_1846_ = true;
-                                            phi_1847_ = false;
-                                        }
-                                        let _e1127 = phi_1845_;
-                                        let _e1129 = phi_1846_;
-                                        let _e1131 = phi_1847_;
-                                        if _e1129 {
-                                            phi_1851_ = false;
-                                        } else {
-                                            phi_1851_ = _e1131;
-                                        }
-                                        let _e1133 = phi_1851_;
-                                        phi_1852_ = _e1127;
-                                        phi_1853_ = _e1133;
-                                    } else {
-                                        phi_1852_ = _e1112;
-                                        phi_1853_ = true;
-                                    }
-                                    let _e1135 = phi_1852_;
-                                    let _e1137 = phi_1853_;
-                                    if _e1137 {
-                                        let _e1138 = (_e1135 == 0f);
-                                        if _e1138 {
-                                            phi_2169_ = lt_bvh_triangle_Intersection();
-                                            phi_2170_ = false;
-                                        } else {
-                                            let _e1140 = triangles.member[(0u + _e951)].v0_;
-                                            let _e1142 = (_e1140.x - _e150);
-                                            let _e1144 = (_e1140.y - _e152);
-                                            let _e1146 = (_e1140.z - _e154);
-                                            if (_e539 == 0u) {
-                                                phi_1882_ = vec3<f32>(_e1144, _e1146, _e1142);
-                                            } else {
-                                                if (_e539 == 1u) {
-                                                    phi_1881_ = vec3<f32>(_e1146, _e1142, _e1144);
+                                                let _e1502 = triangles.member[(0u + _e1038)].i0_;
+                                                let _e1503 = (_e1502 & 2147483647u);
+                                                let _e1505 = triangles.member[(0u + _e1038)].i1_;
+                                                let _e1507 = triangles.member[(0u + _e1038)].i2_;
+                                                if (_e1503 < _e109) {
                                                 } else {
-                                                    phi_1881_ = (_e1140 - vec3<f32>(_e150, _e152, _e154));
+                                                    return;
                                                 }
-                                                let _e1154 = phi_1881_;
-                                                phi_1882_ = _e1154;
-                                            }
-                                            let _e1156 = phi_1882_;
-                                            let _e1158 = triangles.member[(0u + _e951)].v1_;
-                                            let _e1160 = triangles.member[(0u + _e951)].v0_;
-                                            let _e1163 = (_e1158.x - _e1160.x);
-                                            let _e1166 = (_e1158.y - _e1160.y);
-                                            let _e1169 = (_e1158.z - _e1160.z);
-                                            if (_e539 == 0u) {
-                                                phi_1908_ = vec3<f32>(_e1166, _e1169, _e1163);
-                                            } else {
-                                                if (_e539 == 1u) {
-                                                    phi_1907_ = vec3<f32>(_e1169, _e1163, _e1166);
+                                                let _e1511 = vertices.member[(0u + _e1503)];
+                                                if (_e1505 < _e109) {
                                                 } else {
-                                                    phi_1907_ = (_e1158 - _e1160);
+                                                    return;
                                                 }
-                                                let _e1176 = phi_1907_;
-                                                phi_1908_ = _e1176;
-                                            }
-                                            let _e1178 = phi_1908_;
-                                            let _e1180 = triangles.member[(0u + _e951)].v2_;
-                                            let _e1182 = triangles.member[(0u + _e951)].v0_;
-                                            let _e1185 = (_e1180.x - _e1182.x);
-                                            let _e1188 = (_e1180.y - _e1182.y);
-                                            let _e1191 = (_e1180.z - _e1182.z);
-                                            if (_e539 == 0u) {
-                                                phi_1934_ = vec3<f32>(_e1188, _e1191, _e1185);
-                                            } else {
-                                                if (_e539 == 1u) {
-                                                    phi_1933_ = vec3<f32>(_e1191, _e1185, _e1188);
+                                                let _e1515 = vertices.member[(0u + _e1505)];
+                                                if (_e1507 < _e109) {
                                                 } else {
-                                                    phi_1933_ = (_e1180 - _e1182);
+                                                    return;
                                                 }
-                                                let _e1198 = phi_1933_;
-                                                phi_1934_ = _e1198;
-                                            }
-                                            let _e1200 = phi_1934_;
-                                            let _e1207 = ((_e1178.y * _e1200.z) - (_e1178.z * _e1200.y));
-                                            let _e1214 = ((_e1178.z * _e1200.x) - (_e1178.x * _e1200.z));
-                                            let _e1221 = ((_e1178.x * _e1200.y) - (_e1178.y * _e1200.x));
-                                            let _e1235 = (((1f / _e547.z) * (((_e1207 * _e1156.x) + (_e1214 * _e1156.y)) + (_e1221 * _e1156.z))) / (((_e1207 * _e550) + (_e1214 * _e553)) + _e1221));
-                                            if (_e1235 > 0f) {
-                                                if (_e1235 < _e162) {
-                                                    let _e1239 = triangles.member[(0u + _e951)].v0_;
-                                                    let _e1241 = triangles.member[(0u + _e951)].v1_;
-                                                    if (_e1239.x < _e1241.x) {
-                                                        phi_1990_ = _e1239.x;
-                                                    } else {
-                                                        phi_1990_ = _e1241.x;
-                                                    }
-                                                    let _e1248 = phi_1990_;
-                                                    if (_e1239.y < _e1241.y) {
-                                                        phi_1999_ = _e1239.y;
-                                                    } else {
-                                                        phi_1999_ = _e1241.y;
-                                                    }
-                                                    let _e1255 = phi_1999_;
-                                                    if (_e1239.z < _e1241.z) {
-                                                        phi_2008_ = _e1239.z;
-                                                    } else {
-                                                        phi_2008_ = _e1241.z;
-                                                    }
-                                                    let _e1262 = phi_2008_;
-                                                    let _e1264 = triangles.member[(0u + _e951)].v2_;
-                                                    if (_e1248 < _e1264.x) {
-                                                        phi_2017_ = _e1248;
-                                                    } else {
-                                                        phi_2017_ = _e1264.x;
-                                                    }
-                                                    let _e1269 = phi_2017_;
-                                                    if (_e1255 < _e1264.y) {
-                                                        phi_2024_ = _e1255;
-                                                    } else {
-                                                        phi_2024_ = _e1264.y;
-                                                    }
-                                                    let _e1274 = phi_2024_;
-                                                    if (_e1262 < _e1264.z) {
-                                                        phi_2031_ = _e1262;
-                                                    } else {
-                                                        phi_2031_ = _e1264.z;
-                                                    }
-                                                    let _e1279 = phi_2031_;
-                                                    let _e1281 = triangles.member[(0u + _e951)].v0_;
-                                                    let _e1283 = triangles.member[(0u + _e951)].v1_;
-                                                    if (_e1281.x > _e1283.x) {
-                                                        phi_2044_ = _e1281.x;
-                                                    } else {
-                                                        phi_2044_ = _e1283.x;
-                                                    }
-                                                    let _e1290 = phi_2044_;
-                                                    if (_e1281.y > _e1283.y) {
-                                                        phi_2053_ = _e1281.y;
-                                                    } else {
-                                                        phi_2053_ = _e1283.y;
-                                                    }
-                                                    let _e1297 = phi_2053_;
-                                                    if (_e1281.z > _e1283.z) {
-                                                        phi_2062_ = _e1281.z;
-                                                    } else {
-                                                        phi_2062_ = _e1283.z;
-                                                    }
-                                                    let _e1304 = phi_2062_;
-                                                    let _e1306 = triangles.member[(0u + _e951)].v2_;
-                                                    if (_e1290 > _e1306.x) {
-                                                        phi_2071_ = _e1290;
-                                                    } else {
-                                                        phi_2071_ = _e1306.x;
-                                                    }
-                                                    let _e1311 = phi_2071_;
-                                                    if (_e1297 > _e1306.y) {
-                                                        phi_2078_ = _e1297;
-                                                    } else {
-                                                        phi_2078_ = _e1306.y;
-                                                    }
-                                                    let _e1316 = phi_2078_;
-                                                    if (_e1304 > _e1306.z) {
-                                                        phi_2085_ = _e1304;
-                                                    } else {
-                                                        phi_2085_ = _e1306.z;
-                                                    }
-                                                    let _e1321 = phi_2085_;
-                                                    let _e1325 = ((_e1269 - _e150) * _e468);
-                                                    let _e1326 = ((_e1274 - _e152) * _e478);
-                                                    let _e1327 = ((_e1279 - _e154) * _e488);
-                                                    let _e1331 = ((_e1311 - _e150) * _e468);
-                                                    let _e1332 = ((_e1316 - _e152) * _e478);
-                                                    let _e1333 = ((_e1321 - _e154) * _e488);
-                                                    if (_e1325 < _e1331) {
-                                                        phi_2102_ = _e1325;
-                                                    } else {
-                                                        phi_2102_ = _e1331;
-                                                    }
-                                                    let _e1336 = phi_2102_;
-                                                    if (_e1326 < _e1332) {
-                                                        phi_2107_ = _e1326;
-                                                    } else {
-                                                        phi_2107_ = _e1332;
-                                                    }
-                                                    let _e1339 = phi_2107_;
-                                                    if (_e1327 < _e1333) {
-                                                        phi_2112_ = _e1327;
-                                                    } else {
-                                                        phi_2112_ = _e1333;
-                                                    }
-                                                    let _e1342 = phi_2112_;
-                                                    if (_e1325 > _e1331) {
-                                                        phi_2120_ = _e1325;
-                                                    } else {
-                                                        phi_2120_ = _e1331;
-                                                    }
-                                                    let _e1348 = phi_2120_;
-                                                    if (_e1326 > _e1332) {
-                                                        phi_2125_ = _e1326;
-                                                    } else {
-                                                        phi_2125_ = _e1332;
-                                                    }
-                                                    let _e1351 = phi_2125_;
-                                                    if (_e1327 > _e1333) {
-                                                        phi_2130_ = _e1327;
-                                                    } else {
-                                                        phi_2130_ = _e1333;
-                                                    }
-                                                    let _e1354 = phi_2130_;
-                                                    let _e1358 = core_intrinsics_maximum_number_nsz_f32_((_e1336 - _e523), (_e1339 - _e524));
-                                                    let _e1359 = core_intrinsics_maximum_number_nsz_f32_(_e1358, (_e1342 - _e525));
-                                                    let _e1360 = core_intrinsics_minimum_number_nsz_f32_((_e1348 + _e523), (_e1351 + _e524));
-                                                    let _e1361 = core_intrinsics_minimum_number_nsz_f32_(_e1360, (_e1354 + _e525));
-                                                    if (_e1359 > -300000000000000000000000000000000000000f) {
-                                                        phi_2142_ = _e1359;
-                                                    } else {
-                                                        phi_2142_ = -300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1364 = phi_2142_;
-                                                    if (_e1361 < 300000000000000000000000000000000000000f) {
-                                                        phi_2147_ = _e1361;
-                                                    } else {
-                                                        phi_2147_ = 300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1367 = phi_2147_;
-                                                    if (_e1235 < _e1364) {
-                                                        phi_2152_ = _e1364;
-                                                    } else {
-                                                        phi_2152_ = _e1235;
-                                                    }
-                                                    let _e1370 = phi_2152_;
-                                                    if (_e1370 > _e1367) {
-                                                        phi_2157_ = _e1367;
-                                                    } else {
-                                                        phi_2157_ = _e1370;
-                                                    }
-                                                    let _e1373 = phi_2157_;
-                                                    phi_2162_ = lt_bvh_triangle_Intersection(_e1373, (_e1076 / _e1135), (_e1097 / _e1135), (_e1364 <= _e1367));
-                                                    phi_2163_ = false;
+                                                let _e1519 = vertices.member[(0u + _e1507)];
+                                                let _e1520 = array<abi_Vertex, 3>(_e1511, _e1515, _e1519);
+                                                if (_e1520[0].material < _e112) {
                                                 } else {
-                                                    phi_2162_ = lt_bvh_triangle_Intersection();
-                                                    phi_2163_ = true;
+                                                    return;
                                                 }
-                                                let _e1379 = phi_2162_;
-                                                let _e1381 = phi_2163_;
-                                                phi_2164_ = _e1379;
-                                                phi_2165_ = _e1381;
-                                            } else {
-                                                phi_2164_ = lt_bvh_triangle_Intersection();
-                                                phi_2165_ = true;
-                                            }
-                                            let _e1383 = phi_2164_;
-                                            let _e1385 = phi_2165_;
-                                            if _e1385 {
-                                            }
-                                            phi_2169_ = _e1383;
-                                            phi_2170_ = _e1385;
-                                        }
-                                        let _e1387 = phi_2169_;
-                                        let _e1389 = phi_2170_;
-                                        phi_2171_ = _e1387;
-                                        phi_2172_ = _e1138;
-                                        phi_2173_ = _e1389;
-                                    } else {
-                                        phi_2171_ = lt_bvh_triangle_Intersection();
-                                        phi_2172_ = true;
-                                        phi_2173_ = false;
-                                    }
-                                    let _e1391 = phi_2171_;
-                                    let _e1393 = phi_2172_;
-                                    let _e1395 = phi_2173_;
-                                    if _e1393 {
-                                        phi_2177_ = true;
-                                    } else {
-                                        phi_2177_ = _e1395;
-                                    }
-                                    let _e1397 = phi_2177_;
-                                    if _e1397 {
-                                        phi_2181_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                    } else {
-                                        phi_2181_ = _e1391;
-                                    }
-                                    let _e1399 = phi_2181_;
-                                    if _e1399.is_hit {
-                                        if (_e1399.t > 0f) {
-                                            if (_e1399.t < _e162) {
-                                                let _e1406 = triangles.member[(0u + _e951)].i0_;
-                                                let _e1408 = ((_e1406 & 2147483648u) == 0u);
-                                                if _e1408 {
-                                                    phi_2404_ = false;
-                                                    phi_2405_ = false;
-                                                } else {
-                                                    if (_e951 < _e94) {
+                                                let _e1526 = materials.member[(0u + _e1520[0].material)];
+                                                if ((_e1526.flags & 1u) == 1u) {
+                                                    let _e1531 = ((1f - _e1486.u) - _e1486.v);
+                                                    if (_e1526.cutoff <= 0f) {
+                                                        phi_2481_ = true;
                                                     } else {
-                                                        return;
-                                                    }
-                                                    let _e1415 = triangles.member[(0u + _e951)].i0_;
-                                                    let _e1416 = (_e1415 & 2147483647u);
-                                                    let _e1418 = triangles.member[(0u + _e951)].i1_;
-                                                    let _e1420 = triangles.member[(0u + _e951)].i2_;
-                                                    if (_e1416 < _e110) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1424 = vertices.member[(0u + _e1416)];
-                                                    if (_e1418 < _e110) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1428 = vertices.member[(0u + _e1418)];
-                                                    if (_e1420 < _e110) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1432 = vertices.member[(0u + _e1420)];
-                                                    let _e1433 = array<abi_Vertex, 3>(_e1424, _e1428, _e1432);
-                                                    if (_e1433[0].material < _e113) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1439 = materials.member[(0u + _e1433[0].material)];
-                                                    if ((_e1439.flags & 1u) == 1u) {
-                                                        let _e1444 = ((1f - _e1399.u) - _e1399.v);
-                                                        if (_e1439.cutoff <= 0f) {
-                                                            phi_2398_ = true;
+                                                        let _e1558 = (_e1526.base_color.w * ((((f32((_e1520[0].color >> bitcast<u32>(24i))) * _e1531) + (f32((_e1520[1].color >> bitcast<u32>(24i))) * _e1486.u)) + (f32((_e1520[2].color >> bitcast<u32>(24i))) * _e1486.v)) * (1f / 255f)));
+                                                        if (_e1526.alpha_size == 0u) {
+                                                            phi_2478_ = _e1558;
                                                         } else {
-                                                            let _e1471 = (_e1439.base_color.w * ((((f32((_e1433[0].color >> bitcast<u32>(24i))) * _e1444) + (f32((_e1433[1].color >> bitcast<u32>(24i))) * _e1399.u)) + (f32((_e1433[2].color >> bitcast<u32>(24i))) * _e1399.v)) * (1f / 255f)));
-                                                            if (_e1439.alpha_size == 0u) {
-                                                                phi_2395_ = _e1471;
+                                                            local_2.offset = _e1526.alpha_offset;
+                                                            local_2.size = _e1526.alpha_size;
+                                                            local_2.flags = _e1526.flags;
+                                                            let _e1589 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1520[0].u * _e1531) + (_e1520[1].u * _e1486.u)) + (_e1520[2].u * _e1486.v)), (((_e1520[0].v * _e1531) + (_e1520[1].v * _e1486.u)) + (_e1520[2].v * _e1486.v)));
+                                                            let _e1593 = (_e1589.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1593 < _e115) {
                                                             } else {
-                                                                local_2.offset = _e1439.alpha_offset;
-                                                                local_2.size = _e1439.alpha_size;
-                                                                local_2.flags = _e1439.flags;
-                                                                let _e1502 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1433[0].u * _e1444) + (_e1433[1].u * _e1399.u)) + (_e1433[2].u * _e1399.v)), (((_e1433[0].v * _e1444) + (_e1433[1].v * _e1399.u)) + (_e1433[2].v * _e1399.v)));
-                                                                let _e1506 = (_e1502.indices[0] >> bitcast<u32>(2i));
-                                                                if (_e1506 < _e116) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1510 = alpha_texels.member[(0u + _e1506)];
-                                                                let _e1526 = (_e1502.indices[1] >> bitcast<u32>(2i));
-                                                                if (_e1526 < _e116) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1530 = alpha_texels.member[(0u + _e1526)];
-                                                                let _e1547 = (_e1502.indices[2] >> bitcast<u32>(2i));
-                                                                if (_e1547 < _e116) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1551 = alpha_texels.member[(0u + _e1547)];
-                                                                let _e1568 = (_e1502.indices[3] >> bitcast<u32>(2i));
-                                                                if (_e1568 < _e116) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1572 = alpha_texels.member[(0u + _e1568)];
-                                                                phi_2395_ = (_e1471 * (((((f32(((_e1510 >> bitcast<u32>((((_e1502.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1502.weights.x) + ((f32(((_e1530 >> bitcast<u32>((((_e1502.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1502.weights.y)) + ((f32(((_e1551 >> bitcast<u32>((((_e1502.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1502.weights.z)) + ((f32(((_e1572 >> bitcast<u32>((((_e1502.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1502.weights.w)));
+                                                                return;
                                                             }
-                                                            let _e1588 = phi_2395_;
-                                                            phi_2398_ = (_e1588 >= _e1439.cutoff);
+                                                            let _e1597 = alpha_texels.member[(0u + _e1593)];
+                                                            let _e1613 = (_e1589.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1613 < _e115) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1617 = alpha_texels.member[(0u + _e1613)];
+                                                            let _e1634 = (_e1589.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1634 < _e115) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1638 = alpha_texels.member[(0u + _e1634)];
+                                                            let _e1655 = (_e1589.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1655 < _e115) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1659 = alpha_texels.member[(0u + _e1655)];
+                                                            phi_2478_ = (_e1558 * (((((f32(((_e1597 >> bitcast<u32>((((_e1589.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1589.weights.x) + ((f32(((_e1617 >> bitcast<u32>((((_e1589.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1589.weights.y)) + ((f32(((_e1638 >> bitcast<u32>((((_e1589.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1589.weights.z)) + ((f32(((_e1659 >> bitcast<u32>((((_e1589.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1589.weights.w)));
                                                         }
-                                                        let _e1592 = phi_2398_;
-                                                        phi_2399_ = _e1592;
-                                                    } else {
-                                                        phi_2399_ = false;
+                                                        let _e1675 = phi_2478_;
+                                                        phi_2481_ = (_e1675 >= _e1526.cutoff);
                                                     }
-                                                    let _e1594 = phi_2399_;
-                                                    if _e1594 {
-                                                        phi_2403_ = false;
-                                                    } else {
-                                                        phi_2403_ = true;
-                                                    }
-                                                    let _e1596 = phi_2403_;
-                                                    phi_2404_ = _e1596;
-                                                    phi_2405_ = _e1594;
+                                                    let _e1679 = phi_2481_;
+                                                    phi_2482_ = _e1679;
+                                                } else {
+                                                    phi_2482_ = false;
                                                 }
-                                                let _e1598 = phi_2404_;
-                                                let _e1600 = phi_2405_;
-                                                phi_2406_ = _e1598;
-                                                phi_2407_ = _e1408;
-                                                phi_2408_ = _e1600;
-                                            } else {
-                                                phi_2406_ = true;
-                                                phi_2407_ = false;
-                                                phi_2408_ = false;
+                                                let _e1681 = phi_2482_;
+                                                if _e1681 {
+                                                    phi_2486_ = false;
+                                                } else {
+                                                    phi_2486_ = true;
+                                                }
+                                                let _e1683 = phi_2486_;
+                                                phi_2487_ = _e1683;
+                                                phi_2488_ = _e1681;
                                             }
-                                            let _e1602 = phi_2406_;
-                                            let _e1604 = phi_2407_;
-                                            let _e1606 = phi_2408_;
-                                            phi_2409_ = false;
-                                            phi_2410_ = _e1602;
-                                            phi_2411_ = _e1604;
-                                            phi_2412_ = _e1606;
+                                            let _e1685 = phi_2487_;
+                                            let _e1687 = phi_2488_;
+                                            phi_2489_ = _e1685;
+                                            phi_2490_ = _e1495;
+                                            phi_2491_ = _e1687;
                                         } else {
-                                            phi_2409_ = true;
-                                            phi_2410_ = false;
-                                            phi_2411_ = false;
-                                            phi_2412_ = false;
+                                            phi_2489_ = true;
+                                            phi_2490_ = false;
+                                            phi_2491_ = false;
                                         }
-                                        let _e1608 = phi_2409_;
-                                        let _e1610 = phi_2410_;
-                                        let _e1612 = phi_2411_;
-                                        let _e1614 = phi_2412_;
-                                        phi_2413_ = _e1608;
-                                        phi_2414_ = _e1610;
-                                        phi_2415_ = _e1612;
-                                        phi_2416_ = _e1614;
+                                        let _e1689 = phi_2489_;
+                                        let _e1691 = phi_2490_;
+                                        let _e1693 = phi_2491_;
+                                        phi_2492_ = false;
+                                        phi_2493_ = _e1689;
+                                        phi_2494_ = _e1691;
+                                        phi_2495_ = _e1693;
                                     } else {
-                                        phi_2413_ = true;
-                                        phi_2414_ = false;
-                                        phi_2415_ = false;
-                                        phi_2416_ = false;
+                                        phi_2492_ = true;
+                                        phi_2493_ = false;
+                                        phi_2494_ = false;
+                                        phi_2495_ = false;
                                     }
-                                    let _e1616 = phi_2413_;
-                                    let _e1618 = phi_2414_;
-                                    let _e1620 = phi_2415_;
-                                    let _e1622 = phi_2416_;
-                                    if _e1616 {
-                                        phi_2420_ = true;
-                                        phi_2421_ = false;
-                                        phi_2422_ = false;
-                                    } else {
-                                        phi_2420_ = _e1618;
-                                        phi_2421_ = _e1620;
-                                        phi_2422_ = _e1622;
-                                    }
-                                    let _e1624 = phi_2420_;
-                                    let _e1626 = phi_2421_;
-                                    let _e1628 = phi_2422_;
-                                    if _e1624 {
-                                        phi_2426_ = false;
-                                        phi_2427_ = false;
-                                    } else {
-                                        phi_2426_ = _e1626;
-                                        phi_2427_ = _e1628;
-                                    }
-                                    let _e1630 = phi_2426_;
-                                    let _e1632 = phi_2427_;
-                                    phi_1583_ = (_e915 & (_e915 - 1u));
-                                    phi_2428_ = _e1624;
-                                    phi_2429_ = _e1630;
-                                    phi_2430_ = _e1632;
+                                    let _e1695 = phi_2492_;
+                                    let _e1697 = phi_2493_;
+                                    let _e1699 = phi_2494_;
+                                    let _e1701 = phi_2495_;
+                                    phi_2496_ = _e1695;
+                                    phi_2497_ = _e1697;
+                                    phi_2498_ = _e1699;
+                                    phi_2499_ = _e1701;
+                                } else {
+                                    phi_2496_ = true;
+                                    phi_2497_ = false;
+                                    phi_2498_ = false;
+                                    phi_2499_ = false;
                                 }
-                                let _e1634 = phi_1583_;
-                                let _e1636 = phi_2428_;
-                                let _e1638 = phi_2429_;
-                                let _e1640 = phi_2430_;
-                                local_14 = _e1638;
-                                local_15 = _e1640;
+                                let _e1703 = phi_2496_;
+                                let _e1705 = phi_2497_;
+                                let _e1707 = phi_2498_;
+                                let _e1709 = phi_2499_;
+                                if _e1703 {
+                                    phi_2503_ = true;
+                                    phi_2504_ = false;
+                                    phi_2505_ = false;
+                                } else {
+                                    phi_2503_ = _e1705;
+                                    phi_2504_ = _e1707;
+                                    phi_2505_ = _e1709;
+                                }
+                                let _e1711 = phi_2503_;
+                                let _e1713 = phi_2504_;
+                                let _e1715 = phi_2505_;
+                                if _e1711 {
+                                    let _e1716 = (_e1040 == 0u);
+                                    if _e1716 {
+                                        phi_2513_ = false;
+                                    } else {
+                                        phi_2513_ = true;
+                                    }
+                                    let _e1718 = phi_2513_;
+                                    phi_2514_ = _e1718;
+                                    phi_2515_ = _e1716;
+                                    phi_2516_ = false;
+                                    phi_2517_ = false;
+                                } else {
+                                    phi_2514_ = false;
+                                    phi_2515_ = false;
+                                    phi_2516_ = _e1713;
+                                    phi_2517_ = _e1715;
+                                }
+                                let _e1720 = phi_2514_;
+                                let _e1722 = phi_2515_;
+                                let _e1724 = phi_2516_;
+                                let _e1726 = phi_2517_;
+                                local_7 = _e1722;
+                                local_18 = _e1724;
+                                local_19 = _e1726;
+                                local_20 = _e1722;
                                 continue;
                                 continuing {
-                                    phi_1582_ = _e1634;
-                                    break if !(_e1636);
+                                    phi_1670_ = _e1040;
+                                    break if !(_e1720);
                                 }
                             }
-                            let _e1643 = local_6;
-                            if _e1643 {
-                                phi_2434_ = false;
-                                phi_2435_ = false;
+                            let _e1729 = local_7;
+                            if _e1729 {
+                                phi_2521_ = false;
+                                phi_2522_ = false;
                             } else {
-                                let _e3586 = local_14;
-                                phi_2434_ = _e3586;
-                                let _e3589 = local_15;
-                                phi_2435_ = _e3589;
+                                let _e3674 = local_18;
+                                phi_2521_ = _e3674;
+                                let _e3677 = local_19;
+                                phi_2522_ = _e3677;
                             }
-                            let _e1645 = phi_2434_;
-                            let _e1647 = phi_2435_;
-                            let _e3592 = local_16;
-                            phi_1212_ = _e3592;
-                            let _e3595 = local_17;
-                            phi_1215_ = _e3595;
-                            let _e3598 = local_18;
-                            phi_2436_ = _e3598;
-                            phi_2437_ = _e1645;
-                            phi_2438_ = _e1647;
+                            let _e1731 = phi_2521_;
+                            let _e1733 = phi_2522_;
+                            let _e3680 = local_20;
+                            phi_2523_ = _e3680;
+                            phi_2524_ = _e1731;
+                            phi_2525_ = _e1733;
                         }
-                        let _e1649 = phi_1212_;
-                        let _e1651 = phi_1215_;
-                        let _e1653 = phi_2436_;
-                        let _e1655 = phi_2437_;
-                        let _e1657 = phi_2438_;
-                        local_19 = _e1655;
-                        local_20 = _e1657;
+                        let _e1735 = phi_2523_;
+                        let _e1737 = phi_2524_;
+                        let _e1739 = phi_2525_;
+                        if _e1735 {
+                            let _e1741 = local_8;
+                            if (_e1741 == 0u) {
+                                phi_2533_ = false;
+                            } else {
+                                phi_2533_ = true;
+                            }
+                            let _e1744 = phi_2533_;
+                            phi_2534_ = _e1744;
+                            phi_2535_ = false;
+                            phi_2536_ = false;
+                        } else {
+                            phi_2534_ = false;
+                            phi_2535_ = _e1737;
+                            phi_2536_ = _e1739;
+                        }
+                        let _e1746 = phi_2534_;
+                        let _e1748 = phi_2535_;
+                        let _e1750 = phi_2536_;
+                        local_9 = _e1748;
+                        local_21 = _e1750;
+                        local_22 = _e1748;
                         continue;
                         continuing {
-                            phi_1211_ = _e1649;
-                            phi_1214_ = _e1651;
-                            break if !(_e1653);
+                            let _e3521 = local_15;
+                            phi_1216_ = _e3521;
+                            let _e3524 = local_16;
+                            phi_1219_ = _e3524;
+                            break if !(_e1746);
                         }
                     }
-                    let _e1660 = local_7;
-                    if _e1660 {
-                        phi_2442_ = false;
-                        phi_2443_ = false;
+                    let _e1753 = local_9;
+                    if _e1753 {
+                        phi_2540_ = false;
                     } else {
-                        let _e3604 = local_19;
-                        phi_2442_ = _e3604;
-                        let _e3607 = local_20;
-                        phi_2443_ = _e3607;
+                        let _e3691 = local_21;
+                        phi_2540_ = _e3691;
                     }
-                    let _e1662 = phi_2442_;
-                    let _e1664 = phi_2443_;
-                    if _e1662 {
-                        phi_2447_ = false;
+                    let _e1755 = phi_2540_;
+                    if _e1755 {
+                        phi_2544_ = true;
                     } else {
-                        phi_2447_ = _e1664;
+                        let _e3694 = local_22;
+                        phi_2544_ = _e3694;
                     }
-                    let _e1666 = phi_2447_;
-                    if _e1666 {
-                        phi_2451_ = true;
+                    let _e1757 = phi_2544_;
+                    if _e1757 {
+                        phi_2548_ = true;
                     } else {
-                        phi_2451_ = _e1662;
+                        phi_2548_ = false;
                     }
-                    let _e1668 = phi_2451_;
-                    if _e1668 {
-                    }
-                    phi_2455_ = true;
-                    phi_2456_ = _e1668;
+                    let _e1759 = phi_2548_;
+                    phi_2549_ = _e1759;
                 }
-                let _e1670 = phi_2455_;
-                let _e1672 = phi_2456_;
-                if _e1672 {
-                    phi_2460_ = _e1670;
-                } else {
-                    phi_2460_ = false;
-                }
-                let _e1674 = phi_2460_;
-                phi_4125_ = _e1674;
+                let _e1761 = phi_2549_;
+                phi_4214_ = _e1761;
             } else {
-                let _e1675 = abs(_e170);
-                let _e1676 = abs(_e171);
-                let _e1677 = abs(_e172);
-                if (abs(_e150) < 1000000000000000f) {
-                    if (abs(_e152) < 1000000000000000f) {
-                        phi_2476_ = (abs(_e154) < 1000000000000000f);
-                        phi_2477_ = false;
+                let _e1762 = abs(_e169);
+                let _e1763 = abs(_e170);
+                let _e1764 = abs(_e171);
+                if (abs(_e149) < 1000000000000000f) {
+                    if (abs(_e151) < 1000000000000000f) {
+                        phi_2565_ = (abs(_e153) < 1000000000000000f);
+                        phi_2566_ = false;
                     } else {
-                        phi_2476_ = bool();
-                        phi_2477_ = true;
+                        phi_2565_ = bool();
+                        phi_2566_ = true;
                     }
-                    let _e1685 = phi_2476_;
-                    let _e1687 = phi_2477_;
-                    phi_2478_ = _e1685;
-                    phi_2479_ = _e1687;
+                    let _e1772 = phi_2565_;
+                    let _e1774 = phi_2566_;
+                    phi_2567_ = _e1772;
+                    phi_2568_ = _e1774;
                 } else {
-                    phi_2478_ = bool();
-                    phi_2479_ = true;
+                    phi_2567_ = bool();
+                    phi_2568_ = true;
                 }
-                let _e1689 = phi_2478_;
-                let _e1691 = phi_2479_;
-                if _e1691 {
-                    phi_2483_ = false;
+                let _e1776 = phi_2567_;
+                let _e1778 = phi_2568_;
+                if _e1778 {
+                    phi_2572_ = false;
                 } else {
-                    phi_2483_ = _e1689;
+                    phi_2572_ = _e1776;
                 }
-                let _e1693 = phi_2483_;
-                if _e1693 {
-                    if (_e1675 < 1000000000000000f) {
-                        if (_e1676 < 1000000000000000f) {
-                            phi_2496_ = (_e1677 < 1000000000000000f);
-                            phi_2497_ = false;
+                let _e1780 = phi_2572_;
+                if _e1780 {
+                    if (_e1762 < 1000000000000000f) {
+                        if (_e1763 < 1000000000000000f) {
+                            phi_2585_ = (_e1764 < 1000000000000000f);
+                            phi_2586_ = false;
                         } else {
-                            phi_2496_ = bool();
-                            phi_2497_ = true;
+                            phi_2585_ = bool();
+                            phi_2586_ = true;
                         }
-                        let _e1698 = phi_2496_;
-                        let _e1700 = phi_2497_;
-                        phi_2498_ = _e1698;
-                        phi_2499_ = _e1700;
+                        let _e1785 = phi_2585_;
+                        let _e1787 = phi_2586_;
+                        phi_2587_ = _e1785;
+                        phi_2588_ = _e1787;
                     } else {
-                        phi_2498_ = bool();
-                        phi_2499_ = true;
+                        phi_2587_ = bool();
+                        phi_2588_ = true;
                     }
-                    let _e1702 = phi_2498_;
-                    let _e1704 = phi_2499_;
-                    if _e1704 {
-                        phi_2503_ = false;
+                    let _e1789 = phi_2587_;
+                    let _e1791 = phi_2588_;
+                    if _e1791 {
+                        phi_2592_ = false;
                     } else {
-                        phi_2503_ = _e1702;
+                        phi_2592_ = _e1789;
                     }
-                    let _e1706 = phi_2503_;
-                    if _e1706 {
-                        if (_e1675 > 0f) {
-                            phi_2517_ = bool();
-                            phi_2518_ = true;
+                    let _e1793 = phi_2592_;
+                    if _e1793 {
+                        if (_e1762 > 0f) {
+                            phi_2606_ = bool();
+                            phi_2607_ = true;
                         } else {
-                            let _e1708 = (_e1676 > 0f);
-                            if _e1708 {
-                                phi_2516_ = bool();
+                            let _e1795 = (_e1763 > 0f);
+                            if _e1795 {
+                                phi_2605_ = bool();
                             } else {
-                                phi_2516_ = (_e1677 > 0f);
+                                phi_2605_ = (_e1764 > 0f);
                             }
-                            let _e1711 = phi_2516_;
-                            phi_2517_ = _e1711;
-                            phi_2518_ = _e1708;
+                            let _e1798 = phi_2605_;
+                            phi_2606_ = _e1798;
+                            phi_2607_ = _e1795;
                         }
-                        let _e1713 = phi_2517_;
-                        let _e1715 = phi_2518_;
-                        if _e1715 {
-                            phi_2522_ = true;
+                        let _e1800 = phi_2606_;
+                        let _e1802 = phi_2607_;
+                        if _e1802 {
+                            phi_2611_ = true;
                         } else {
-                            phi_2522_ = _e1713;
+                            phi_2611_ = _e1800;
                         }
-                        let _e1717 = phi_2522_;
-                        phi_2523_ = _e1717;
-                        phi_2524_ = false;
+                        let _e1804 = phi_2611_;
+                        phi_2612_ = _e1804;
+                        phi_2613_ = false;
                     } else {
-                        phi_2523_ = bool();
-                        phi_2524_ = true;
+                        phi_2612_ = bool();
+                        phi_2613_ = true;
                     }
-                    let _e1719 = phi_2523_;
-                    let _e1721 = phi_2524_;
-                    phi_2525_ = _e1719;
-                    phi_2526_ = _e1721;
+                    let _e1806 = phi_2612_;
+                    let _e1808 = phi_2613_;
+                    phi_2614_ = _e1806;
+                    phi_2615_ = _e1808;
                 } else {
-                    phi_2525_ = bool();
-                    phi_2526_ = true;
+                    phi_2614_ = bool();
+                    phi_2615_ = true;
                 }
-                let _e1723 = phi_2525_;
-                let _e1725 = phi_2526_;
-                if _e1725 {
-                    phi_2530_ = false;
+                let _e1810 = phi_2614_;
+                let _e1812 = phi_2615_;
+                if _e1812 {
+                    phi_2619_ = false;
                 } else {
-                    phi_2530_ = _e1723;
+                    phi_2619_ = _e1810;
                 }
-                let _e1727 = phi_2530_;
-                if _e1727 {
-                    let _e1728 = (0u >= _e91);
-                    if _e1728 {
-                        phi_4118_ = bool();
+                let _e1814 = phi_2619_;
+                if _e1814 {
+                    let _e1815 = (0u >= _e90);
+                    if _e1815 {
+                        phi_4207_ = bool();
                     } else {
-                        if (0u < _e91) {
+                        if (0u < _e90) {
                         } else {
                             return;
                         }
-                        let _e1734 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1738 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1742 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1746 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1750 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1754 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1758 = nodes.member[(0u + 0u)].frame[3u];
-                        let _e1792 = core_intrinsics_maximum_number_nsz_f32_(abs(_e170), abs(_e171));
-                        let _e1793 = core_intrinsics_maximum_number_nsz_f32_(_e1792, abs(_e172));
-                        let _e1794 = (_e1793 * 0.0000000000009094947f);
-                        if (abs(_e170) < _e1794) {
-                            phi_2600_ = _e1794;
+                        let _e1821 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1825 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1829 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1833 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1837 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1841 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1845 = nodes.member[(0u + 0u)].frame[3u];
+                        let _e1879 = core_intrinsics_maximum_number_nsz_f32_(abs(_e169), abs(_e170));
+                        let _e1880 = core_intrinsics_maximum_number_nsz_f32_(_e1879, abs(_e171));
+                        let _e1881 = (_e1880 * 0.0000000000009094947f);
+                        if (abs(_e169) < _e1881) {
+                            phi_2689_ = _e1881;
                         } else {
-                            phi_2600_ = abs(_e170);
+                            phi_2689_ = abs(_e169);
                         }
-                        let _e1799 = phi_2600_;
+                        let _e1886 = phi_2689_;
+                        if (_e169 < 0f) {
+                            phi_2696_ = (-1f / _e1886);
+                        } else {
+                            phi_2696_ = (1f / _e1886);
+                        }
+                        let _e1891 = phi_2696_;
+                        if (abs(_e170) < _e1881) {
+                            phi_2703_ = _e1881;
+                        } else {
+                            phi_2703_ = abs(_e170);
+                        }
+                        let _e1896 = phi_2703_;
                         if (_e170 < 0f) {
-                            phi_2607_ = (-1f / _e1799);
+                            phi_2710_ = (-1f / _e1896);
                         } else {
-                            phi_2607_ = (1f / _e1799);
+                            phi_2710_ = (1f / _e1896);
                         }
-                        let _e1804 = phi_2607_;
-                        if (abs(_e171) < _e1794) {
-                            phi_2614_ = _e1794;
+                        let _e1901 = phi_2710_;
+                        if (abs(_e171) < _e1881) {
+                            phi_2717_ = _e1881;
                         } else {
-                            phi_2614_ = abs(_e171);
+                            phi_2717_ = abs(_e171);
                         }
-                        let _e1809 = phi_2614_;
+                        let _e1906 = phi_2717_;
                         if (_e171 < 0f) {
-                            phi_2621_ = (-1f / _e1809);
+                            phi_2724_ = (-1f / _e1906);
                         } else {
-                            phi_2621_ = (1f / _e1809);
+                            phi_2724_ = (1f / _e1906);
                         }
-                        let _e1814 = phi_2621_;
-                        if (abs(_e172) < _e1794) {
-                            phi_2628_ = _e1794;
+                        let _e1911 = phi_2724_;
+                        let _e1915 = abs((bitcast<f32>(_e1821) - _e149));
+                        let _e1916 = abs((bitcast<f32>(_e1825) - _e151));
+                        let _e1917 = abs((bitcast<f32>(_e1829) - _e153));
+                        let _e1921 = abs(((bitcast<f32>(_e1833) + (bitcast<f32>((((_e1845 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e149));
+                        let _e1922 = abs(((bitcast<f32>(_e1837) + (bitcast<f32>((((_e1845 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151));
+                        let _e1923 = abs(((bitcast<f32>(_e1841) + (bitcast<f32>((((_e1845 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153));
+                        if (_e1915 > _e1921) {
+                            phi_2741_ = _e1915;
                         } else {
-                            phi_2628_ = abs(_e172);
+                            phi_2741_ = _e1921;
                         }
-                        let _e1819 = phi_2628_;
-                        if (_e172 < 0f) {
-                            phi_2635_ = (-1f / _e1819);
+                        let _e1926 = phi_2741_;
+                        if (_e1916 > _e1922) {
+                            phi_2746_ = _e1916;
                         } else {
-                            phi_2635_ = (1f / _e1819);
+                            phi_2746_ = _e1922;
                         }
-                        let _e1824 = phi_2635_;
-                        let _e1828 = abs((bitcast<f32>(_e1734) - _e150));
-                        let _e1829 = abs((bitcast<f32>(_e1738) - _e152));
-                        let _e1830 = abs((bitcast<f32>(_e1742) - _e154));
-                        let _e1834 = abs(((bitcast<f32>(_e1746) + (bitcast<f32>((((_e1758 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150));
-                        let _e1835 = abs(((bitcast<f32>(_e1750) + (bitcast<f32>((((_e1758 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e152));
-                        let _e1836 = abs(((bitcast<f32>(_e1754) + (bitcast<f32>((((_e1758 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e154));
-                        if (_e1828 > _e1834) {
-                            phi_2652_ = _e1828;
+                        let _e1929 = phi_2746_;
+                        if (_e1917 > _e1923) {
+                            phi_2751_ = _e1917;
                         } else {
-                            phi_2652_ = _e1834;
+                            phi_2751_ = _e1923;
                         }
-                        let _e1839 = phi_2652_;
-                        if (_e1829 > _e1835) {
-                            phi_2657_ = _e1829;
+                        let _e1932 = phi_2751_;
+                        if (_e1926 > _e1929) {
+                            phi_2756_ = _e1926;
                         } else {
-                            phi_2657_ = _e1835;
+                            phi_2756_ = _e1929;
                         }
-                        let _e1842 = phi_2657_;
-                        if (_e1830 > _e1836) {
-                            phi_2662_ = _e1830;
+                        let _e1935 = phi_2756_;
+                        if (_e1935 > _e1932) {
+                            phi_2761_ = _e1935;
                         } else {
-                            phi_2662_ = _e1836;
+                            phi_2761_ = _e1932;
                         }
-                        let _e1845 = phi_2662_;
-                        if (_e1839 > _e1842) {
-                            phi_2667_ = _e1839;
-                        } else {
-                            phi_2667_ = _e1842;
-                        }
-                        let _e1848 = phi_2667_;
-                        if (_e1848 > _e1845) {
-                            phi_2672_ = _e1848;
-                        } else {
-                            phi_2672_ = _e1845;
-                        }
-                        let _e1851 = phi_2672_;
-                        let _e1855 = (_e1851 * 0.0000019073486f);
-                        let _e1856 = (abs(_e1804) * _e1855);
-                        let _e1857 = (abs(_e1814) * _e1855);
-                        let _e1858 = (abs(_e1824) * _e1855);
-                        let _e1862 = (_e1851 * 0.0000009536743f);
-                        let _e1863 = (abs(_e1804) * _e1862);
-                        let _e1864 = (abs(_e1814) * _e1862);
-                        let _e1865 = (abs(_e1824) * _e1862);
-                        let _e1866 = abs(_e170);
-                        let _e1867 = abs(_e171);
-                        let _e1868 = abs(_e172);
-                        if (_e1866 >= _e1867) {
-                            if (_e1866 >= _e1868) {
-                                phi_2698_ = false;
+                        let _e1938 = phi_2761_;
+                        let _e1942 = (_e1938 * 0.0000019073486f);
+                        let _e1943 = (abs(_e1891) * _e1942);
+                        let _e1944 = (abs(_e1901) * _e1942);
+                        let _e1945 = (abs(_e1911) * _e1942);
+                        let _e1949 = (_e1938 * 0.0000009536743f);
+                        let _e1950 = (abs(_e1891) * _e1949);
+                        let _e1951 = (abs(_e1901) * _e1949);
+                        let _e1952 = (abs(_e1911) * _e1949);
+                        let _e1953 = abs(_e169);
+                        let _e1954 = abs(_e170);
+                        let _e1955 = abs(_e171);
+                        if (_e1953 >= _e1954) {
+                            if (_e1953 >= _e1955) {
+                                phi_2787_ = false;
                             } else {
-                                phi_2698_ = true;
+                                phi_2787_ = true;
                             }
-                            let _e1872 = phi_2698_;
-                            phi_2699_ = _e1872;
+                            let _e1959 = phi_2787_;
+                            phi_2788_ = _e1959;
                         } else {
-                            phi_2699_ = true;
+                            phi_2788_ = true;
                         }
-                        let _e1874 = phi_2699_;
-                        if _e1874 {
-                            if (_e1867 >= _e1868) {
-                                phi_2707_ = 1u;
+                        let _e1961 = phi_2788_;
+                        if _e1961 {
+                            if (_e1954 >= _e1955) {
+                                phi_2796_ = 1u;
                             } else {
-                                phi_2707_ = 2u;
+                                phi_2796_ = 2u;
                             }
-                            let _e1877 = phi_2707_;
-                            phi_2708_ = _e1877;
+                            let _e1964 = phi_2796_;
+                            phi_2797_ = _e1964;
                         } else {
-                            phi_2708_ = 0u;
+                            phi_2797_ = 0u;
                         }
-                        let _e1879 = phi_2708_;
-                        if (_e1879 == 0u) {
-                            phi_2720_ = vec3<f32>(_e171, _e172, _e170);
+                        let _e1966 = phi_2797_;
+                        if (_e1966 == 0u) {
+                            phi_2809_ = vec3<f32>(_e170, _e171, _e169);
                         } else {
-                            if (_e1879 == 1u) {
-                                phi_2719_ = vec3<f32>(_e172, _e170, _e171);
+                            if (_e1966 == 1u) {
+                                phi_2808_ = vec3<f32>(_e171, _e169, _e170);
                             } else {
-                                phi_2719_ = _e173;
+                                phi_2808_ = _e172;
                             }
-                            let _e1885 = phi_2719_;
-                            phi_2720_ = _e1885;
+                            let _e1972 = phi_2808_;
+                            phi_2809_ = _e1972;
                         }
-                        let _e1887 = phi_2720_;
-                        let _e1890 = (_e1887.x / _e1887.z);
-                        let _e1893 = (_e1887.y / _e1887.z);
-                        if (_e1804 < 0f) {
-                            phi_2733_ = 0u;
+                        let _e1974 = phi_2809_;
+                        let _e1977 = (_e1974.x / _e1974.z);
+                        let _e1980 = (_e1974.y / _e1974.z);
+                        if (_e1891 < 0f) {
+                            phi_2822_ = 0u;
                         } else {
-                            phi_2733_ = 1u;
+                            phi_2822_ = 1u;
                         }
-                        let _e1898 = phi_2733_;
-                        if (_e1814 < 0f) {
-                            phi_2738_ = 0u;
+                        let _e1985 = phi_2822_;
+                        if (_e1901 < 0f) {
+                            phi_2827_ = 0u;
                         } else {
-                            phi_2738_ = 2u;
+                            phi_2827_ = 2u;
                         }
-                        let _e1901 = phi_2738_;
-                        if (_e1824 < 0f) {
-                            phi_2743_ = 0u;
+                        let _e1988 = phi_2827_;
+                        if (_e1911 < 0f) {
+                            phi_2832_ = 0u;
                         } else {
-                            phi_2743_ = 4u;
+                            phi_2832_ = 4u;
                         }
-                        let _e1904 = phi_2743_;
-                        let _e1906 = ((_e1898 | _e1901) | _e1904);
-                        let _e1907 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1907.first[0], _e1907.first[1], _e1907.first[2], _e1907.first[3], _e1907.first[4], _e1907.first[5], _e1907.first[6], _e1907.first[7], _e1907.first[8], _e1907.first[9], _e1907.first[10], _e1907.first[11], _e1907.first[12], _e1907.first[13], _e1907.first[14], _e1907.first[15], _e1907.first[16], _e1907.first[17], _e1907.first[18], _e1907.first[19], _e1907.first[20], _e1907.first[21], _e1907.first[22], _e1907.first[23], _e1907.first[24], _e1907.first[25], _e1907.first[26], _e1907.first[27], _e1907.first[28], _e1907.first[29], _e1907.first[30], _e1907.first[31]), array<u32, 32>(_e1907.mask[0], _e1907.mask[1], _e1907.mask[2], _e1907.mask[3], _e1907.mask[4], _e1907.mask[5], _e1907.mask[6], _e1907.mask[7], _e1907.mask[8], _e1907.mask[9], _e1907.mask[10], _e1907.mask[11], _e1907.mask[12], _e1907.mask[13], _e1907.mask[14], _e1907.mask[15], _e1907.mask[16], _e1907.mask[17], _e1907.mask[18], _e1907.mask[19], _e1907.mask[20], _e1907.mask[21], _e1907.mask[22], _e1907.mask[23], _e1907.mask[24], _e1907.mask[25], _e1907.mask[26], _e1907.mask[27], _e1907.mask[28], _e1907.mask[29], _e1907.mask[30], _e1907.mask[31]), _e1907.len, _e1907.group, _e1907.group_mask);
-                        let _e1981 = local_1.group_mask;
-                        if ((_e1981 & 4278190080u) == 0u) {
-                            let _e1985 = local_1.len;
-                            if (_e1985 == 0u) {
-                                phi_2857_ = false;
+                        let _e1991 = phi_2832_;
+                        let _e1993 = ((_e1985 | _e1988) | _e1991);
+                        let _e1994 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1994.first[0], _e1994.first[1], _e1994.first[2], _e1994.first[3], _e1994.first[4], _e1994.first[5], _e1994.first[6], _e1994.first[7], _e1994.first[8], _e1994.first[9], _e1994.first[10], _e1994.first[11], _e1994.first[12], _e1994.first[13], _e1994.first[14], _e1994.first[15], _e1994.first[16], _e1994.first[17], _e1994.first[18], _e1994.first[19], _e1994.first[20], _e1994.first[21], _e1994.first[22], _e1994.first[23], _e1994.first[24], _e1994.first[25], _e1994.first[26], _e1994.first[27], _e1994.first[28], _e1994.first[29], _e1994.first[30], _e1994.first[31]), array<u32, 32>(_e1994.mask[0], _e1994.mask[1], _e1994.mask[2], _e1994.mask[3], _e1994.mask[4], _e1994.mask[5], _e1994.mask[6], _e1994.mask[7], _e1994.mask[8], _e1994.mask[9], _e1994.mask[10], _e1994.mask[11], _e1994.mask[12], _e1994.mask[13], _e1994.mask[14], _e1994.mask[15], _e1994.mask[16], _e1994.mask[17], _e1994.mask[18], _e1994.mask[19], _e1994.mask[20], _e1994.mask[21], _e1994.mask[22], _e1994.mask[23], _e1994.mask[24], _e1994.mask[25], _e1994.mask[26], _e1994.mask[27], _e1994.mask[28], _e1994.mask[29], _e1994.mask[30], _e1994.mask[31]), _e1994.len, _e1994.group, _e1994.group_mask);
+                        let _e2068 = local_1.group_mask;
+                        if ((_e2068 & 4278190080u) == 0u) {
+                            let _e2072 = local_1.len;
+                            if (_e2072 == 0u) {
+                                phi_2946_ = false;
                             } else {
-                                let _e1989 = local_1.len;
-                                local_1.len = (_e1989 - 1u);
-                                let _e1992 = local_1.len;
-                                if (_e1992 < 32u) {
+                                let _e2076 = local_1.len;
+                                local_1.len = (_e2076 - 1u);
+                                let _e2079 = local_1.len;
+                                if (_e2079 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1997 = local_1.first[(0u + _e1992)];
-                                local_1.group = _e1997;
-                                let _e2000 = local_1.len;
-                                if (_e2000 < 32u) {
+                                let _e2084 = local_1.first[(0u + _e2079)];
+                                local_1.group = _e2084;
+                                let _e2087 = local_1.len;
+                                if (_e2087 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2005 = local_1.mask[(0u + _e2000)];
-                                local_1.group_mask = _e2005;
-                                phi_2857_ = true;
+                                let _e2092 = local_1.mask[(0u + _e2087)];
+                                local_1.group_mask = _e2092;
+                                phi_2946_ = true;
                             }
-                            let _e2008 = phi_2857_;
-                            phi_2858_ = _e2008;
+                            let _e2095 = phi_2946_;
+                            phi_2947_ = _e2095;
                         } else {
-                            phi_2858_ = true;
+                            phi_2947_ = true;
                         }
-                        let _e2010 = phi_2858_;
-                        if _e2010 {
-                            let _e2012 = local_1.group_mask;
-                            let _e2018 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2012)), 32u, (_e2012 == 0u)));
-                            let _e2022 = local_1.group_mask;
-                            let _e2036 = local_1.group_mask;
-                            local_1.group_mask = (_e2036 & ~((1u << bitcast<u32>((_e2018 & 31u)))));
-                            let _e2039 = local_1.group;
-                            phi_2889_ = (_e2039 + countOneBits(((_e2022 & ~((4294967295u << bitcast<u32>((((_e2018 - 24u) ^ 7u) & 31u))))) & 255u)));
+                        let _e2097 = phi_2947_;
+                        if _e2097 {
+                            let _e2099 = local_1.group_mask;
+                            let _e2105 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2099)), 32u, (_e2099 == 0u)));
+                            let _e2109 = local_1.group_mask;
+                            let _e2123 = local_1.group_mask;
+                            local_1.group_mask = (_e2123 & ~((1u << bitcast<u32>((_e2105 & 31u)))));
+                            let _e2126 = local_1.group;
+                            phi_2978_ = (_e2126 + countOneBits(((_e2109 & ~((4294967295u << bitcast<u32>((((_e2105 - 24u) ^ 7u) & 31u))))) & 255u)));
                         } else {
-                            phi_2889_ = 4294967295u;
+                            phi_2978_ = 4294967295u;
                         }
-                        let _e2042 = phi_2889_;
-                        phi_2891_ = _e2042;
-                        phi_2894_ = false;
+                        let _e2129 = phi_2978_;
+                        phi_2980_ = _e2129;
+                        phi_2983_ = false;
                         loop {
-                            let _e2044 = phi_2891_;
-                            let _e2046 = phi_2894_;
-                            local_25 = _e2046;
-                            if (_e2044 != 4294967295u) {
-                                if (_e2044 < _e91) {
+                            let _e2131 = phi_2980_;
+                            let _e2133 = phi_2983_;
+                            local_27 = _e2133;
+                            if (_e2131 != 4294967295u) {
+                                if (_e2131 < _e90) {
                                 } else {
                                     return;
                                 }
-                                let _e2053 = nodes.member[(0u + _e2044)].frame[3u];
-                                let _e2078 = (bitcast<f32>((((_e2053 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1804);
-                                let _e2079 = (bitcast<f32>((((_e2053 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1814);
-                                let _e2080 = (bitcast<f32>((((_e2053 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1824);
-                                let _e2083 = nodes.member[(0u + _e2044)].frame[0u];
-                                let _e2087 = nodes.member[(0u + _e2044)].frame[1u];
-                                let _e2091 = nodes.member[(0u + _e2044)].frame[2u];
-                                let _e2096 = ((bitcast<f32>(_e2083) - _e150) * _e1804);
-                                let _e2097 = ((bitcast<f32>(_e2087) - _e152) * _e1814);
-                                let _e2098 = ((bitcast<f32>(_e2091) - _e154) * _e1824);
-                                let _e2106 = nodes.member[(0u + _e2044)].x;
-                                if (_e1804 < 0f) {
-                                    let _e2117 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2106.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2123 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2117.unnamed.word, _e2106.w), _e2117.unnamed_1);
-                                    let _e2129 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2123.unnamed, lt_mask_LightPlace(_e2106.x, _e2123.unnamed_1.shift));
-                                    phi_2974_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2129.unnamed, lt_mask_LightPlace(_e2129.unnamed_1.word, _e2106.y));
+                                let _e2140 = nodes.member[(0u + _e2131)].frame[3u];
+                                let _e2165 = (bitcast<f32>((((_e2140 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1891);
+                                let _e2166 = (bitcast<f32>((((_e2140 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1901);
+                                let _e2167 = (bitcast<f32>((((_e2140 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1911);
+                                let _e2170 = nodes.member[(0u + _e2131)].frame[0u];
+                                let _e2174 = nodes.member[(0u + _e2131)].frame[1u];
+                                let _e2178 = nodes.member[(0u + _e2131)].frame[2u];
+                                let _e2183 = ((bitcast<f32>(_e2170) - _e149) * _e1891);
+                                let _e2184 = ((bitcast<f32>(_e2174) - _e151) * _e1901);
+                                let _e2185 = ((bitcast<f32>(_e2178) - _e153) * _e1911);
+                                let _e2193 = nodes.member[(0u + _e2131)].x;
+                                if (_e1891 < 0f) {
+                                    let _e2204 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2193.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2210 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2204.unnamed.word, _e2193.w), _e2204.unnamed_1);
+                                    let _e2216 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2210.unnamed, lt_mask_LightPlace(_e2193.x, _e2210.unnamed_1.shift));
+                                    phi_3063_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2216.unnamed, lt_mask_LightPlace(_e2216.unnamed_1.word, _e2193.y));
                                 } else {
-                                    let _e2145 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2106.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2151 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2145.unnamed.word, _e2106.y), _e2145.unnamed_1);
-                                    let _e2157 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2151.unnamed, lt_mask_LightPlace(_e2106.z, _e2151.unnamed_1.shift));
-                                    phi_2974_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2157.unnamed, lt_mask_LightPlace(_e2157.unnamed_1.word, _e2106.w));
+                                    let _e2232 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2193.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2238 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2232.unnamed.word, _e2193.y), _e2232.unnamed_1);
+                                    let _e2244 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2238.unnamed, lt_mask_LightPlace(_e2193.z, _e2238.unnamed_1.shift));
+                                    phi_3063_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2244.unnamed, lt_mask_LightPlace(_e2244.unnamed_1.word, _e2193.w));
                                 }
-                                let _e2165 = phi_2974_;
-                                let _e2175 = nodes.member[(0u + _e2044)].y;
-                                if (_e1814 < 0f) {
-                                    let _e2186 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2175.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2192 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2186.unnamed.word, _e2175.w), _e2186.unnamed_1);
-                                    let _e2198 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2192.unnamed, lt_mask_LightPlace(_e2175.x, _e2192.unnamed_1.shift));
-                                    phi_3001_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2198.unnamed, lt_mask_LightPlace(_e2198.unnamed_1.word, _e2175.y));
+                                let _e2252 = phi_3063_;
+                                let _e2262 = nodes.member[(0u + _e2131)].y;
+                                if (_e1901 < 0f) {
+                                    let _e2273 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2262.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2279 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2273.unnamed.word, _e2262.w), _e2273.unnamed_1);
+                                    let _e2285 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2279.unnamed, lt_mask_LightPlace(_e2262.x, _e2279.unnamed_1.shift));
+                                    phi_3090_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2285.unnamed, lt_mask_LightPlace(_e2285.unnamed_1.word, _e2262.y));
                                 } else {
-                                    let _e2214 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2175.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2220 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2214.unnamed.word, _e2175.y), _e2214.unnamed_1);
-                                    let _e2226 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2220.unnamed, lt_mask_LightPlace(_e2175.z, _e2220.unnamed_1.shift));
-                                    phi_3001_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2226.unnamed, lt_mask_LightPlace(_e2226.unnamed_1.word, _e2175.w));
+                                    let _e2301 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2262.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2307 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2301.unnamed.word, _e2262.y), _e2301.unnamed_1);
+                                    let _e2313 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2307.unnamed, lt_mask_LightPlace(_e2262.z, _e2307.unnamed_1.shift));
+                                    phi_3090_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2313.unnamed, lt_mask_LightPlace(_e2313.unnamed_1.word, _e2262.w));
                                 }
-                                let _e2234 = phi_3001_;
-                                let _e2244 = nodes.member[(0u + _e2044)].z;
-                                if (_e1824 < 0f) {
-                                    let _e2255 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2244.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2261 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2255.unnamed.word, _e2244.w), _e2255.unnamed_1);
-                                    let _e2267 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2261.unnamed, lt_mask_LightPlace(_e2244.x, _e2261.unnamed_1.shift));
-                                    phi_3028_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2267.unnamed, lt_mask_LightPlace(_e2267.unnamed_1.word, _e2244.y));
+                                let _e2321 = phi_3090_;
+                                let _e2331 = nodes.member[(0u + _e2131)].z;
+                                if (_e1911 < 0f) {
+                                    let _e2342 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2331.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2348 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2342.unnamed.word, _e2331.w), _e2342.unnamed_1);
+                                    let _e2354 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2348.unnamed, lt_mask_LightPlace(_e2331.x, _e2348.unnamed_1.shift));
+                                    phi_3117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2354.unnamed, lt_mask_LightPlace(_e2354.unnamed_1.word, _e2331.y));
                                 } else {
-                                    let _e2283 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2244.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2289 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2283.unnamed.word, _e2244.y), _e2283.unnamed_1);
-                                    let _e2295 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2289.unnamed, lt_mask_LightPlace(_e2244.z, _e2289.unnamed_1.shift));
-                                    phi_3028_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2295.unnamed, lt_mask_LightPlace(_e2295.unnamed_1.word, _e2244.w));
+                                    let _e2370 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2331.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2376 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2370.unnamed.word, _e2331.y), _e2370.unnamed_1);
+                                    let _e2382 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2376.unnamed, lt_mask_LightPlace(_e2331.z, _e2376.unnamed_1.shift));
+                                    phi_3117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2382.unnamed, lt_mask_LightPlace(_e2382.unnamed_1.word, _e2331.w));
                                 }
-                                let _e2303 = phi_3028_;
-                                phi_3034_ = 0u;
-                                phi_3037_ = 0u;
+                                let _e2390 = phi_3117_;
+                                phi_3123_ = 0u;
+                                phi_3126_ = 0u;
                                 loop {
-                                    let _e2313 = phi_3034_;
-                                    let _e2315 = phi_3037_;
-                                    local_8 = _e2315;
-                                    local_9 = _e2315;
-                                    local_10 = _e2315;
-                                    let _e2316 = (_e2313 < 8u);
-                                    if _e2316 {
-                                        let _e2318 = (_e2313 >> bitcast<u32>(2i));
-                                        let _e2319 = (_e2313 & 3u);
-                                        if (_e2318 == 0u) {
-                                            phi_3051_ = _e2165.unnamed.word;
+                                    let _e2400 = phi_3123_;
+                                    let _e2402 = phi_3126_;
+                                    local_10 = _e2402;
+                                    local_11 = _e2402;
+                                    local_12 = _e2402;
+                                    let _e2403 = (_e2400 < 8u);
+                                    if _e2403 {
+                                        let _e2405 = (_e2400 >> bitcast<u32>(2i));
+                                        let _e2406 = (_e2400 & 3u);
+                                        if (_e2405 == 0u) {
+                                            phi_3140_ = _e2252.unnamed.word;
                                         } else {
-                                            phi_3051_ = _e2165.unnamed.shift;
+                                            phi_3140_ = _e2252.unnamed.shift;
                                         }
-                                        let _e2322 = phi_3051_;
-                                        if (_e2318 == 0u) {
-                                            phi_3061_ = _e2234.unnamed.word;
+                                        let _e2409 = phi_3140_;
+                                        if (_e2405 == 0u) {
+                                            phi_3150_ = _e2321.unnamed.word;
                                         } else {
-                                            phi_3061_ = _e2234.unnamed.shift;
+                                            phi_3150_ = _e2321.unnamed.shift;
                                         }
-                                        let _e2331 = phi_3061_;
-                                        if (_e2318 == 0u) {
-                                            phi_3071_ = _e2303.unnamed.word;
+                                        let _e2418 = phi_3150_;
+                                        if (_e2405 == 0u) {
+                                            phi_3160_ = _e2390.unnamed.word;
                                         } else {
-                                            phi_3071_ = _e2303.unnamed.shift;
+                                            phi_3160_ = _e2390.unnamed.shift;
                                         }
-                                        let _e2340 = phi_3071_;
-                                        let _e2353 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2322 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2078) + (_e2096 - _e1856)), ((f32(((_e2331 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2079) + (_e2097 - _e1857)));
-                                        let _e2354 = core_intrinsics_maximum_number_nsz_f32_(_e2353, ((f32(((_e2340 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2080) + (_e2098 - _e1858)));
-                                        if (_e2318 == 0u) {
-                                            phi_3089_ = _e2165.unnamed_1.word;
+                                        let _e2427 = phi_3160_;
+                                        let _e2440 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2409 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2165) + (_e2183 - _e1943)), ((f32(((_e2418 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2166) + (_e2184 - _e1944)));
+                                        let _e2441 = core_intrinsics_maximum_number_nsz_f32_(_e2440, ((f32(((_e2427 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2167) + (_e2185 - _e1945)));
+                                        if (_e2405 == 0u) {
+                                            phi_3178_ = _e2252.unnamed_1.word;
                                         } else {
-                                            phi_3089_ = _e2165.unnamed_1.shift;
+                                            phi_3178_ = _e2252.unnamed_1.shift;
                                         }
-                                        let _e2357 = phi_3089_;
-                                        if (_e2318 == 0u) {
-                                            phi_3099_ = _e2234.unnamed_1.word;
+                                        let _e2444 = phi_3178_;
+                                        if (_e2405 == 0u) {
+                                            phi_3188_ = _e2321.unnamed_1.word;
                                         } else {
-                                            phi_3099_ = _e2234.unnamed_1.shift;
+                                            phi_3188_ = _e2321.unnamed_1.shift;
                                         }
-                                        let _e2366 = phi_3099_;
-                                        if (_e2318 == 0u) {
-                                            phi_3109_ = _e2303.unnamed_1.word;
+                                        let _e2453 = phi_3188_;
+                                        if (_e2405 == 0u) {
+                                            phi_3198_ = _e2390.unnamed_1.word;
                                         } else {
-                                            phi_3109_ = _e2303.unnamed_1.shift;
+                                            phi_3198_ = _e2390.unnamed_1.shift;
                                         }
-                                        let _e2375 = phi_3109_;
-                                        let _e2388 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2357 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2078) + (_e2096 + _e1856)), ((f32(((_e2366 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2079) + (_e2097 + _e1857)));
-                                        let _e2389 = core_intrinsics_minimum_number_nsz_f32_(_e2388, ((f32(((_e2375 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u)) * _e2080) + (_e2098 + _e1858)));
-                                        if (_e2354 <= _e2389) {
-                                            if (_e2354 <= _e162) {
-                                                if (_e2389 >= 0f) {
-                                                    if (_e2318 == 0u) {
-                                                        let _e2396 = nodes.member[(0u + _e2044)].links[2u];
-                                                        phi_3145_ = _e2396;
+                                        let _e2462 = phi_3198_;
+                                        let _e2475 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2444 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2165) + (_e2183 + _e1943)), ((f32(((_e2453 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2166) + (_e2184 + _e1944)));
+                                        let _e2476 = core_intrinsics_minimum_number_nsz_f32_(_e2475, ((f32(((_e2462 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2167) + (_e2185 + _e1945)));
+                                        if (_e2441 <= _e2476) {
+                                            if (_e2441 <= _e161) {
+                                                if (_e2476 >= 0f) {
+                                                    if (_e2405 == 0u) {
+                                                        let _e2483 = nodes.member[(0u + _e2131)].links[2u];
+                                                        phi_3234_ = _e2483;
                                                     } else {
-                                                        let _e2399 = nodes.member[(0u + _e2044)].links[3u];
-                                                        phi_3145_ = _e2399;
+                                                        let _e2486 = nodes.member[(0u + _e2131)].links[3u];
+                                                        phi_3234_ = _e2486;
                                                     }
-                                                    let _e2401 = phi_3145_;
-                                                    let _e2406 = ((_e2401 >> bitcast<u32>(((_e2319 * 8u) & 31u))) & 255u);
-                                                    let _e2407 = (_e2406 & 31u);
-                                                    if (_e2407 >= 24u) {
-                                                        phi_3158_ = (24u + ((_e2407 - 24u) ^ _e1906));
+                                                    let _e2488 = phi_3234_;
+                                                    let _e2493 = ((_e2488 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u);
+                                                    let _e2494 = (_e2493 & 31u);
+                                                    if (_e2494 >= 24u) {
+                                                        phi_3247_ = (24u + ((_e2494 - 24u) ^ _e1993));
                                                     } else {
-                                                        phi_3158_ = _e2407;
+                                                        phi_3247_ = _e2494;
                                                     }
-                                                    let _e2413 = phi_3158_;
-                                                    phi_3163_ = (_e2315 | ((_e2406 >> bitcast<u32>(5i)) << bitcast<u32>((_e2413 & 31u))));
+                                                    let _e2500 = phi_3247_;
+                                                    phi_3252_ = (_e2402 | ((_e2493 >> bitcast<u32>(5i)) << bitcast<u32>((_e2500 & 31u))));
                                                 } else {
-                                                    phi_3163_ = _e2315;
+                                                    phi_3252_ = _e2402;
                                                 }
-                                                let _e2421 = phi_3163_;
-                                                phi_3164_ = _e2421;
+                                                let _e2508 = phi_3252_;
+                                                phi_3253_ = _e2508;
                                             } else {
-                                                phi_3164_ = _e2315;
+                                                phi_3253_ = _e2402;
                                             }
-                                            let _e2423 = phi_3164_;
-                                            phi_3165_ = _e2423;
+                                            let _e2510 = phi_3253_;
+                                            phi_3254_ = _e2510;
                                         } else {
-                                            phi_3165_ = _e2315;
+                                            phi_3254_ = _e2402;
                                         }
-                                        let _e2425 = phi_3165_;
-                                        phi_3035_ = (_e2313 + 1u);
-                                        phi_3038_ = _e2425;
+                                        let _e2512 = phi_3254_;
+                                        phi_3124_ = (_e2400 + 1u);
+                                        phi_3127_ = _e2512;
                                     } else {
-                                        phi_3035_ = u32();
-                                        phi_3038_ = u32();
+                                        phi_3124_ = u32();
+                                        phi_3127_ = u32();
                                     }
-                                    let _e2428 = phi_3035_;
-                                    let _e2430 = phi_3038_;
+                                    let _e2515 = phi_3124_;
+                                    let _e2517 = phi_3127_;
                                     continue;
                                     continuing {
-                                        phi_3034_ = _e2428;
-                                        phi_3037_ = _e2430;
-                                        break if !(_e2316);
+                                        phi_3123_ = _e2515;
+                                        phi_3126_ = _e2517;
+                                        break if !(_e2403);
                                     }
                                 }
-                                let _e2434 = nodes.member[(0u + _e2044)].links[0u];
-                                let _e2438 = nodes.member[(0u + _e2044)].frame[3u];
-                                let _e2442 = local_8;
-                                if ((_e2442 & 4278190080u) == 0u) {
+                                let _e2521 = nodes.member[(0u + _e2131)].links[0u];
+                                let _e2525 = nodes.member[(0u + _e2131)].frame[3u];
+                                let _e2529 = local_10;
+                                if ((_e2529 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e2446 = local_1.group_mask;
-                                    if ((_e2446 & 4278190080u) == 0u) {
+                                    let _e2533 = local_1.group_mask;
+                                    if ((_e2533 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2450 = local_1.len;
-                                        if (_e2450 < 32u) {
-                                            let _e2453 = local_1.group;
-                                            let _e2455 = local_1.len;
-                                            if (_e2455 < 32u) {
+                                        let _e2537 = local_1.len;
+                                        if (_e2537 < 32u) {
+                                            let _e2540 = local_1.group;
+                                            let _e2542 = local_1.len;
+                                            if (_e2542 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_1.first[(0u + _e2455)] = _e2453;
-                                            let _e2461 = local_1.group_mask;
-                                            let _e2463 = local_1.len;
-                                            if (_e2463 < 32u) {
+                                            local_1.first[(0u + _e2542)] = _e2540;
+                                            let _e2548 = local_1.group_mask;
+                                            let _e2550 = local_1.len;
+                                            if (_e2550 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_1.mask[(0u + _e2463)] = _e2461;
-                                            let _e2470 = local_1.len;
-                                            local_1.len = (_e2470 + 1u);
+                                            local_1.mask[(0u + _e2550)] = _e2548;
+                                            let _e2557 = local_1.len;
+                                            local_1.len = (_e2557 + 1u);
                                         }
                                     }
-                                    local_1.group = (0u + _e2434);
-                                    let _e2474 = local_9;
-                                    local_1.group_mask = ((_e2474 & 4278190080u) | (_e2438 >> bitcast<u32>(24i)));
+                                    local_1.group = (0u + _e2521);
+                                    let _e2561 = local_11;
+                                    local_1.group_mask = ((_e2561 & 4278190080u) | (_e2525 >> bitcast<u32>(24i)));
                                 }
-                                let _e2479 = local_10;
-                                phi_3223_ = (_e2479 & 16777215u);
-                                phi_3226_ = _e2046;
+                                let _e2566 = local_12;
+                                phi_3312_ = (_e2566 & 16777215u);
+                                phi_3315_ = _e2133;
                                 loop {
-                                    let _e2482 = phi_3223_;
-                                    let _e2484 = phi_3226_;
-                                    local_21 = _e2484;
-                                    let _e2485 = (_e2482 == 0u);
-                                    local_11 = _e2485;
-                                    local_23 = _e2485;
-                                    if _e2485 {
-                                        phi_3224_ = u32();
-                                        phi_3227_ = bool();
-                                        phi_4030_ = bool();
-                                        phi_4031_ = false;
+                                    let _e2569 = phi_3312_;
+                                    let _e2571 = phi_3315_;
+                                    local_23 = _e2571;
+                                    let _e2572 = (_e2569 == 0u);
+                                    local_13 = _e2572;
+                                    local_25 = _e2572;
+                                    if _e2572 {
+                                        phi_3313_ = u32();
+                                        phi_3316_ = bool();
+                                        phi_4119_ = bool();
+                                        phi_4120_ = false;
                                     } else {
-                                        let _e2488 = nodes.member[(0u + _e2044)].links[1u];
-                                        let _e2493 = ((0u + _e2488) + select(firstTrailingBit(_e2482), 32u, (_e2482 == 0u)));
-                                        if (_e2493 < _e94) {
+                                        let _e2575 = nodes.member[(0u + _e2131)].links[1u];
+                                        let _e2580 = ((0u + _e2575) + select(firstTrailingBit(_e2569), 32u, (_e2569 == 0u)));
+                                        if (_e2580 < _e93) {
                                         } else {
                                             return;
                                         }
-                                        let _e2500 = triangles.member[(0u + _e2493)].v0_;
-                                        let _e2502 = (_e2500.x - _e150);
-                                        let _e2504 = (_e2500.y - _e152);
-                                        let _e2506 = (_e2500.z - _e154);
-                                        if (_e1879 == 0u) {
-                                            phi_3271_ = vec3<f32>(_e2504, _e2506, _e2502);
+                                        let _e2587 = triangles.member[(0u + _e2580)].v0_;
+                                        let _e2589 = (_e2587.x - _e149);
+                                        let _e2591 = (_e2587.y - _e151);
+                                        let _e2593 = (_e2587.z - _e153);
+                                        if (_e1966 == 0u) {
+                                            phi_3360_ = vec3<f32>(_e2591, _e2593, _e2589);
                                         } else {
-                                            if (_e1879 == 1u) {
-                                                phi_3270_ = vec3<f32>(_e2506, _e2502, _e2504);
+                                            if (_e1966 == 1u) {
+                                                phi_3359_ = vec3<f32>(_e2593, _e2589, _e2591);
                                             } else {
-                                                phi_3270_ = (_e2500 - vec3<f32>(_e150, _e152, _e154));
+                                                phi_3359_ = (_e2587 - vec3<f32>(_e149, _e151, _e153));
                                             }
-                                            let _e2514 = phi_3270_;
-                                            phi_3271_ = _e2514;
+                                            let _e2601 = phi_3359_;
+                                            phi_3360_ = _e2601;
                                         }
-                                        let _e2516 = phi_3271_;
-                                        let _e2520 = (_e2516.x - (_e1890 * _e2516.z));
-                                        let _e2524 = (_e2516.y - (_e1893 * _e2516.z));
-                                        let _e2526 = triangles.member[(0u + _e2493)].v1_;
-                                        let _e2528 = (_e2526.x - _e150);
-                                        let _e2530 = (_e2526.y - _e152);
-                                        let _e2532 = (_e2526.z - _e154);
-                                        if (_e1879 == 0u) {
-                                            phi_3301_ = vec3<f32>(_e2530, _e2532, _e2528);
+                                        let _e2603 = phi_3360_;
+                                        let _e2607 = (_e2603.x - (_e1977 * _e2603.z));
+                                        let _e2611 = (_e2603.y - (_e1980 * _e2603.z));
+                                        let _e2613 = triangles.member[(0u + _e2580)].v1_;
+                                        let _e2615 = (_e2613.x - _e149);
+                                        let _e2617 = (_e2613.y - _e151);
+                                        let _e2619 = (_e2613.z - _e153);
+                                        if (_e1966 == 0u) {
+                                            phi_3390_ = vec3<f32>(_e2617, _e2619, _e2615);
                                         } else {
-                                            if (_e1879 == 1u) {
-                                                phi_3300_ = vec3<f32>(_e2532, _e2528, _e2530);
+                                            if (_e1966 == 1u) {
+                                                phi_3389_ = vec3<f32>(_e2619, _e2615, _e2617);
                                             } else {
-                                                phi_3300_ = (_e2526 - vec3<f32>(_e150, _e152, _e154));
+                                                phi_3389_ = (_e2613 - vec3<f32>(_e149, _e151, _e153));
                                             }
-                                            let _e2540 = phi_3300_;
-                                            phi_3301_ = _e2540;
+                                            let _e2627 = phi_3389_;
+                                            phi_3390_ = _e2627;
                                         }
-                                        let _e2542 = phi_3301_;
-                                        let _e2546 = (_e2542.x - (_e1890 * _e2542.z));
-                                        let _e2550 = (_e2542.y - (_e1893 * _e2542.z));
-                                        let _e2552 = triangles.member[(0u + _e2493)].v2_;
-                                        let _e2554 = (_e2552.x - _e150);
-                                        let _e2556 = (_e2552.y - _e152);
-                                        let _e2558 = (_e2552.z - _e154);
-                                        if (_e1879 == 0u) {
-                                            phi_3331_ = vec3<f32>(_e2556, _e2558, _e2554);
+                                        let _e2629 = phi_3390_;
+                                        let _e2633 = (_e2629.x - (_e1977 * _e2629.z));
+                                        let _e2637 = (_e2629.y - (_e1980 * _e2629.z));
+                                        let _e2639 = triangles.member[(0u + _e2580)].v2_;
+                                        let _e2641 = (_e2639.x - _e149);
+                                        let _e2643 = (_e2639.y - _e151);
+                                        let _e2645 = (_e2639.z - _e153);
+                                        if (_e1966 == 0u) {
+                                            phi_3420_ = vec3<f32>(_e2643, _e2645, _e2641);
                                         } else {
-                                            if (_e1879 == 1u) {
-                                                phi_3330_ = vec3<f32>(_e2558, _e2554, _e2556);
+                                            if (_e1966 == 1u) {
+                                                phi_3419_ = vec3<f32>(_e2645, _e2641, _e2643);
                                             } else {
-                                                phi_3330_ = (_e2552 - vec3<f32>(_e150, _e152, _e154));
+                                                phi_3419_ = (_e2639 - vec3<f32>(_e149, _e151, _e153));
                                             }
-                                            let _e2566 = phi_3330_;
-                                            phi_3331_ = _e2566;
+                                            let _e2653 = phi_3419_;
+                                            phi_3420_ = _e2653;
                                         }
-                                        let _e2568 = phi_3331_;
-                                        let _e2572 = (_e2568.x - (_e1890 * _e2568.z));
-                                        let _e2576 = (_e2568.y - (_e1893 * _e2568.z));
-                                        if (_e2546 < _e2572) {
-                                            phi_3350_ = true;
+                                        let _e2655 = phi_3420_;
+                                        let _e2659 = (_e2655.x - (_e1977 * _e2655.z));
+                                        let _e2663 = (_e2655.y - (_e1980 * _e2655.z));
+                                        if (_e2633 < _e2659) {
+                                            phi_3439_ = true;
                                         } else {
-                                            if (_e2546 == _e2572) {
-                                                phi_3349_ = (_e2550 < _e2576);
+                                            if (_e2633 == _e2659) {
+                                                phi_3438_ = (_e2637 < _e2663);
                                             } else {
-                                                phi_3349_ = false;
+                                                phi_3438_ = false;
                                             }
-                                            let _e2581 = phi_3349_;
-                                            phi_3350_ = _e2581;
+                                            let _e2668 = phi_3438_;
+                                            phi_3439_ = _e2668;
                                         }
-                                        let _e2583 = phi_3350_;
-                                        if _e2583 {
-                                            phi_3354_ = _e2576;
-                                            phi_3355_ = _e2572;
-                                            phi_3356_ = _e2550;
-                                            phi_3357_ = _e2546;
+                                        let _e2670 = phi_3439_;
+                                        if _e2670 {
+                                            phi_3443_ = _e2663;
+                                            phi_3444_ = _e2659;
+                                            phi_3445_ = _e2637;
+                                            phi_3446_ = _e2633;
                                         } else {
-                                            phi_3354_ = _e2550;
-                                            phi_3355_ = _e2546;
-                                            phi_3356_ = _e2576;
-                                            phi_3357_ = _e2572;
+                                            phi_3443_ = _e2637;
+                                            phi_3444_ = _e2633;
+                                            phi_3445_ = _e2663;
+                                            phi_3446_ = _e2659;
                                         }
-                                        let _e2585 = phi_3354_;
-                                        let _e2587 = phi_3355_;
-                                        let _e2589 = phi_3356_;
-                                        let _e2591 = phi_3357_;
-                                        let _e2594 = ((_e2591 * _e2585) - (_e2589 * _e2587));
-                                        if _e2583 {
-                                            phi_3365_ = -(_e2594);
+                                        let _e2672 = phi_3443_;
+                                        let _e2674 = phi_3444_;
+                                        let _e2676 = phi_3445_;
+                                        let _e2678 = phi_3446_;
+                                        let _e2681 = ((_e2678 * _e2672) - (_e2676 * _e2674));
+                                        if _e2670 {
+                                            phi_3454_ = -(_e2681);
                                         } else {
-                                            phi_3365_ = _e2594;
+                                            phi_3454_ = _e2681;
                                         }
-                                        let _e2597 = phi_3365_;
-                                        if (_e2572 < _e2520) {
-                                            phi_3376_ = true;
+                                        let _e2684 = phi_3454_;
+                                        if (_e2659 < _e2607) {
+                                            phi_3465_ = true;
                                         } else {
-                                            if (_e2572 == _e2520) {
-                                                phi_3375_ = (_e2576 < _e2524);
+                                            if (_e2659 == _e2607) {
+                                                phi_3464_ = (_e2663 < _e2611);
                                             } else {
-                                                phi_3375_ = false;
-                                            }
-                                            let _e2602 = phi_3375_;
-                                            phi_3376_ = _e2602;
-                                        }
-                                        let _e2604 = phi_3376_;
-                                        if _e2604 {
-                                            phi_3380_ = _e2524;
-                                            phi_3381_ = _e2520;
-                                            phi_3382_ = _e2576;
-                                            phi_3383_ = _e2572;
-                                        } else {
-                                            phi_3380_ = _e2576;
-                                            phi_3381_ = _e2572;
-                                            phi_3382_ = _e2524;
-                                            phi_3383_ = _e2520;
-                                        }
-                                        let _e2606 = phi_3380_;
-                                        let _e2608 = phi_3381_;
-                                        let _e2610 = phi_3382_;
-                                        let _e2612 = phi_3383_;
-                                        let _e2615 = ((_e2612 * _e2606) - (_e2610 * _e2608));
-                                        if _e2604 {
-                                            phi_3391_ = -(_e2615);
-                                        } else {
-                                            phi_3391_ = _e2615;
-                                        }
-                                        let _e2618 = phi_3391_;
-                                        if (_e2520 < _e2546) {
-                                            phi_3402_ = true;
-                                        } else {
-                                            if (_e2520 == _e2546) {
-                                                phi_3401_ = (_e2524 < _e2550);
-                                            } else {
-                                                phi_3401_ = false;
-                                            }
-                                            let _e2623 = phi_3401_;
-                                            phi_3402_ = _e2623;
-                                        }
-                                        let _e2625 = phi_3402_;
-                                        if _e2625 {
-                                            phi_3406_ = _e2550;
-                                            phi_3407_ = _e2546;
-                                            phi_3408_ = _e2524;
-                                            phi_3409_ = _e2520;
-                                        } else {
-                                            phi_3406_ = _e2524;
-                                            phi_3407_ = _e2520;
-                                            phi_3408_ = _e2550;
-                                            phi_3409_ = _e2546;
-                                        }
-                                        let _e2627 = phi_3406_;
-                                        let _e2629 = phi_3407_;
-                                        let _e2631 = phi_3408_;
-                                        let _e2633 = phi_3409_;
-                                        let _e2636 = ((_e2633 * _e2627) - (_e2631 * _e2629));
-                                        if _e2625 {
-                                            phi_3417_ = -(_e2636);
-                                        } else {
-                                            phi_3417_ = _e2636;
-                                        }
-                                        let _e2639 = phi_3417_;
-                                        if (_e2597 >= 0f) {
-                                            if (_e2618 >= 0f) {
-                                                if (_e2639 >= 0f) {
-                                                    phi_3432_ = ((_e2597 + _e2618) + _e2639);
-                                                    phi_3433_ = false;
-                                                } else {
-                                                    phi_3432_ = f32();
-                                                    phi_3433_ = true;
-                                                }
-                                                let _e2646 = phi_3432_;
-                                                let _e2648 = phi_3433_;
-                                                phi_3434_ = _e2646;
-                                                phi_3435_ = _e2648;
-                                            } else {
-                                                phi_3434_ = f32();
-                                                phi_3435_ = true;
-                                            }
-                                            let _e2650 = phi_3434_;
-                                            let _e2652 = phi_3435_;
-                                            phi_3436_ = _e2650;
-                                            phi_3437_ = _e2652;
-                                        } else {
-                                            phi_3436_ = f32();
-                                            phi_3437_ = true;
-                                        }
-                                        let _e2654 = phi_3436_;
-                                        let _e2656 = phi_3437_;
-                                        if _e2656 {
-                                            if (_e2597 <= 0f) {
-                                                if (_e2618 <= 0f) {
-                                                    let _e2659 = (_e2639 <= 0f);
-                                                    if _e2659 {
-                                                    }
-                                                    phi_3455_ = ((_e2597 + _e2618) + _e2639);
-                                                    phi_3456_ = false;
-                                                    phi_3457_ = _e2659;
-                                                } else {
-                                                    phi_3455_ = f32();
-                                                    phi_3456_ = true;
-                                                    phi_3457_ = false;
-                                                }
-                                                let _e2663 = phi_3455_;
-                                                let _e2665 = phi_3456_;
-                                                let _e2667 = phi_3457_;
-                                                phi_3458_ = _e2663;
-                                                phi_3459_ = _e2665;
-                                                phi_3460_ = _e2667;
-                                            } else {
-                                                phi_3458_ = f32();
-                                                phi_3459_ = true;
-                                                phi_3460_ = false;
-                                            }
-                                            let _e2669 = phi_3458_;
-                                            let _e2671 = phi_3459_;
-                                            let _e2673 = phi_3460_;
-                                            if _e2671 {
                                                 phi_3464_ = false;
-                                            } else {
-                                                phi_3464_ = _e2673;
                                             }
-                                            let _e2675 = phi_3464_;
-                                            phi_3465_ = _e2669;
-                                            phi_3466_ = _e2675;
-                                        } else {
-                                            phi_3465_ = _e2654;
-                                            phi_3466_ = true;
+                                            let _e2689 = phi_3464_;
+                                            phi_3465_ = _e2689;
                                         }
-                                        let _e2677 = phi_3465_;
-                                        let _e2679 = phi_3466_;
-                                        if _e2679 {
-                                            let _e2680 = (_e2677 == 0f);
-                                            if _e2680 {
-                                                phi_3782_ = lt_bvh_triangle_Intersection();
-                                                phi_3783_ = false;
+                                        let _e2691 = phi_3465_;
+                                        if _e2691 {
+                                            phi_3469_ = _e2611;
+                                            phi_3470_ = _e2607;
+                                            phi_3471_ = _e2663;
+                                            phi_3472_ = _e2659;
+                                        } else {
+                                            phi_3469_ = _e2663;
+                                            phi_3470_ = _e2659;
+                                            phi_3471_ = _e2611;
+                                            phi_3472_ = _e2607;
+                                        }
+                                        let _e2693 = phi_3469_;
+                                        let _e2695 = phi_3470_;
+                                        let _e2697 = phi_3471_;
+                                        let _e2699 = phi_3472_;
+                                        let _e2702 = ((_e2699 * _e2693) - (_e2697 * _e2695));
+                                        if _e2691 {
+                                            phi_3480_ = -(_e2702);
+                                        } else {
+                                            phi_3480_ = _e2702;
+                                        }
+                                        let _e2705 = phi_3480_;
+                                        if (_e2607 < _e2633) {
+                                            phi_3491_ = true;
+                                        } else {
+                                            if (_e2607 == _e2633) {
+                                                phi_3490_ = (_e2611 < _e2637);
                                             } else {
-                                                let _e2682 = triangles.member[(0u + _e2493)].v0_;
-                                                let _e2684 = (_e2682.x - _e150);
-                                                let _e2686 = (_e2682.y - _e152);
-                                                let _e2688 = (_e2682.z - _e154);
-                                                if (_e1879 == 0u) {
-                                                    phi_3495_ = vec3<f32>(_e2686, _e2688, _e2684);
-                                                } else {
-                                                    if (_e1879 == 1u) {
-                                                        phi_3494_ = vec3<f32>(_e2688, _e2684, _e2686);
-                                                    } else {
-                                                        phi_3494_ = (_e2682 - vec3<f32>(_e150, _e152, _e154));
-                                                    }
-                                                    let _e2696 = phi_3494_;
-                                                    phi_3495_ = _e2696;
-                                                }
-                                                let _e2698 = phi_3495_;
-                                                let _e2700 = triangles.member[(0u + _e2493)].v1_;
-                                                let _e2702 = triangles.member[(0u + _e2493)].v0_;
-                                                let _e2705 = (_e2700.x - _e2702.x);
-                                                let _e2708 = (_e2700.y - _e2702.y);
-                                                let _e2711 = (_e2700.z - _e2702.z);
-                                                if (_e1879 == 0u) {
-                                                    phi_3521_ = vec3<f32>(_e2708, _e2711, _e2705);
-                                                } else {
-                                                    if (_e1879 == 1u) {
-                                                        phi_3520_ = vec3<f32>(_e2711, _e2705, _e2708);
-                                                    } else {
-                                                        phi_3520_ = (_e2700 - _e2702);
-                                                    }
-                                                    let _e2718 = phi_3520_;
-                                                    phi_3521_ = _e2718;
-                                                }
-                                                let _e2720 = phi_3521_;
-                                                let _e2722 = triangles.member[(0u + _e2493)].v2_;
-                                                let _e2724 = triangles.member[(0u + _e2493)].v0_;
-                                                let _e2727 = (_e2722.x - _e2724.x);
-                                                let _e2730 = (_e2722.y - _e2724.y);
-                                                let _e2733 = (_e2722.z - _e2724.z);
-                                                if (_e1879 == 0u) {
-                                                    phi_3547_ = vec3<f32>(_e2730, _e2733, _e2727);
-                                                } else {
-                                                    if (_e1879 == 1u) {
-                                                        phi_3546_ = vec3<f32>(_e2733, _e2727, _e2730);
-                                                    } else {
-                                                        phi_3546_ = (_e2722 - _e2724);
-                                                    }
-                                                    let _e2740 = phi_3546_;
-                                                    phi_3547_ = _e2740;
-                                                }
-                                                let _e2742 = phi_3547_;
-                                                let _e2749 = ((_e2720.y * _e2742.z) - (_e2720.z * _e2742.y));
-                                                let _e2756 = ((_e2720.z * _e2742.x) - (_e2720.x * _e2742.z));
-                                                let _e2763 = ((_e2720.x * _e2742.y) - (_e2720.y * _e2742.x));
-                                                let _e2777 = (((1f / _e1887.z) * (((_e2749 * _e2698.x) + (_e2756 * _e2698.y)) + (_e2763 * _e2698.z))) / (((_e2749 * _e1890) + (_e2756 * _e1893)) + _e2763));
-                                                if (_e2777 > 0f) {
-                                                    if (_e2777 < _e162) {
-                                                        let _e2781 = triangles.member[(0u + _e2493)].v0_;
-                                                        let _e2783 = triangles.member[(0u + _e2493)].v1_;
-                                                        if (_e2781.x < _e2783.x) {
-                                                            phi_3603_ = _e2781.x;
-                                                        } else {
-                                                            phi_3603_ = _e2783.x;
-                                                        }
-                                                        let _e2790 = phi_3603_;
-                                                        if (_e2781.y < _e2783.y) {
-                                                            phi_3612_ = _e2781.y;
-                                                        } else {
-                                                            phi_3612_ = _e2783.y;
-                                                        }
-                                                        let _e2797 = phi_3612_;
-                                                        if (_e2781.z < _e2783.z) {
-                                                            phi_3621_ = _e2781.z;
-                                                        } else {
-                                                            phi_3621_ = _e2783.z;
-                                                        }
-                                                        let _e2804 = phi_3621_;
-                                                        let _e2806 = triangles.member[(0u + _e2493)].v2_;
-                                                        if (_e2790 < _e2806.x) {
-                                                            phi_3630_ = _e2790;
-                                                        } else {
-                                                            phi_3630_ = _e2806.x;
-                                                        }
-                                                        let _e2811 = phi_3630_;
-                                                        if (_e2797 < _e2806.y) {
-                                                            phi_3637_ = _e2797;
-                                                        } else {
-                                                            phi_3637_ = _e2806.y;
-                                                        }
-                                                        let _e2816 = phi_3637_;
-                                                        if (_e2804 < _e2806.z) {
-                                                            phi_3644_ = _e2804;
-                                                        } else {
-                                                            phi_3644_ = _e2806.z;
-                                                        }
-                                                        let _e2821 = phi_3644_;
-                                                        let _e2823 = triangles.member[(0u + _e2493)].v0_;
-                                                        let _e2825 = triangles.member[(0u + _e2493)].v1_;
-                                                        if (_e2823.x > _e2825.x) {
-                                                            phi_3657_ = _e2823.x;
-                                                        } else {
-                                                            phi_3657_ = _e2825.x;
-                                                        }
-                                                        let _e2832 = phi_3657_;
-                                                        if (_e2823.y > _e2825.y) {
-                                                            phi_3666_ = _e2823.y;
-                                                        } else {
-                                                            phi_3666_ = _e2825.y;
-                                                        }
-                                                        let _e2839 = phi_3666_;
-                                                        if (_e2823.z > _e2825.z) {
-                                                            phi_3675_ = _e2823.z;
-                                                        } else {
-                                                            phi_3675_ = _e2825.z;
-                                                        }
-                                                        let _e2846 = phi_3675_;
-                                                        let _e2848 = triangles.member[(0u + _e2493)].v2_;
-                                                        if (_e2832 > _e2848.x) {
-                                                            phi_3684_ = _e2832;
-                                                        } else {
-                                                            phi_3684_ = _e2848.x;
-                                                        }
-                                                        let _e2853 = phi_3684_;
-                                                        if (_e2839 > _e2848.y) {
-                                                            phi_3691_ = _e2839;
-                                                        } else {
-                                                            phi_3691_ = _e2848.y;
-                                                        }
-                                                        let _e2858 = phi_3691_;
-                                                        if (_e2846 > _e2848.z) {
-                                                            phi_3698_ = _e2846;
-                                                        } else {
-                                                            phi_3698_ = _e2848.z;
-                                                        }
-                                                        let _e2863 = phi_3698_;
-                                                        let _e2867 = ((_e2811 - _e150) * _e1804);
-                                                        let _e2868 = ((_e2816 - _e152) * _e1814);
-                                                        let _e2869 = ((_e2821 - _e154) * _e1824);
-                                                        let _e2873 = ((_e2853 - _e150) * _e1804);
-                                                        let _e2874 = ((_e2858 - _e152) * _e1814);
-                                                        let _e2875 = ((_e2863 - _e154) * _e1824);
-                                                        if (_e2867 < _e2873) {
-                                                            phi_3715_ = _e2867;
-                                                        } else {
-                                                            phi_3715_ = _e2873;
-                                                        }
-                                                        let _e2878 = phi_3715_;
-                                                        if (_e2868 < _e2874) {
-                                                            phi_3720_ = _e2868;
-                                                        } else {
-                                                            phi_3720_ = _e2874;
-                                                        }
-                                                        let _e2881 = phi_3720_;
-                                                        if (_e2869 < _e2875) {
-                                                            phi_3725_ = _e2869;
-                                                        } else {
-                                                            phi_3725_ = _e2875;
-                                                        }
-                                                        let _e2884 = phi_3725_;
-                                                        if (_e2867 > _e2873) {
-                                                            phi_3733_ = _e2867;
-                                                        } else {
-                                                            phi_3733_ = _e2873;
-                                                        }
-                                                        let _e2890 = phi_3733_;
-                                                        if (_e2868 > _e2874) {
-                                                            phi_3738_ = _e2868;
-                                                        } else {
-                                                            phi_3738_ = _e2874;
-                                                        }
-                                                        let _e2893 = phi_3738_;
-                                                        if (_e2869 > _e2875) {
-                                                            phi_3743_ = _e2869;
-                                                        } else {
-                                                            phi_3743_ = _e2875;
-                                                        }
-                                                        let _e2896 = phi_3743_;
-                                                        let _e2900 = core_intrinsics_maximum_number_nsz_f32_((_e2878 - _e1863), (_e2881 - _e1864));
-                                                        let _e2901 = core_intrinsics_maximum_number_nsz_f32_(_e2900, (_e2884 - _e1865));
-                                                        let _e2902 = core_intrinsics_minimum_number_nsz_f32_((_e2890 + _e1863), (_e2893 + _e1864));
-                                                        let _e2903 = core_intrinsics_minimum_number_nsz_f32_(_e2902, (_e2896 + _e1865));
-                                                        if (_e2901 > -300000000000000000000000000000000000000f) {
-                                                            phi_3755_ = _e2901;
-                                                        } else {
-                                                            phi_3755_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2906 = phi_3755_;
-                                                        if (_e2903 < 300000000000000000000000000000000000000f) {
-                                                            phi_3760_ = _e2903;
-                                                        } else {
-                                                            phi_3760_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2909 = phi_3760_;
-                                                        if (_e2777 < _e2906) {
-                                                            phi_3765_ = _e2906;
-                                                        } else {
-                                                            phi_3765_ = _e2777;
-                                                        }
-                                                        let _e2912 = phi_3765_;
-                                                        if (_e2912 > _e2909) {
-                                                            phi_3770_ = _e2909;
-                                                        } else {
-                                                            phi_3770_ = _e2912;
-                                                        }
-                                                        let _e2915 = phi_3770_;
-                                                        phi_3775_ = lt_bvh_triangle_Intersection(_e2915, (_e2618 / _e2677), (_e2639 / _e2677), (_e2906 <= _e2909));
-                                                        phi_3776_ = false;
-                                                    } else {
-                                                        phi_3775_ = lt_bvh_triangle_Intersection();
-                                                        phi_3776_ = true;
-                                                    }
-                                                    let _e2921 = phi_3775_;
-                                                    let _e2923 = phi_3776_;
-                                                    phi_3777_ = _e2921;
-                                                    phi_3778_ = _e2923;
-                                                } else {
-                                                    phi_3777_ = lt_bvh_triangle_Intersection();
-                                                    phi_3778_ = true;
-                                                }
-                                                let _e2925 = phi_3777_;
-                                                let _e2927 = phi_3778_;
-                                                if _e2927 {
-                                                }
-                                                phi_3782_ = _e2925;
-                                                phi_3783_ = _e2927;
+                                                phi_3490_ = false;
                                             }
-                                            let _e2929 = phi_3782_;
-                                            let _e2931 = phi_3783_;
-                                            phi_3784_ = _e2929;
-                                            phi_3785_ = _e2680;
-                                            phi_3786_ = _e2931;
-                                        } else {
-                                            phi_3784_ = lt_bvh_triangle_Intersection();
-                                            phi_3785_ = true;
-                                            phi_3786_ = false;
+                                            let _e2710 = phi_3490_;
+                                            phi_3491_ = _e2710;
                                         }
-                                        let _e2933 = phi_3784_;
-                                        let _e2935 = phi_3785_;
-                                        let _e2937 = phi_3786_;
-                                        if _e2935 {
-                                            phi_3790_ = true;
+                                        let _e2712 = phi_3491_;
+                                        if _e2712 {
+                                            phi_3495_ = _e2637;
+                                            phi_3496_ = _e2633;
+                                            phi_3497_ = _e2611;
+                                            phi_3498_ = _e2607;
                                         } else {
-                                            phi_3790_ = _e2937;
+                                            phi_3495_ = _e2611;
+                                            phi_3496_ = _e2607;
+                                            phi_3497_ = _e2637;
+                                            phi_3498_ = _e2633;
                                         }
-                                        let _e2939 = phi_3790_;
-                                        if _e2939 {
-                                            phi_3794_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        let _e2714 = phi_3495_;
+                                        let _e2716 = phi_3496_;
+                                        let _e2718 = phi_3497_;
+                                        let _e2720 = phi_3498_;
+                                        let _e2723 = ((_e2720 * _e2714) - (_e2718 * _e2716));
+                                        if _e2712 {
+                                            phi_3506_ = -(_e2723);
                                         } else {
-                                            phi_3794_ = _e2933;
+                                            phi_3506_ = _e2723;
                                         }
-                                        let _e2941 = phi_3794_;
-                                        if _e2941.is_hit {
-                                            if (_e2941.t > 0f) {
-                                                if (_e2941.t < _e162) {
-                                                    let _e2948 = triangles.member[(0u + _e2493)].i0_;
-                                                    if ((_e2948 & 2147483648u) == 0u) {
-                                                        phi_4013_ = true;
+                                        let _e2726 = phi_3506_;
+                                        if (_e2684 >= 0f) {
+                                            if (_e2705 >= 0f) {
+                                                if (_e2726 >= 0f) {
+                                                    phi_3521_ = ((_e2684 + _e2705) + _e2726);
+                                                    phi_3522_ = false;
+                                                } else {
+                                                    phi_3521_ = f32();
+                                                    phi_3522_ = true;
+                                                }
+                                                let _e2733 = phi_3521_;
+                                                let _e2735 = phi_3522_;
+                                                phi_3523_ = _e2733;
+                                                phi_3524_ = _e2735;
+                                            } else {
+                                                phi_3523_ = f32();
+                                                phi_3524_ = true;
+                                            }
+                                            let _e2737 = phi_3523_;
+                                            let _e2739 = phi_3524_;
+                                            phi_3525_ = _e2737;
+                                            phi_3526_ = _e2739;
+                                        } else {
+                                            phi_3525_ = f32();
+                                            phi_3526_ = true;
+                                        }
+                                        let _e2741 = phi_3525_;
+                                        let _e2743 = phi_3526_;
+                                        if _e2743 {
+                                            if (_e2684 <= 0f) {
+                                                if (_e2705 <= 0f) {
+                                                    let _e2746 = (_e2726 <= 0f);
+                                                    if _e2746 {
+                                                    }
+                                                    phi_3544_ = ((_e2684 + _e2705) + _e2726);
+                                                    phi_3545_ = false;
+                                                    phi_3546_ = _e2746;
+                                                } else {
+                                                    phi_3544_ = f32();
+                                                    phi_3545_ = true;
+                                                    phi_3546_ = false;
+                                                }
+                                                let _e2750 = phi_3544_;
+                                                let _e2752 = phi_3545_;
+                                                let _e2754 = phi_3546_;
+                                                phi_3547_ = _e2750;
+                                                phi_3548_ = _e2752;
+                                                phi_3549_ = _e2754;
+                                            } else {
+                                                phi_3547_ = f32();
+                                                phi_3548_ = true;
+                                                phi_3549_ = false;
+                                            }
+                                            let _e2756 = phi_3547_;
+                                            let _e2758 = phi_3548_;
+                                            let _e2760 = phi_3549_;
+                                            if _e2758 {
+                                                phi_3553_ = false;
+                                            } else {
+                                                phi_3553_ = _e2760;
+                                            }
+                                            let _e2762 = phi_3553_;
+                                            phi_3554_ = _e2756;
+                                            phi_3555_ = _e2762;
+                                        } else {
+                                            phi_3554_ = _e2741;
+                                            phi_3555_ = true;
+                                        }
+                                        let _e2764 = phi_3554_;
+                                        let _e2766 = phi_3555_;
+                                        if _e2766 {
+                                            let _e2767 = (_e2764 == 0f);
+                                            if _e2767 {
+                                                phi_3871_ = lt_bvh_triangle_Intersection();
+                                                phi_3872_ = false;
+                                            } else {
+                                                let _e2769 = triangles.member[(0u + _e2580)].v0_;
+                                                let _e2771 = (_e2769.x - _e149);
+                                                let _e2773 = (_e2769.y - _e151);
+                                                let _e2775 = (_e2769.z - _e153);
+                                                if (_e1966 == 0u) {
+                                                    phi_3584_ = vec3<f32>(_e2773, _e2775, _e2771);
+                                                } else {
+                                                    if (_e1966 == 1u) {
+                                                        phi_3583_ = vec3<f32>(_e2775, _e2771, _e2773);
                                                     } else {
-                                                        if (_e2493 < _e94) {
+                                                        phi_3583_ = (_e2769 - vec3<f32>(_e149, _e151, _e153));
+                                                    }
+                                                    let _e2783 = phi_3583_;
+                                                    phi_3584_ = _e2783;
+                                                }
+                                                let _e2785 = phi_3584_;
+                                                let _e2787 = triangles.member[(0u + _e2580)].v1_;
+                                                let _e2789 = triangles.member[(0u + _e2580)].v0_;
+                                                let _e2792 = (_e2787.x - _e2789.x);
+                                                let _e2795 = (_e2787.y - _e2789.y);
+                                                let _e2798 = (_e2787.z - _e2789.z);
+                                                if (_e1966 == 0u) {
+                                                    phi_3610_ = vec3<f32>(_e2795, _e2798, _e2792);
+                                                } else {
+                                                    if (_e1966 == 1u) {
+                                                        phi_3609_ = vec3<f32>(_e2798, _e2792, _e2795);
+                                                    } else {
+                                                        phi_3609_ = (_e2787 - _e2789);
+                                                    }
+                                                    let _e2805 = phi_3609_;
+                                                    phi_3610_ = _e2805;
+                                                }
+                                                let _e2807 = phi_3610_;
+                                                let _e2809 = triangles.member[(0u + _e2580)].v2_;
+                                                let _e2811 = triangles.member[(0u + _e2580)].v0_;
+                                                let _e2814 = (_e2809.x - _e2811.x);
+                                                let _e2817 = (_e2809.y - _e2811.y);
+                                                let _e2820 = (_e2809.z - _e2811.z);
+                                                if (_e1966 == 0u) {
+                                                    phi_3636_ = vec3<f32>(_e2817, _e2820, _e2814);
+                                                } else {
+                                                    if (_e1966 == 1u) {
+                                                        phi_3635_ = vec3<f32>(_e2820, _e2814, _e2817);
+                                                    } else {
+                                                        phi_3635_ = (_e2809 - _e2811);
+                                                    }
+                                                    let _e2827 = phi_3635_;
+                                                    phi_3636_ = _e2827;
+                                                }
+                                                let _e2829 = phi_3636_;
+                                                let _e2836 = ((_e2807.y * _e2829.z) - (_e2807.z * _e2829.y));
+                                                let _e2843 = ((_e2807.z * _e2829.x) - (_e2807.x * _e2829.z));
+                                                let _e2850 = ((_e2807.x * _e2829.y) - (_e2807.y * _e2829.x));
+                                                let _e2864 = (((1f / _e1974.z) * (((_e2836 * _e2785.x) + (_e2843 * _e2785.y)) + (_e2850 * _e2785.z))) / (((_e2836 * _e1977) + (_e2843 * _e1980)) + _e2850));
+                                                if (_e2864 > 0f) {
+                                                    if (_e2864 < _e161) {
+                                                        let _e2868 = triangles.member[(0u + _e2580)].v0_;
+                                                        let _e2870 = triangles.member[(0u + _e2580)].v1_;
+                                                        if (_e2868.x < _e2870.x) {
+                                                            phi_3692_ = _e2868.x;
+                                                        } else {
+                                                            phi_3692_ = _e2870.x;
+                                                        }
+                                                        let _e2877 = phi_3692_;
+                                                        if (_e2868.y < _e2870.y) {
+                                                            phi_3701_ = _e2868.y;
+                                                        } else {
+                                                            phi_3701_ = _e2870.y;
+                                                        }
+                                                        let _e2884 = phi_3701_;
+                                                        if (_e2868.z < _e2870.z) {
+                                                            phi_3710_ = _e2868.z;
+                                                        } else {
+                                                            phi_3710_ = _e2870.z;
+                                                        }
+                                                        let _e2891 = phi_3710_;
+                                                        let _e2893 = triangles.member[(0u + _e2580)].v2_;
+                                                        if (_e2877 < _e2893.x) {
+                                                            phi_3719_ = _e2877;
+                                                        } else {
+                                                            phi_3719_ = _e2893.x;
+                                                        }
+                                                        let _e2898 = phi_3719_;
+                                                        if (_e2884 < _e2893.y) {
+                                                            phi_3726_ = _e2884;
+                                                        } else {
+                                                            phi_3726_ = _e2893.y;
+                                                        }
+                                                        let _e2903 = phi_3726_;
+                                                        if (_e2891 < _e2893.z) {
+                                                            phi_3733_ = _e2891;
+                                                        } else {
+                                                            phi_3733_ = _e2893.z;
+                                                        }
+                                                        let _e2908 = phi_3733_;
+                                                        let _e2910 = triangles.member[(0u + _e2580)].v0_;
+                                                        let _e2912 = triangles.member[(0u + _e2580)].v1_;
+                                                        if (_e2910.x > _e2912.x) {
+                                                            phi_3746_ = _e2910.x;
+                                                        } else {
+                                                            phi_3746_ = _e2912.x;
+                                                        }
+                                                        let _e2919 = phi_3746_;
+                                                        if (_e2910.y > _e2912.y) {
+                                                            phi_3755_ = _e2910.y;
+                                                        } else {
+                                                            phi_3755_ = _e2912.y;
+                                                        }
+                                                        let _e2926 = phi_3755_;
+                                                        if (_e2910.z > _e2912.z) {
+                                                            phi_3764_ = _e2910.z;
+                                                        } else {
+                                                            phi_3764_ = _e2912.z;
+                                                        }
+                                                        let _e2933 = phi_3764_;
+                                                        let _e2935 = triangles.member[(0u + _e2580)].v2_;
+                                                        if (_e2919 > _e2935.x) {
+                                                            phi_3773_ = _e2919;
+                                                        } else {
+                                                            phi_3773_ = _e2935.x;
+                                                        }
+                                                        let _e2940 = phi_3773_;
+                                                        if (_e2926 > _e2935.y) {
+                                                            phi_3780_ = _e2926;
+                                                        } else {
+                                                            phi_3780_ = _e2935.y;
+                                                        }
+                                                        let _e2945 = phi_3780_;
+                                                        if (_e2933 > _e2935.z) {
+                                                            phi_3787_ = _e2933;
+                                                        } else {
+                                                            phi_3787_ = _e2935.z;
+                                                        }
+                                                        let _e2950 = phi_3787_;
+                                                        let _e2954 = ((_e2898 - _e149) * _e1891);
+                                                        let _e2955 = ((_e2903 - _e151) * _e1901);
+                                                        let _e2956 = ((_e2908 - _e153) * _e1911);
+                                                        let _e2960 = ((_e2940 - _e149) * _e1891);
+                                                        let _e2961 = ((_e2945 - _e151) * _e1901);
+                                                        let _e2962 = ((_e2950 - _e153) * _e1911);
+                                                        if (_e2954 < _e2960) {
+                                                            phi_3804_ = _e2954;
+                                                        } else {
+                                                            phi_3804_ = _e2960;
+                                                        }
+                                                        let _e2965 = phi_3804_;
+                                                        if (_e2955 < _e2961) {
+                                                            phi_3809_ = _e2955;
+                                                        } else {
+                                                            phi_3809_ = _e2961;
+                                                        }
+                                                        let _e2968 = phi_3809_;
+                                                        if (_e2956 < _e2962) {
+                                                            phi_3814_ = _e2956;
+                                                        } else {
+                                                            phi_3814_ = _e2962;
+                                                        }
+                                                        let _e2971 = phi_3814_;
+                                                        if (_e2954 > _e2960) {
+                                                            phi_3822_ = _e2954;
+                                                        } else {
+                                                            phi_3822_ = _e2960;
+                                                        }
+                                                        let _e2977 = phi_3822_;
+                                                        if (_e2955 > _e2961) {
+                                                            phi_3827_ = _e2955;
+                                                        } else {
+                                                            phi_3827_ = _e2961;
+                                                        }
+                                                        let _e2980 = phi_3827_;
+                                                        if (_e2956 > _e2962) {
+                                                            phi_3832_ = _e2956;
+                                                        } else {
+                                                            phi_3832_ = _e2962;
+                                                        }
+                                                        let _e2983 = phi_3832_;
+                                                        let _e2987 = core_intrinsics_maximum_number_nsz_f32_((_e2965 - _e1950), (_e2968 - _e1951));
+                                                        let _e2988 = core_intrinsics_maximum_number_nsz_f32_(_e2987, (_e2971 - _e1952));
+                                                        let _e2989 = core_intrinsics_minimum_number_nsz_f32_((_e2977 + _e1950), (_e2980 + _e1951));
+                                                        let _e2990 = core_intrinsics_minimum_number_nsz_f32_(_e2989, (_e2983 + _e1952));
+                                                        if (_e2988 > -300000000000000000000000000000000000000f) {
+                                                            phi_3844_ = _e2988;
+                                                        } else {
+                                                            phi_3844_ = -300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2993 = phi_3844_;
+                                                        if (_e2990 < 300000000000000000000000000000000000000f) {
+                                                            phi_3849_ = _e2990;
+                                                        } else {
+                                                            phi_3849_ = 300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2996 = phi_3849_;
+                                                        if (_e2864 < _e2993) {
+                                                            phi_3854_ = _e2993;
+                                                        } else {
+                                                            phi_3854_ = _e2864;
+                                                        }
+                                                        let _e2999 = phi_3854_;
+                                                        if (_e2999 > _e2996) {
+                                                            phi_3859_ = _e2996;
+                                                        } else {
+                                                            phi_3859_ = _e2999;
+                                                        }
+                                                        let _e3002 = phi_3859_;
+                                                        phi_3864_ = lt_bvh_triangle_Intersection(_e3002, (_e2705 / _e2764), (_e2726 / _e2764), (_e2993 <= _e2996));
+                                                        phi_3865_ = false;
+                                                    } else {
+                                                        phi_3864_ = lt_bvh_triangle_Intersection();
+                                                        phi_3865_ = true;
+                                                    }
+                                                    let _e3008 = phi_3864_;
+                                                    let _e3010 = phi_3865_;
+                                                    phi_3866_ = _e3008;
+                                                    phi_3867_ = _e3010;
+                                                } else {
+                                                    phi_3866_ = lt_bvh_triangle_Intersection();
+                                                    phi_3867_ = true;
+                                                }
+                                                let _e3012 = phi_3866_;
+                                                let _e3014 = phi_3867_;
+                                                if _e3014 {
+                                                }
+                                                phi_3871_ = _e3012;
+                                                phi_3872_ = _e3014;
+                                            }
+                                            let _e3016 = phi_3871_;
+                                            let _e3018 = phi_3872_;
+                                            phi_3873_ = _e3016;
+                                            phi_3874_ = _e2767;
+                                            phi_3875_ = _e3018;
+                                        } else {
+                                            phi_3873_ = lt_bvh_triangle_Intersection();
+                                            phi_3874_ = true;
+                                            phi_3875_ = false;
+                                        }
+                                        let _e3020 = phi_3873_;
+                                        let _e3022 = phi_3874_;
+                                        let _e3024 = phi_3875_;
+                                        if _e3022 {
+                                            phi_3879_ = true;
+                                        } else {
+                                            phi_3879_ = _e3024;
+                                        }
+                                        let _e3026 = phi_3879_;
+                                        if _e3026 {
+                                            phi_3883_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        } else {
+                                            phi_3883_ = _e3020;
+                                        }
+                                        let _e3028 = phi_3883_;
+                                        if _e3028.is_hit {
+                                            if (_e3028.t > 0f) {
+                                                if (_e3028.t < _e161) {
+                                                    let _e3035 = triangles.member[(0u + _e2580)].i0_;
+                                                    if ((_e3035 & 2147483648u) == 0u) {
+                                                        phi_4102_ = true;
+                                                    } else {
+                                                        if (_e2580 < _e93) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2957 = triangles.member[(0u + _e2493)].i0_;
-                                                        let _e2958 = (_e2957 & 2147483647u);
-                                                        let _e2960 = triangles.member[(0u + _e2493)].i1_;
-                                                        let _e2962 = triangles.member[(0u + _e2493)].i2_;
-                                                        if (_e2958 < _e110) {
+                                                        let _e3044 = triangles.member[(0u + _e2580)].i0_;
+                                                        let _e3045 = (_e3044 & 2147483647u);
+                                                        let _e3047 = triangles.member[(0u + _e2580)].i1_;
+                                                        let _e3049 = triangles.member[(0u + _e2580)].i2_;
+                                                        if (_e3045 < _e109) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2966 = vertices.member[(0u + _e2958)];
-                                                        if (_e2960 < _e110) {
+                                                        let _e3053 = vertices.member[(0u + _e3045)];
+                                                        if (_e3047 < _e109) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2970 = vertices.member[(0u + _e2960)];
-                                                        if (_e2962 < _e110) {
+                                                        let _e3057 = vertices.member[(0u + _e3047)];
+                                                        if (_e3049 < _e109) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2974 = vertices.member[(0u + _e2962)];
-                                                        let _e2975 = array<abi_Vertex, 3>(_e2966, _e2970, _e2974);
-                                                        if (_e2975[0].material < _e113) {
+                                                        let _e3061 = vertices.member[(0u + _e3049)];
+                                                        let _e3062 = array<abi_Vertex, 3>(_e3053, _e3057, _e3061);
+                                                        if (_e3062[0].material < _e112) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2981 = materials.member[(0u + _e2975[0].material)];
-                                                        if ((_e2981.flags & 1u) == 1u) {
-                                                            let _e2986 = ((1f - _e2941.u) - _e2941.v);
-                                                            if (_e2981.cutoff <= 0f) {
-                                                                phi_4011_ = true;
+                                                        let _e3068 = materials.member[(0u + _e3062[0].material)];
+                                                        if ((_e3068.flags & 1u) == 1u) {
+                                                            let _e3073 = ((1f - _e3028.u) - _e3028.v);
+                                                            if (_e3068.cutoff <= 0f) {
+                                                                phi_4100_ = true;
                                                             } else {
-                                                                let _e3013 = (_e2981.base_color.w * ((((f32((_e2975[0].color >> bitcast<u32>(24i))) * _e2986) + (f32((_e2975[1].color >> bitcast<u32>(24i))) * _e2941.u)) + (f32((_e2975[2].color >> bitcast<u32>(24i))) * _e2941.v)) * (1f / 255f)));
-                                                                if (_e2981.alpha_size == 0u) {
-                                                                    phi_4008_ = _e3013;
+                                                                let _e3100 = (_e3068.base_color.w * ((((f32((_e3062[0].color >> bitcast<u32>(24i))) * _e3073) + (f32((_e3062[1].color >> bitcast<u32>(24i))) * _e3028.u)) + (f32((_e3062[2].color >> bitcast<u32>(24i))) * _e3028.v)) * (1f / 255f)));
+                                                                if (_e3068.alpha_size == 0u) {
+                                                                    phi_4097_ = _e3100;
                                                                 } else {
-                                                                    local.offset = _e2981.alpha_offset;
-                                                                    local.size = _e2981.alpha_size;
-                                                                    local.flags = _e2981.flags;
-                                                                    let _e3044 = _lt_shaders_texture_TextureView_quad((&local), (((_e2975[0].u * _e2986) + (_e2975[1].u * _e2941.u)) + (_e2975[2].u * _e2941.v)), (((_e2975[0].v * _e2986) + (_e2975[1].v * _e2941.u)) + (_e2975[2].v * _e2941.v)));
-                                                                    let _e3048 = (_e3044.indices[0] >> bitcast<u32>(2i));
-                                                                    if (_e3048 < _e116) {
+                                                                    local.offset = _e3068.alpha_offset;
+                                                                    local.size = _e3068.alpha_size;
+                                                                    local.flags = _e3068.flags;
+                                                                    let _e3131 = _lt_shaders_texture_TextureView_quad((&local), (((_e3062[0].u * _e3073) + (_e3062[1].u * _e3028.u)) + (_e3062[2].u * _e3028.v)), (((_e3062[0].v * _e3073) + (_e3062[1].v * _e3028.u)) + (_e3062[2].v * _e3028.v)));
+                                                                    let _e3135 = (_e3131.indices[0] >> bitcast<u32>(2i));
+                                                                    if (_e3135 < _e115) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3052 = alpha_texels.member[(0u + _e3048)];
-                                                                    let _e3068 = (_e3044.indices[1] >> bitcast<u32>(2i));
-                                                                    if (_e3068 < _e116) {
+                                                                    let _e3139 = alpha_texels.member[(0u + _e3135)];
+                                                                    let _e3155 = (_e3131.indices[1] >> bitcast<u32>(2i));
+                                                                    if (_e3155 < _e115) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3072 = alpha_texels.member[(0u + _e3068)];
-                                                                    let _e3089 = (_e3044.indices[2] >> bitcast<u32>(2i));
-                                                                    if (_e3089 < _e116) {
+                                                                    let _e3159 = alpha_texels.member[(0u + _e3155)];
+                                                                    let _e3176 = (_e3131.indices[2] >> bitcast<u32>(2i));
+                                                                    if (_e3176 < _e115) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3093 = alpha_texels.member[(0u + _e3089)];
-                                                                    let _e3110 = (_e3044.indices[3] >> bitcast<u32>(2i));
-                                                                    if (_e3110 < _e116) {
+                                                                    let _e3180 = alpha_texels.member[(0u + _e3176)];
+                                                                    let _e3197 = (_e3131.indices[3] >> bitcast<u32>(2i));
+                                                                    if (_e3197 < _e115) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3114 = alpha_texels.member[(0u + _e3110)];
-                                                                    phi_4008_ = (_e3013 * (((((f32(((_e3052 >> bitcast<u32>((((_e3044.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3044.weights.x) + ((f32(((_e3072 >> bitcast<u32>((((_e3044.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3044.weights.y)) + ((f32(((_e3093 >> bitcast<u32>((((_e3044.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3044.weights.z)) + ((f32(((_e3114 >> bitcast<u32>((((_e3044.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3044.weights.w)));
+                                                                    let _e3201 = alpha_texels.member[(0u + _e3197)];
+                                                                    phi_4097_ = (_e3100 * (((((f32(((_e3139 >> bitcast<u32>((((_e3131.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3131.weights.x) + ((f32(((_e3159 >> bitcast<u32>((((_e3131.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3131.weights.y)) + ((f32(((_e3180 >> bitcast<u32>((((_e3131.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3131.weights.z)) + ((f32(((_e3201 >> bitcast<u32>((((_e3131.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3131.weights.w)));
                                                                 }
-                                                                let _e3130 = phi_4008_;
-                                                                phi_4011_ = (_e3130 >= _e2981.cutoff);
+                                                                let _e3217 = phi_4097_;
+                                                                phi_4100_ = (_e3217 >= _e3068.cutoff);
                                                             }
-                                                            let _e3134 = phi_4011_;
-                                                            phi_4012_ = _e3134;
+                                                            let _e3221 = phi_4100_;
+                                                            phi_4101_ = _e3221;
                                                         } else {
-                                                            phi_4012_ = false;
+                                                            phi_4101_ = false;
                                                         }
-                                                        let _e3136 = phi_4012_;
-                                                        phi_4013_ = _e3136;
+                                                        let _e3223 = phi_4101_;
+                                                        phi_4102_ = _e3223;
                                                     }
-                                                    let _e3138 = phi_4013_;
-                                                    if _e3138 {
-                                                        phi_4017_ = false;
+                                                    let _e3225 = phi_4102_;
+                                                    if _e3225 {
+                                                        phi_4106_ = false;
                                                     } else {
-                                                        phi_4017_ = true;
+                                                        phi_4106_ = true;
                                                     }
-                                                    let _e3140 = phi_4017_;
-                                                    phi_4018_ = _e3138;
-                                                    phi_4019_ = _e3138;
-                                                    phi_4020_ = _e3140;
+                                                    let _e3227 = phi_4106_;
+                                                    phi_4107_ = _e3225;
+                                                    phi_4108_ = _e3225;
+                                                    phi_4109_ = _e3227;
                                                 } else {
-                                                    phi_4018_ = bool();
-                                                    phi_4019_ = _e2484;
-                                                    phi_4020_ = true;
+                                                    phi_4107_ = bool();
+                                                    phi_4108_ = _e2571;
+                                                    phi_4109_ = true;
                                                 }
-                                                let _e3142 = phi_4018_;
-                                                let _e3144 = phi_4019_;
-                                                let _e3146 = phi_4020_;
-                                                phi_4021_ = _e3142;
-                                                phi_4022_ = _e3144;
-                                                phi_4023_ = _e3146;
+                                                let _e3229 = phi_4107_;
+                                                let _e3231 = phi_4108_;
+                                                let _e3233 = phi_4109_;
+                                                phi_4110_ = _e3229;
+                                                phi_4111_ = _e3231;
+                                                phi_4112_ = _e3233;
                                             } else {
-                                                phi_4021_ = bool();
-                                                phi_4022_ = _e2484;
-                                                phi_4023_ = true;
+                                                phi_4110_ = bool();
+                                                phi_4111_ = _e2571;
+                                                phi_4112_ = true;
                                             }
-                                            let _e3148 = phi_4021_;
-                                            let _e3150 = phi_4022_;
-                                            let _e3152 = phi_4023_;
-                                            phi_4024_ = _e3148;
-                                            phi_4025_ = _e3150;
-                                            phi_4026_ = _e3152;
+                                            let _e3235 = phi_4110_;
+                                            let _e3237 = phi_4111_;
+                                            let _e3239 = phi_4112_;
+                                            phi_4113_ = _e3235;
+                                            phi_4114_ = _e3237;
+                                            phi_4115_ = _e3239;
                                         } else {
-                                            phi_4024_ = bool();
-                                            phi_4025_ = _e2484;
-                                            phi_4026_ = true;
+                                            phi_4113_ = bool();
+                                            phi_4114_ = _e2571;
+                                            phi_4115_ = true;
                                         }
-                                        let _e3154 = phi_4024_;
-                                        let _e3156 = phi_4025_;
-                                        let _e3158 = phi_4026_;
-                                        if _e3158 {
+                                        let _e3241 = phi_4113_;
+                                        let _e3243 = phi_4114_;
+                                        let _e3245 = phi_4115_;
+                                        if _e3245 {
                                         }
-                                        phi_3224_ = (_e2482 & (_e2482 - 1u));
-                                        phi_3227_ = _e3156;
-                                        phi_4030_ = _e3154;
-                                        phi_4031_ = _e3158;
+                                        phi_3313_ = (_e2569 & (_e2569 - 1u));
+                                        phi_3316_ = _e3243;
+                                        phi_4119_ = _e3241;
+                                        phi_4120_ = _e3245;
                                     }
-                                    let _e3160 = phi_3224_;
-                                    let _e3162 = phi_3227_;
-                                    let _e3164 = phi_4030_;
-                                    let _e3166 = phi_4031_;
-                                    local_22 = _e3164;
+                                    let _e3247 = phi_3313_;
+                                    let _e3249 = phi_3316_;
+                                    let _e3251 = phi_4119_;
+                                    let _e3253 = phi_4120_;
+                                    local_24 = _e3251;
                                     continue;
                                     continuing {
-                                        phi_3223_ = _e3160;
-                                        phi_3226_ = _e3162;
-                                        break if !(_e3166);
+                                        phi_3312_ = _e3247;
+                                        phi_3315_ = _e3249;
+                                        break if !(_e3253);
                                     }
                                 }
-                                let _e3169 = local_11;
-                                if _e3169 {
-                                    let _e3171 = local_1.group_mask;
-                                    if ((_e3171 & 4278190080u) == 0u) {
-                                        let _e3175 = local_1.len;
-                                        if (_e3175 == 0u) {
-                                            phi_4073_ = false;
+                                let _e3256 = local_13;
+                                if _e3256 {
+                                    let _e3258 = local_1.group_mask;
+                                    if ((_e3258 & 4278190080u) == 0u) {
+                                        let _e3262 = local_1.len;
+                                        if (_e3262 == 0u) {
+                                            phi_4162_ = false;
                                         } else {
-                                            let _e3179 = local_1.len;
-                                            local_1.len = (_e3179 - 1u);
-                                            let _e3182 = local_1.len;
-                                            if (_e3182 < 32u) {
+                                            let _e3266 = local_1.len;
+                                            local_1.len = (_e3266 - 1u);
+                                            let _e3269 = local_1.len;
+                                            if (_e3269 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3187 = local_1.first[(0u + _e3182)];
-                                            local_1.group = _e3187;
-                                            let _e3190 = local_1.len;
-                                            if (_e3190 < 32u) {
+                                            let _e3274 = local_1.first[(0u + _e3269)];
+                                            local_1.group = _e3274;
+                                            let _e3277 = local_1.len;
+                                            if (_e3277 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3195 = local_1.mask[(0u + _e3190)];
-                                            local_1.group_mask = _e3195;
-                                            phi_4073_ = true;
+                                            let _e3282 = local_1.mask[(0u + _e3277)];
+                                            local_1.group_mask = _e3282;
+                                            phi_4162_ = true;
                                         }
-                                        let _e3198 = phi_4073_;
-                                        phi_4074_ = _e3198;
+                                        let _e3285 = phi_4162_;
+                                        phi_4163_ = _e3285;
                                     } else {
-                                        phi_4074_ = true;
+                                        phi_4163_ = true;
                                     }
-                                    let _e3200 = phi_4074_;
-                                    if _e3200 {
-                                        let _e3202 = local_1.group_mask;
-                                        let _e3208 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3202)), 32u, (_e3202 == 0u)));
-                                        let _e3212 = local_1.group_mask;
-                                        let _e3226 = local_1.group_mask;
-                                        local_1.group_mask = (_e3226 & ~((1u << bitcast<u32>((_e3208 & 31u)))));
-                                        let _e3229 = local_1.group;
-                                        phi_4105_ = (_e3229 + countOneBits(((_e3212 & ~((4294967295u << bitcast<u32>((((_e3208 - 24u) ^ _e1906) & 31u))))) & 255u)));
+                                    let _e3287 = phi_4163_;
+                                    if _e3287 {
+                                        let _e3289 = local_1.group_mask;
+                                        let _e3295 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3289)), 32u, (_e3289 == 0u)));
+                                        let _e3299 = local_1.group_mask;
+                                        let _e3313 = local_1.group_mask;
+                                        local_1.group_mask = (_e3313 & ~((1u << bitcast<u32>((_e3295 & 31u)))));
+                                        let _e3316 = local_1.group;
+                                        phi_4194_ = (_e3316 + countOneBits(((_e3299 & ~((4294967295u << bitcast<u32>((((_e3295 - 24u) ^ _e1993) & 31u))))) & 255u)));
                                     } else {
-                                        phi_4105_ = 4294967295u;
+                                        phi_4194_ = 4294967295u;
                                     }
-                                    let _e3232 = phi_4105_;
-                                    phi_4106_ = _e3232;
+                                    let _e3319 = phi_4194_;
+                                    phi_4195_ = _e3319;
                                 } else {
-                                    phi_4106_ = u32();
+                                    phi_4195_ = u32();
                                 }
-                                let _e3234 = phi_4106_;
-                                phi_2892_ = _e3234;
-                                let _e3787 = local_21;
-                                phi_2895_ = _e3787;
-                                let _e3790 = local_22;
-                                phi_4107_ = _e3790;
-                                let _e3793 = local_23;
-                                phi_4108_ = _e3793;
-                                phi_4109_ = false;
+                                let _e3321 = phi_4195_;
+                                phi_2981_ = _e3321;
+                                let _e3871 = local_23;
+                                phi_2984_ = _e3871;
+                                let _e3874 = local_24;
+                                phi_4196_ = _e3874;
+                                let _e3877 = local_25;
+                                phi_4197_ = _e3877;
+                                phi_4198_ = false;
                             } else {
-                                phi_2892_ = u32();
-                                phi_2895_ = bool();
-                                phi_4107_ = bool();
-                                phi_4108_ = false;
-                                phi_4109_ = true;
+                                phi_2981_ = u32();
+                                phi_2984_ = bool();
+                                phi_4196_ = bool();
+                                phi_4197_ = false;
+                                phi_4198_ = true;
                             }
-                            let _e3236 = phi_2892_;
-                            let _e3238 = phi_2895_;
-                            let _e3240 = phi_4107_;
-                            let _e3242 = phi_4108_;
-                            let _e3244 = phi_4109_;
-                            local_12 = _e3244;
-                            local_24 = _e3240;
+                            let _e3323 = phi_2981_;
+                            let _e3325 = phi_2984_;
+                            let _e3327 = phi_4196_;
+                            let _e3329 = phi_4197_;
+                            let _e3331 = phi_4198_;
+                            local_14 = _e3331;
+                            local_26 = _e3327;
                             continue;
                             continuing {
-                                phi_2891_ = _e3236;
-                                phi_2894_ = _e3238;
-                                break if !(_e3242);
+                                phi_2980_ = _e3323;
+                                phi_2983_ = _e3325;
+                                break if !(_e3329);
                             }
                         }
-                        let _e3247 = local_12;
-                        if _e3247 {
-                            phi_4113_ = false;
+                        let _e3334 = local_14;
+                        if _e3334 {
+                            phi_4202_ = false;
                         } else {
-                            phi_4113_ = true;
+                            phi_4202_ = true;
                         }
-                        let _e3249 = phi_4113_;
-                        if _e3249 {
-                            let _e3799 = local_24;
-                            phi_4117_ = _e3799;
+                        let _e3336 = phi_4202_;
+                        if _e3336 {
+                            let _e3883 = local_26;
+                            phi_4206_ = _e3883;
                         } else {
-                            let _e3801 = local_25;
-                            phi_4117_ = _e3801;
+                            let _e3885 = local_27;
+                            phi_4206_ = _e3885;
                         }
-                        let _e3251 = phi_4117_;
-                        phi_4118_ = _e3251;
+                        let _e3338 = phi_4206_;
+                        phi_4207_ = _e3338;
                     }
-                    let _e3253 = phi_4118_;
-                    phi_4119_ = _e3253;
-                    phi_4120_ = _e1728;
+                    let _e3340 = phi_4207_;
+                    phi_4208_ = _e3340;
+                    phi_4209_ = _e1815;
                 } else {
-                    phi_4119_ = bool();
-                    phi_4120_ = true;
+                    phi_4208_ = bool();
+                    phi_4209_ = true;
                 }
-                let _e3255 = phi_4119_;
-                let _e3257 = phi_4120_;
-                if _e3257 {
-                    phi_4124_ = false;
+                let _e3342 = phi_4208_;
+                let _e3344 = phi_4209_;
+                if _e3344 {
+                    phi_4213_ = false;
                 } else {
-                    phi_4124_ = _e3255;
+                    phi_4213_ = _e3342;
                 }
-                let _e3259 = phi_4124_;
-                phi_4125_ = _e3259;
+                let _e3346 = phi_4213_;
+                phi_4214_ = _e3346;
             }
-            let _e3261 = phi_4125_;
-            phi_4126_ = _e3261;
+            let _e3348 = phi_4214_;
+            phi_4215_ = _e3348;
         } else {
-            phi_4126_ = false;
+            phi_4215_ = false;
         }
-        let _e3263 = phi_4126_;
-        if _e3263 {
-            phi_4130_ = 0f;
+        let _e3350 = phi_4215_;
+        if _e3350 {
+            phi_4219_ = 0f;
         } else {
-            phi_4130_ = 1f;
+            phi_4219_ = 1f;
         }
-        let _e3265 = phi_4130_;
-        if (_e129 < _e97) {
-        } else {
-            return;
-        }
-        visibility.member[(0u + _e129)] = _e3265;
-        let _e3271 = p.member.light.number;
-        let _e3272 = (_e3271 * 3u);
-        let _e3273 = (_e3272 / 32u);
-        let _e3274 = (_e3272 % 32u);
-        let _e3276 = p.member.light.mask_words;
-        if (_e129 < _e97) {
+        let _e3352 = phi_4219_;
+        if (_e128 < _e96) {
         } else {
             return;
         }
-        let _e3280 = visibility.member[(0u + _e129)];
-        let _e3282 = ((_e129 * _e3276) + _e3273);
-        if (_e3274 > 29u) {
-            let _e3284 = (_e3282 + 1u);
-            if (_e3284 < _e103) {
+        visibility.member[(0u + _e128)] = _e3352;
+        let _e3358 = p.member.light.number;
+        let _e3359 = (_e3358 * 3u);
+        let _e3360 = (_e3359 / 32u);
+        let _e3361 = (_e3359 % 32u);
+        let _e3363 = p.member.light.mask_words;
+        if (_e128 < _e96) {
+        } else {
+            return;
+        }
+        let _e3367 = visibility.member[(0u + _e128)];
+        let _e3369 = ((_e128 * _e3363) + _e3360);
+        if (_e3361 > 29u) {
+            let _e3371 = (_e3369 + 1u);
+            if (_e3371 < _e102) {
             } else {
                 return;
             }
-            let _e3288 = bits.member[(0u + _e3284)];
-            phi_4171_ = _e3288;
+            let _e3375 = bits.member[(0u + _e3371)];
+            phi_4260_ = _e3375;
         } else {
-            phi_4171_ = 0u;
+            phi_4260_ = 0u;
         }
-        let _e3290 = phi_4171_;
-        if (_e3282 < _e103) {
-        } else {
-            return;
-        }
-        let _e3294 = bits.member[(0u + _e3282)];
-        let _e3297 = (_e3294 >> bitcast<u32>((_e3274 & 31u)));
-        if (_e3274 > 29u) {
-            phi_4190_ = (_e3297 | (_e3290 << bitcast<u32>(((32u - _e3274) & 31u))));
-        } else {
-            phi_4190_ = _e3297;
-        }
-        let _e3305 = phi_4190_;
-        if ((_e3305 & 2u) == 0u) {
-            phi_4198_ = (_e3305 & 1u);
-        } else {
-            phi_4198_ = (_e3305 & 7u);
-        }
-        let _e3311 = phi_4198_;
-        if ((_e3311 & 1u) != 0u) {
-            phi_4206_ = (2u | 1u);
-        } else {
-            phi_4206_ = 2u;
-        }
-        let _e3317 = phi_4206_;
-        if (_e3280 < 0.5f) {
-            phi_4211_ = (_e3317 | 4u);
-        } else {
-            phi_4211_ = _e3317;
-        }
-        let _e3320 = phi_4211_;
-        let _e3322 = ((_e129 * _e3276) + _e3273);
-        if (_e3322 < _e103) {
+        let _e3377 = phi_4260_;
+        if (_e3369 < _e102) {
         } else {
             return;
         }
-        let _e3326 = bits.member[(0u + _e3322)];
-        if (_e3322 < _e103) {
+        let _e3381 = bits.member[(0u + _e3369)];
+        let _e3384 = (_e3381 >> bitcast<u32>((_e3361 & 31u)));
+        if (_e3361 > 29u) {
+            phi_4279_ = (_e3384 | (_e3377 << bitcast<u32>(((32u - _e3361) & 31u))));
+        } else {
+            phi_4279_ = _e3384;
+        }
+        let _e3392 = phi_4279_;
+        if ((_e3392 & 2u) == 0u) {
+            phi_4287_ = (_e3392 & 1u);
+        } else {
+            phi_4287_ = (_e3392 & 7u);
+        }
+        let _e3398 = phi_4287_;
+        if ((_e3398 & 1u) != 0u) {
+            phi_4295_ = (2u | 1u);
+        } else {
+            phi_4295_ = 2u;
+        }
+        let _e3404 = phi_4295_;
+        if (_e3367 < 0.5f) {
+            phi_4300_ = (_e3404 | 4u);
+        } else {
+            phi_4300_ = _e3404;
+        }
+        let _e3407 = phi_4300_;
+        let _e3409 = ((_e128 * _e3363) + _e3360);
+        if (_e3409 < _e102) {
         } else {
             return;
         }
-        bits.member[(0u + _e3322)] = ((_e3326 & ~((7u << bitcast<u32>((_e3274 & 31u))))) | (_e3320 << bitcast<u32>((_e3274 & 31u))));
-        if (_e3274 > 29u) {
-            let _e3340 = (_e3322 + 1u);
-            if (_e3340 < _e103) {
+        let _e3413 = bits.member[(0u + _e3409)];
+        if (_e3409 < _e102) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e3409)] = ((_e3413 & ~((7u << bitcast<u32>((_e3361 & 31u))))) | (_e3407 << bitcast<u32>((_e3361 & 31u))));
+        if (_e3361 > 29u) {
+            let _e3427 = (_e3409 + 1u);
+            if (_e3427 < _e102) {
             } else {
                 return;
             }
-            let _e3344 = bits.member[(0u + _e3340)];
-            let _e3345 = (32u - _e3274);
-            let _e3355 = (_e3322 + 1u);
-            if (_e3355 < _e103) {
+            let _e3431 = bits.member[(0u + _e3427)];
+            let _e3432 = (32u - _e3361);
+            let _e3442 = (_e3409 + 1u);
+            if (_e3442 < _e102) {
             } else {
                 return;
             }
-            bits.member[(0u + _e3355)] = ((_e3344 & ~((7u >> bitcast<u32>((_e3345 & 31u))))) | (_e3320 >> bitcast<u32>((_e3345 & 31u))));
+            bits.member[(0u + _e3442)] = ((_e3431 & ~((7u >> bitcast<u32>((_e3432 & 31u))))) | (_e3407 >> bitcast<u32>((_e3432 & 31u))));
         }
     }
     return;

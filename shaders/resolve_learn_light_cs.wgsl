@@ -74,7 +74,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_36 {
+struct type_35 {
     member: array<lt_bvh_Node>,
 }
 
@@ -87,7 +87,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_40 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -109,19 +109,19 @@ struct lt_math_Evsm {
     min_variance: f32,
 }
 
-struct type_49 {
+struct type_48 {
     member: array<vec4<u32>>,
 }
 
 struct lt_bvh_LightSpace {
-    shear: vec3<f32>,
-    axis: u32,
+    shear: vec2<f32>,
+    diagonal: vec2<f32>,
     middle: vec3<f32>,
     sign: f32,
     low: vec3<f32>,
     is_parallel: u32,
     high: vec3<f32>,
-    pad: u32,
+    axis: u32,
     roots: vec4<u32>,
     roots_z: vec4<u32>,
 }
@@ -135,13 +135,6 @@ struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
     unnamed_1: u32,
 }
 
-struct lt_bvh_LightNode {
-    frame: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    rest: vec4<u32>,
-}
-
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
 var<storage> samples: type_9;
@@ -150,15 +143,15 @@ var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
 var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 @group(0) @binding(7) 
-var<storage> rows: type_49;
+var<storage> rows: type_48;
 @group(0) @binding(8) 
 var<uniform> space: type_52;
 
@@ -264,371 +257,366 @@ fn function_() {
     var phi_538_: vec3<f32>;
     var phi_560_: vec3<f32>;
     var phi_561_: vec3<f32>;
-    var phi_584_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
-    var phi_652_: f32;
-    var phi_659_: f32;
-    var phi_666_: f32;
-    var phi_673_: f32;
-    var phi_680_: f32;
-    var phi_687_: f32;
-    var phi_704_: f32;
-    var phi_709_: f32;
-    var phi_714_: f32;
-    var phi_719_: f32;
-    var phi_724_: f32;
-    var phi_746_: bool;
-    var phi_747_: bool;
-    var phi_755_: u32;
-    var phi_756_: u32;
-    var phi_767_: vec3<f32>;
-    var phi_768_: vec3<f32>;
-    var phi_780_: u32;
-    var phi_783_: u32;
-    var phi_792_: u32;
-    var phi_795_: u32;
-    var phi_797_: u32;
-    var phi_799_: u32;
+    var phi_583_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
+    var phi_658_: f32;
+    var phi_665_: f32;
+    var phi_672_: f32;
+    var phi_679_: f32;
+    var phi_686_: f32;
+    var phi_693_: f32;
+    var phi_710_: f32;
+    var phi_715_: f32;
+    var phi_720_: f32;
+    var phi_725_: f32;
+    var phi_730_: f32;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_761_: u32;
+    var phi_762_: u32;
+    var phi_773_: vec3<f32>;
+    var phi_774_: vec3<f32>;
+    var phi_786_: u32;
+    var phi_789_: u32;
+    var phi_794_: u32;
+    var phi_796_: u32;
+    var phi_798_: u32;
+    var phi_800_: u32;
     var phi_872_: f32;
     var phi_873_: f32;
     var phi_887_: u32;
     var phi_910_: f32;
     var phi_911_: f32;
     var phi_925_: u32;
+    var phi_947_: f32;
     var phi_948_: f32;
-    var phi_949_: f32;
-    var phi_963_: u32;
-    var phi_1110_: u32;
-    var phi_1111_: u32;
-    var phi_1115_: u32;
-    var phi_1116_: u32;
-    var phi_1117_: u32;
-    var phi_1118_: u32;
-    var phi_1119_: u32;
-    var phi_1120_: u32;
-    var phi_1138_: u32;
-    var phi_1139_: u32;
-    var phi_1140_: u32;
-    var phi_1141_: u32;
-    var phi_1142_: u32;
-    var phi_1143_: u32;
-    var phi_1144_: u32;
-    var phi_1145_: u32;
-    var phi_793_: u32;
-    var phi_796_: u32;
-    var phi_798_: u32;
-    var phi_800_: u32;
-    var phi_1146_: bool;
+    var phi_962_: u32;
+    var phi_985_: f32;
+    var phi_986_: f32;
+    var phi_1000_: u32;
+    var phi_1192_: u32;
+    var phi_1193_: u32;
+    var phi_1198_: u32;
+    var phi_1199_: u32;
+    var phi_1200_: u32;
+    var phi_797_: u32;
+    var phi_799_: u32;
+    var phi_1201_: u32;
+    var phi_1219_: u32;
+    var phi_1220_: u32;
+    var phi_787_: u32;
+    var phi_790_: u32;
+    var phi_1229_: bool;
+    var phi_1230_: bool;
+    var phi_1231_: bool;
     var local_2: bool;
-    var phi_1151_: u32;
     var local_3: u32;
-    var phi_1190_: u32;
-    var phi_1191_: u32;
-    var phi_1197_: u32;
-    var phi_1226_: vec3<f32>;
-    var phi_1227_: vec3<f32>;
-    var phi_1256_: vec3<f32>;
-    var phi_1257_: vec3<f32>;
-    var phi_1286_: vec3<f32>;
-    var phi_1287_: vec3<f32>;
-    var phi_1305_: bool;
-    var phi_1306_: bool;
-    var phi_1310_: f32;
-    var phi_1311_: f32;
-    var phi_1312_: f32;
-    var phi_1313_: f32;
-    var phi_1321_: f32;
-    var phi_1331_: bool;
-    var phi_1332_: bool;
-    var phi_1336_: f32;
-    var phi_1337_: f32;
-    var phi_1338_: f32;
-    var phi_1339_: f32;
-    var phi_1347_: f32;
-    var phi_1357_: bool;
-    var phi_1358_: bool;
-    var phi_1362_: f32;
-    var phi_1363_: f32;
-    var phi_1364_: f32;
-    var phi_1365_: f32;
-    var phi_1373_: f32;
-    var phi_1388_: f32;
+    var phi_1240_: u32;
+    var local_4: u32;
+    var phi_1275_: u32;
+    var phi_1276_: u32;
+    var phi_1282_: u32;
+    var phi_1310_: vec3<f32>;
+    var phi_1311_: vec3<f32>;
+    var phi_1340_: vec3<f32>;
+    var phi_1341_: vec3<f32>;
+    var phi_1370_: vec3<f32>;
+    var phi_1371_: vec3<f32>;
     var phi_1389_: bool;
-    var phi_1390_: f32;
-    var phi_1391_: bool;
-    var phi_1392_: f32;
-    var phi_1393_: bool;
-    var phi_1411_: f32;
-    var phi_1412_: bool;
-    var phi_1413_: bool;
-    var phi_1414_: f32;
+    var phi_1390_: bool;
+    var phi_1394_: f32;
+    var phi_1395_: f32;
+    var phi_1396_: f32;
+    var phi_1397_: f32;
+    var phi_1405_: f32;
     var phi_1415_: bool;
     var phi_1416_: bool;
-    var phi_1420_: bool;
+    var phi_1420_: f32;
     var phi_1421_: f32;
-    var phi_1422_: bool;
-    var phi_1450_: vec3<f32>;
-    var phi_1451_: vec3<f32>;
-    var phi_1476_: vec3<f32>;
-    var phi_1477_: vec3<f32>;
-    var phi_1502_: vec3<f32>;
-    var phi_1503_: vec3<f32>;
-    var phi_1559_: f32;
-    var phi_1568_: f32;
-    var phi_1577_: f32;
-    var phi_1586_: f32;
-    var phi_1593_: f32;
-    var phi_1600_: f32;
-    var phi_1613_: f32;
-    var phi_1622_: f32;
-    var phi_1631_: f32;
-    var phi_1640_: f32;
-    var phi_1647_: f32;
-    var phi_1654_: f32;
-    var phi_1671_: f32;
-    var phi_1676_: f32;
-    var phi_1681_: f32;
-    var phi_1689_: f32;
-    var phi_1694_: f32;
-    var phi_1699_: f32;
-    var phi_1711_: f32;
-    var phi_1716_: f32;
-    var phi_1721_: f32;
-    var phi_1726_: f32;
-    var phi_1731_: lt_bvh_triangle_Intersection;
-    var phi_1732_: bool;
-    var phi_1733_: lt_bvh_triangle_Intersection;
-    var phi_1734_: bool;
-    var phi_1738_: lt_bvh_triangle_Intersection;
-    var phi_1739_: bool;
-    var phi_1740_: lt_bvh_triangle_Intersection;
-    var phi_1741_: bool;
-    var phi_1742_: bool;
-    var phi_1746_: bool;
-    var phi_1750_: lt_bvh_triangle_Intersection;
-    var phi_1775_: bool;
-    var phi_1776_: bool;
-    var phi_1777_: bool;
-    var phi_1778_: bool;
-    var phi_1779_: bool;
-    var phi_1780_: bool;
-    var phi_1781_: bool;
-    var phi_1782_: bool;
-    var phi_1783_: bool;
-    var phi_1784_: bool;
-    var phi_1785_: bool;
-    var phi_1786_: bool;
-    var phi_1787_: bool;
-    var phi_1788_: bool;
-    var phi_1792_: bool;
-    var phi_1793_: bool;
-    var phi_1794_: bool;
-    var phi_1798_: bool;
-    var phi_1799_: bool;
-    var phi_1152_: u32;
-    var phi_1800_: bool;
-    var phi_1801_: bool;
-    var phi_1802_: bool;
-    var local_4: bool;
-    var phi_1806_: bool;
-    var phi_1807_: bool;
-    var phi_781_: u32;
-    var phi_784_: u32;
-    var phi_1808_: bool;
-    var phi_1809_: bool;
-    var phi_1810_: bool;
-    var local_5: bool;
-    var phi_1814_: bool;
-    var phi_1815_: bool;
-    var phi_1819_: bool;
+    var phi_1422_: f32;
+    var phi_1423_: f32;
+    var phi_1431_: f32;
+    var phi_1441_: bool;
+    var phi_1442_: bool;
+    var phi_1446_: f32;
+    var phi_1447_: f32;
+    var phi_1448_: f32;
+    var phi_1449_: f32;
+    var phi_1457_: f32;
+    var phi_1472_: f32;
+    var phi_1473_: bool;
+    var phi_1474_: f32;
+    var phi_1475_: bool;
+    var phi_1476_: f32;
+    var phi_1477_: bool;
+    var phi_1495_: f32;
+    var phi_1496_: bool;
+    var phi_1497_: bool;
+    var phi_1498_: f32;
+    var phi_1499_: bool;
+    var phi_1500_: bool;
+    var phi_1504_: bool;
+    var phi_1505_: f32;
+    var phi_1506_: bool;
+    var phi_1534_: vec3<f32>;
+    var phi_1535_: vec3<f32>;
+    var phi_1560_: vec3<f32>;
+    var phi_1561_: vec3<f32>;
+    var phi_1586_: vec3<f32>;
+    var phi_1587_: vec3<f32>;
+    var phi_1643_: f32;
+    var phi_1652_: f32;
+    var phi_1661_: f32;
+    var phi_1670_: f32;
+    var phi_1677_: f32;
+    var phi_1684_: f32;
+    var phi_1697_: f32;
+    var phi_1706_: f32;
+    var phi_1715_: f32;
+    var phi_1724_: f32;
+    var phi_1731_: f32;
+    var phi_1738_: f32;
+    var phi_1755_: f32;
+    var phi_1760_: f32;
+    var phi_1765_: f32;
+    var phi_1773_: f32;
+    var phi_1778_: f32;
+    var phi_1783_: f32;
+    var phi_1795_: f32;
+    var phi_1800_: f32;
+    var phi_1805_: f32;
+    var phi_1810_: f32;
+    var phi_1815_: lt_bvh_triangle_Intersection;
+    var phi_1816_: bool;
+    var phi_1817_: lt_bvh_triangle_Intersection;
+    var phi_1818_: bool;
+    var phi_1822_: lt_bvh_triangle_Intersection;
     var phi_1823_: bool;
-    var phi_1827_: bool;
-    var phi_1828_: bool;
-    var phi_1832_: bool;
-    var phi_1848_: bool;
-    var phi_1849_: bool;
-    var phi_1850_: bool;
-    var phi_1851_: bool;
-    var phi_1855_: bool;
+    var phi_1824_: lt_bvh_triangle_Intersection;
+    var phi_1825_: bool;
+    var phi_1826_: bool;
+    var phi_1830_: bool;
+    var phi_1834_: lt_bvh_triangle_Intersection;
+    var phi_1859_: bool;
+    var phi_1860_: bool;
+    var phi_1861_: bool;
+    var phi_1862_: bool;
+    var phi_1863_: bool;
+    var phi_1864_: bool;
+    var phi_1865_: bool;
+    var phi_1866_: bool;
+    var phi_1867_: bool;
     var phi_1868_: bool;
     var phi_1869_: bool;
     var phi_1870_: bool;
     var phi_1871_: bool;
-    var phi_1875_: bool;
+    var phi_1872_: bool;
+    var phi_1876_: bool;
+    var phi_1877_: bool;
+    var phi_1878_: bool;
+    var phi_1886_: bool;
+    var phi_1887_: bool;
     var phi_1888_: bool;
     var phi_1889_: bool;
     var phi_1890_: bool;
+    var local_5: bool;
     var phi_1894_: bool;
     var phi_1895_: bool;
     var phi_1896_: bool;
     var phi_1897_: bool;
     var phi_1898_: bool;
-    var phi_1902_: bool;
-    var phi_1972_: f32;
-    var phi_1979_: f32;
-    var phi_1986_: f32;
-    var phi_1993_: f32;
-    var phi_2000_: f32;
-    var phi_2007_: f32;
-    var phi_2024_: f32;
-    var phi_2029_: f32;
-    var phi_2034_: f32;
-    var phi_2039_: f32;
-    var phi_2044_: f32;
-    var phi_2070_: bool;
-    var phi_2071_: bool;
-    var phi_2079_: u32;
-    var phi_2080_: u32;
-    var phi_2091_: vec3<f32>;
-    var phi_2092_: vec3<f32>;
-    var phi_2105_: u32;
-    var phi_2110_: u32;
-    var phi_2115_: u32;
-    var phi_2229_: bool;
-    var phi_2230_: bool;
-    var phi_2261_: u32;
-    var phi_2263_: u32;
-    var phi_2266_: bool;
-    var phi_2346_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2373_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2400_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2406_: u32;
-    var phi_2409_: u32;
-    var phi_2423_: u32;
-    var phi_2433_: u32;
-    var phi_2443_: u32;
-    var phi_2461_: u32;
-    var phi_2471_: u32;
-    var phi_2481_: u32;
-    var phi_2517_: u32;
-    var phi_2530_: u32;
-    var phi_2535_: u32;
-    var phi_2536_: u32;
-    var phi_2537_: u32;
-    var phi_2407_: u32;
-    var phi_2410_: u32;
     var local_6: u32;
-    var local_7: u32;
+    var phi_1906_: bool;
+    var phi_1907_: bool;
+    var phi_1908_: bool;
+    var phi_1909_: bool;
+    var local_7: bool;
+    var phi_1913_: bool;
+    var phi_1917_: bool;
+    var phi_1921_: bool;
+    var phi_1922_: bool;
+    var phi_1938_: bool;
+    var phi_1939_: bool;
+    var phi_1940_: bool;
+    var phi_1941_: bool;
+    var phi_1945_: bool;
+    var phi_1958_: bool;
+    var phi_1959_: bool;
+    var phi_1960_: bool;
+    var phi_1961_: bool;
+    var phi_1965_: bool;
+    var phi_1978_: bool;
+    var phi_1979_: bool;
+    var phi_1980_: bool;
+    var phi_1984_: bool;
+    var phi_1985_: bool;
+    var phi_1986_: bool;
+    var phi_1987_: bool;
+    var phi_1988_: bool;
+    var phi_1992_: bool;
+    var phi_2062_: f32;
+    var phi_2069_: f32;
+    var phi_2076_: f32;
+    var phi_2083_: f32;
+    var phi_2090_: f32;
+    var phi_2097_: f32;
+    var phi_2114_: f32;
+    var phi_2119_: f32;
+    var phi_2124_: f32;
+    var phi_2129_: f32;
+    var phi_2134_: f32;
+    var phi_2160_: bool;
+    var phi_2161_: bool;
+    var phi_2169_: u32;
+    var phi_2170_: u32;
+    var phi_2181_: vec3<f32>;
+    var phi_2182_: vec3<f32>;
+    var phi_2195_: u32;
+    var phi_2200_: u32;
+    var phi_2205_: u32;
+    var phi_2319_: bool;
+    var phi_2320_: bool;
+    var phi_2351_: u32;
+    var phi_2353_: u32;
+    var phi_2356_: bool;
+    var phi_2436_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2463_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2490_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2496_: u32;
+    var phi_2499_: u32;
+    var phi_2513_: u32;
+    var phi_2523_: u32;
+    var phi_2533_: u32;
+    var phi_2551_: u32;
+    var phi_2561_: u32;
+    var phi_2571_: u32;
+    var phi_2607_: u32;
+    var phi_2620_: u32;
+    var phi_2625_: u32;
+    var phi_2626_: u32;
+    var phi_2627_: u32;
+    var phi_2497_: u32;
+    var phi_2500_: u32;
     var local_8: u32;
-    var phi_2595_: u32;
-    var phi_2598_: bool;
-    var phi_2642_: vec3<f32>;
-    var phi_2643_: vec3<f32>;
-    var phi_2672_: vec3<f32>;
-    var phi_2673_: vec3<f32>;
-    var phi_2702_: vec3<f32>;
-    var phi_2703_: vec3<f32>;
-    var phi_2721_: bool;
-    var phi_2722_: bool;
-    var phi_2726_: f32;
-    var phi_2727_: f32;
-    var phi_2728_: f32;
-    var phi_2729_: f32;
-    var phi_2737_: f32;
-    var phi_2747_: bool;
-    var phi_2748_: bool;
-    var phi_2752_: f32;
-    var phi_2753_: f32;
-    var phi_2754_: f32;
-    var phi_2755_: f32;
-    var phi_2763_: f32;
-    var phi_2773_: bool;
-    var phi_2774_: bool;
-    var phi_2778_: f32;
-    var phi_2779_: f32;
-    var phi_2780_: f32;
-    var phi_2781_: f32;
-    var phi_2789_: f32;
-    var phi_2804_: f32;
-    var phi_2805_: bool;
-    var phi_2806_: f32;
-    var phi_2807_: bool;
-    var phi_2808_: f32;
-    var phi_2809_: bool;
+    var local_9: u32;
+    var local_10: u32;
+    var phi_2685_: u32;
+    var phi_2688_: bool;
+    var phi_2732_: vec3<f32>;
+    var phi_2733_: vec3<f32>;
+    var phi_2762_: vec3<f32>;
+    var phi_2763_: vec3<f32>;
+    var phi_2792_: vec3<f32>;
+    var phi_2793_: vec3<f32>;
+    var phi_2811_: bool;
+    var phi_2812_: bool;
+    var phi_2816_: f32;
+    var phi_2817_: f32;
+    var phi_2818_: f32;
+    var phi_2819_: f32;
     var phi_2827_: f32;
-    var phi_2828_: bool;
-    var phi_2829_: bool;
-    var phi_2830_: f32;
-    var phi_2831_: bool;
-    var phi_2832_: bool;
-    var phi_2836_: bool;
-    var phi_2837_: f32;
+    var phi_2837_: bool;
     var phi_2838_: bool;
-    var phi_2866_: vec3<f32>;
-    var phi_2867_: vec3<f32>;
-    var phi_2892_: vec3<f32>;
-    var phi_2893_: vec3<f32>;
-    var phi_2918_: vec3<f32>;
-    var phi_2919_: vec3<f32>;
-    var phi_2975_: f32;
-    var phi_2984_: f32;
-    var phi_2993_: f32;
-    var phi_3002_: f32;
-    var phi_3009_: f32;
-    var phi_3016_: f32;
-    var phi_3029_: f32;
-    var phi_3038_: f32;
-    var phi_3047_: f32;
-    var phi_3056_: f32;
-    var phi_3063_: f32;
-    var phi_3070_: f32;
-    var phi_3087_: f32;
+    var phi_2842_: f32;
+    var phi_2843_: f32;
+    var phi_2844_: f32;
+    var phi_2845_: f32;
+    var phi_2853_: f32;
+    var phi_2863_: bool;
+    var phi_2864_: bool;
+    var phi_2868_: f32;
+    var phi_2869_: f32;
+    var phi_2870_: f32;
+    var phi_2871_: f32;
+    var phi_2879_: f32;
+    var phi_2894_: f32;
+    var phi_2895_: bool;
+    var phi_2896_: f32;
+    var phi_2897_: bool;
+    var phi_2898_: f32;
+    var phi_2899_: bool;
+    var phi_2917_: f32;
+    var phi_2918_: bool;
+    var phi_2919_: bool;
+    var phi_2920_: f32;
+    var phi_2921_: bool;
+    var phi_2922_: bool;
+    var phi_2926_: bool;
+    var phi_2927_: f32;
+    var phi_2928_: bool;
+    var phi_2956_: vec3<f32>;
+    var phi_2957_: vec3<f32>;
+    var phi_2982_: vec3<f32>;
+    var phi_2983_: vec3<f32>;
+    var phi_3008_: vec3<f32>;
+    var phi_3009_: vec3<f32>;
+    var phi_3065_: f32;
+    var phi_3074_: f32;
+    var phi_3083_: f32;
     var phi_3092_: f32;
-    var phi_3097_: f32;
-    var phi_3105_: f32;
-    var phi_3110_: f32;
-    var phi_3115_: f32;
-    var phi_3127_: f32;
-    var phi_3132_: f32;
+    var phi_3099_: f32;
+    var phi_3106_: f32;
+    var phi_3119_: f32;
+    var phi_3128_: f32;
     var phi_3137_: f32;
-    var phi_3142_: f32;
-    var phi_3147_: lt_bvh_triangle_Intersection;
-    var phi_3148_: bool;
-    var phi_3149_: lt_bvh_triangle_Intersection;
-    var phi_3150_: bool;
-    var phi_3154_: lt_bvh_triangle_Intersection;
-    var phi_3155_: bool;
-    var phi_3156_: lt_bvh_triangle_Intersection;
-    var phi_3157_: bool;
-    var phi_3158_: bool;
-    var phi_3162_: bool;
-    var phi_3166_: lt_bvh_triangle_Intersection;
-    var phi_3186_: bool;
-    var phi_3187_: bool;
-    var phi_3188_: bool;
-    var phi_3189_: bool;
-    var phi_3190_: bool;
-    var phi_3191_: bool;
-    var phi_3192_: bool;
-    var phi_2596_: u32;
-    var phi_2599_: bool;
-    var phi_3196_: bool;
-    var local_9: bool;
+    var phi_3146_: f32;
+    var phi_3153_: f32;
+    var phi_3160_: f32;
+    var phi_3177_: f32;
+    var phi_3182_: f32;
+    var phi_3187_: f32;
+    var phi_3195_: f32;
+    var phi_3200_: f32;
+    var phi_3205_: f32;
+    var phi_3217_: f32;
+    var phi_3222_: f32;
+    var phi_3227_: f32;
+    var phi_3232_: f32;
+    var phi_3237_: lt_bvh_triangle_Intersection;
     var phi_3238_: bool;
-    var phi_3239_: bool;
-    var phi_3270_: u32;
-    var phi_3271_: u32;
-    var phi_2264_: u32;
-    var phi_2267_: bool;
-    var phi_3272_: bool;
-    var phi_3273_: bool;
-    var local_10: bool;
+    var phi_3239_: lt_bvh_triangle_Intersection;
+    var phi_3240_: bool;
+    var phi_3244_: lt_bvh_triangle_Intersection;
+    var phi_3245_: bool;
+    var phi_3246_: lt_bvh_triangle_Intersection;
+    var phi_3247_: bool;
+    var phi_3248_: bool;
+    var phi_3252_: bool;
+    var phi_3256_: lt_bvh_triangle_Intersection;
+    var phi_3276_: bool;
     var phi_3277_: bool;
+    var phi_3278_: bool;
+    var phi_3279_: bool;
+    var phi_3280_: bool;
     var phi_3281_: bool;
     var phi_3282_: bool;
-    var phi_3283_: bool;
-    var phi_3284_: bool;
-    var phi_3288_: bool;
-    var phi_3289_: bool;
-    var phi_3290_: bool;
-    var phi_3294_: f32;
-    var phi_3335_: u32;
-    var phi_3354_: u32;
-    var phi_3362_: u32;
-    var phi_3370_: u32;
-    var phi_3375_: u32;
-    var local_11: u32;
+    var phi_2686_: u32;
+    var phi_2689_: bool;
+    var phi_3286_: bool;
+    var local_11: bool;
+    var phi_3328_: bool;
+    var phi_3329_: bool;
+    var phi_3360_: u32;
+    var phi_3361_: u32;
+    var phi_2354_: u32;
+    var phi_2357_: bool;
+    var phi_3362_: bool;
+    var phi_3363_: bool;
     var local_12: bool;
-    var local_13: bool;
+    var phi_3367_: bool;
+    var phi_3371_: bool;
+    var phi_3372_: bool;
+    var phi_3373_: bool;
+    var phi_3374_: bool;
+    var phi_3378_: bool;
+    var phi_3379_: bool;
+    var phi_3380_: bool;
+    var phi_3384_: f32;
+    var phi_3425_: u32;
+    var phi_3444_: u32;
+    var phi_3452_: u32;
+    var phi_3460_: u32;
+    var phi_3465_: u32;
+    var local_13: u32;
     var local_14: u32;
     var local_15: u32;
     var local_16: bool;
@@ -637,6 +625,8 @@ fn function_() {
     var local_19: bool;
     var local_20: bool;
     var local_21: bool;
+    var local_22: bool;
+    var local_23: bool;
 
     let _e69 = id_1;
     let _e76 = arrayLength((&nodes.member));
@@ -960,7 +950,7 @@ fn function_() {
                         phi_538_ = _e320;
                     }
                     let _e322 = phi_538_;
-                    phi_584_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e322.x / _e322.z), (_e322.y / _e322.z), (_e289 / _e322.z)), _e314);
+                    phi_583_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e322.x / _e322.z), (_e322.y / _e322.z), (_e289 / _e322.z)), _e314);
                 } else {
                     if (_e106.axis == 0u) {
                         phi_561_ = vec3<f32>(_e128, _e130, _e126);
@@ -974,2321 +964,2330 @@ fn function_() {
                         phi_561_ = _e339;
                     }
                     let _e341 = phi_561_;
-                    let _e353 = (_e341.z - _e106.middle.z);
-                    phi_584_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e341.x - _e106.middle.x) - (_e106.shear.x * _e353)), ((_e341.y - _e106.middle.y) - (_e106.shear.y * _e353)), (_e106.sign * _e353)), _e106.roots.x);
+                    let _e356 = (_e341.z - _e106.middle.z);
+                    phi_583_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e341.x - _e106.middle.x) - (_e106.shear.x * _e356)), ((_e341.y - _e106.middle.y) - (_e106.shear.y * _e356)), (_e106.sign * _e356)), _e106.roots.x);
                 }
-                let _e366 = phi_584_;
-                if (_e366.unnamed_1 == 4294967295u) {
-                    phi_1827_ = false;
-                    phi_1828_ = true;
+                let _e367 = phi_583_;
+                if (_e367.unnamed_1 == 4294967295u) {
+                    phi_1922_ = false;
                 } else {
                     if (0u < _e76) {
                     } else {
                         return;
                     }
-                    let _e374 = nodes.member[0u].frame[0u];
-                    let _e378 = nodes.member[0u].frame[1u];
-                    let _e382 = nodes.member[0u].frame[2u];
-                    let _e386 = nodes.member[0u].frame[0u];
-                    let _e390 = nodes.member[0u].frame[1u];
-                    let _e394 = nodes.member[0u].frame[2u];
-                    let _e398 = nodes.member[0u].frame[3u];
-                    let _e432 = core_intrinsics_maximum_number_nsz_f32_(abs(_e146), abs(_e147));
-                    let _e433 = core_intrinsics_maximum_number_nsz_f32_(_e432, abs(_e148));
-                    let _e434 = (_e433 * 0.0000000000009094947f);
-                    if (abs(_e146) < _e434) {
-                        phi_652_ = _e434;
+                    let _e384 = nodes.member[0u].frame[0u];
+                    let _e388 = nodes.member[0u].frame[1u];
+                    let _e392 = nodes.member[0u].frame[2u];
+                    let _e396 = nodes.member[0u].frame[0u];
+                    let _e400 = nodes.member[0u].frame[1u];
+                    let _e404 = nodes.member[0u].frame[2u];
+                    let _e408 = nodes.member[0u].frame[3u];
+                    let _e442 = core_intrinsics_maximum_number_nsz_f32_(abs(_e146), abs(_e147));
+                    let _e443 = core_intrinsics_maximum_number_nsz_f32_(_e442, abs(_e148));
+                    let _e444 = (_e443 * 0.0000000000009094947f);
+                    if (abs(_e146) < _e444) {
+                        phi_658_ = _e444;
                     } else {
-                        phi_652_ = abs(_e146);
+                        phi_658_ = abs(_e146);
                     }
-                    let _e439 = phi_652_;
+                    let _e449 = phi_658_;
                     if (_e146 < 0f) {
-                        phi_659_ = (-1f / _e439);
+                        phi_665_ = (-1f / _e449);
                     } else {
-                        phi_659_ = (1f / _e439);
+                        phi_665_ = (1f / _e449);
                     }
-                    let _e444 = phi_659_;
-                    if (abs(_e147) < _e434) {
-                        phi_666_ = _e434;
+                    let _e454 = phi_665_;
+                    if (abs(_e147) < _e444) {
+                        phi_672_ = _e444;
                     } else {
-                        phi_666_ = abs(_e147);
+                        phi_672_ = abs(_e147);
                     }
-                    let _e449 = phi_666_;
+                    let _e459 = phi_672_;
                     if (_e147 < 0f) {
-                        phi_673_ = (-1f / _e449);
+                        phi_679_ = (-1f / _e459);
                     } else {
-                        phi_673_ = (1f / _e449);
+                        phi_679_ = (1f / _e459);
                     }
-                    let _e454 = phi_673_;
-                    if (abs(_e148) < _e434) {
-                        phi_680_ = _e434;
+                    let _e464 = phi_679_;
+                    if (abs(_e148) < _e444) {
+                        phi_686_ = _e444;
                     } else {
-                        phi_680_ = abs(_e148);
+                        phi_686_ = abs(_e148);
                     }
-                    let _e459 = phi_680_;
+                    let _e469 = phi_686_;
                     if (_e148 < 0f) {
-                        phi_687_ = (-1f / _e459);
+                        phi_693_ = (-1f / _e469);
                     } else {
-                        phi_687_ = (1f / _e459);
+                        phi_693_ = (1f / _e469);
                     }
-                    let _e464 = phi_687_;
-                    let _e468 = abs((bitcast<f32>(_e374) - _e126));
-                    let _e469 = abs((bitcast<f32>(_e378) - _e128));
-                    let _e470 = abs((bitcast<f32>(_e382) - _e130));
-                    let _e474 = abs(((bitcast<f32>(_e386) + (bitcast<f32>((((_e398 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
-                    let _e475 = abs(((bitcast<f32>(_e390) + (bitcast<f32>((((_e398 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
-                    let _e476 = abs(((bitcast<f32>(_e394) + (bitcast<f32>((((_e398 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
-                    if (_e468 > _e474) {
-                        phi_704_ = _e468;
+                    let _e474 = phi_693_;
+                    let _e478 = abs((bitcast<f32>(_e384) - _e126));
+                    let _e479 = abs((bitcast<f32>(_e388) - _e128));
+                    let _e480 = abs((bitcast<f32>(_e392) - _e130));
+                    let _e484 = abs(((bitcast<f32>(_e396) + (bitcast<f32>((((_e408 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
+                    let _e485 = abs(((bitcast<f32>(_e400) + (bitcast<f32>((((_e408 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
+                    let _e486 = abs(((bitcast<f32>(_e404) + (bitcast<f32>((((_e408 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
+                    if (_e478 > _e484) {
+                        phi_710_ = _e478;
                     } else {
-                        phi_704_ = _e474;
+                        phi_710_ = _e484;
                     }
-                    let _e479 = phi_704_;
-                    if (_e469 > _e475) {
-                        phi_709_ = _e469;
+                    let _e489 = phi_710_;
+                    if (_e479 > _e485) {
+                        phi_715_ = _e479;
                     } else {
-                        phi_709_ = _e475;
+                        phi_715_ = _e485;
                     }
-                    let _e482 = phi_709_;
-                    if (_e470 > _e476) {
-                        phi_714_ = _e470;
+                    let _e492 = phi_715_;
+                    if (_e480 > _e486) {
+                        phi_720_ = _e480;
                     } else {
-                        phi_714_ = _e476;
+                        phi_720_ = _e486;
                     }
-                    let _e485 = phi_714_;
-                    if (_e479 > _e482) {
-                        phi_719_ = _e479;
+                    let _e495 = phi_720_;
+                    if (_e489 > _e492) {
+                        phi_725_ = _e489;
                     } else {
-                        phi_719_ = _e482;
+                        phi_725_ = _e492;
                     }
-                    let _e488 = phi_719_;
-                    if (_e488 > _e485) {
-                        phi_724_ = _e488;
+                    let _e498 = phi_725_;
+                    if (_e498 > _e495) {
+                        phi_730_ = _e498;
                     } else {
-                        phi_724_ = _e485;
+                        phi_730_ = _e495;
                     }
-                    let _e491 = phi_724_;
-                    let _e498 = (_e491 * 0.0000009536743f);
-                    let _e499 = (abs(_e444) * _e498);
-                    let _e500 = (abs(_e454) * _e498);
-                    let _e501 = (abs(_e464) * _e498);
-                    let _e502 = abs(_e146);
-                    let _e503 = abs(_e147);
-                    let _e504 = abs(_e148);
-                    if (_e502 >= _e503) {
-                        if (_e502 >= _e504) {
-                            phi_746_ = false;
+                    let _e501 = phi_730_;
+                    let _e508 = (_e501 * 0.0000009536743f);
+                    let _e509 = (abs(_e454) * _e508);
+                    let _e510 = (abs(_e464) * _e508);
+                    let _e511 = (abs(_e474) * _e508);
+                    let _e512 = abs(_e146);
+                    let _e513 = abs(_e147);
+                    let _e514 = abs(_e148);
+                    if (_e512 >= _e513) {
+                        if (_e512 >= _e514) {
+                            phi_752_ = false;
                         } else {
-                            phi_746_ = true;
+                            phi_752_ = true;
                         }
-                        let _e508 = phi_746_;
-                        phi_747_ = _e508;
+                        let _e518 = phi_752_;
+                        phi_753_ = _e518;
                     } else {
-                        phi_747_ = true;
+                        phi_753_ = true;
                     }
-                    let _e510 = phi_747_;
-                    if _e510 {
-                        if (_e503 >= _e504) {
-                            phi_755_ = 1u;
+                    let _e520 = phi_753_;
+                    if _e520 {
+                        if (_e513 >= _e514) {
+                            phi_761_ = 1u;
                         } else {
-                            phi_755_ = 2u;
+                            phi_761_ = 2u;
                         }
-                        let _e513 = phi_755_;
-                        phi_756_ = _e513;
+                        let _e523 = phi_761_;
+                        phi_762_ = _e523;
                     } else {
-                        phi_756_ = 0u;
+                        phi_762_ = 0u;
                     }
-                    let _e515 = phi_756_;
-                    if (_e515 == 0u) {
-                        phi_768_ = vec3<f32>(_e147, _e148, _e146);
+                    let _e525 = phi_762_;
+                    if (_e525 == 0u) {
+                        phi_774_ = vec3<f32>(_e147, _e148, _e146);
                     } else {
-                        if (_e515 == 1u) {
-                            phi_767_ = vec3<f32>(_e148, _e146, _e147);
+                        if (_e525 == 1u) {
+                            phi_773_ = vec3<f32>(_e148, _e146, _e147);
                         } else {
-                            phi_767_ = _e149;
+                            phi_773_ = _e149;
                         }
-                        let _e521 = phi_767_;
-                        phi_768_ = _e521;
+                        let _e531 = phi_773_;
+                        phi_774_ = _e531;
                     }
-                    let _e523 = phi_768_;
-                    let _e526 = (_e523.x / _e523.z);
-                    let _e529 = (_e523.y / _e523.z);
+                    let _e533 = phi_774_;
+                    let _e536 = (_e533.x / _e533.z);
+                    let _e539 = (_e533.y / _e533.z);
                     local_1 = array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    phi_780_ = ((_e366.unnamed_1 << bitcast<u32>(8i)) | 1u);
-                    phi_783_ = 0u;
+                    phi_786_ = ((_e367.unnamed_1 << bitcast<u32>(8i)) | 1u);
+                    phi_789_ = 0u;
                     loop {
-                        let _e536 = phi_780_;
-                        let _e538 = phi_783_;
-                        let _e539 = (_e536 == 0u);
-                        local_5 = _e539;
-                        if _e539 {
-                            phi_781_ = u32();
-                            phi_784_ = u32();
-                            phi_1808_ = false;
-                            phi_1809_ = false;
-                            phi_1810_ = false;
-                        } else {
-                            phi_792_ = _e536;
-                            phi_795_ = 0u;
-                            phi_797_ = 0u;
-                            phi_799_ = _e538;
-                            loop {
-                                let _e541 = phi_792_;
-                                let _e543 = phi_795_;
-                                let _e545 = phi_797_;
-                                let _e547 = phi_799_;
-                                local_11 = _e545;
-                                local_3 = _e543;
-                                local_14 = _e541;
-                                local_15 = _e547;
-                                let _e548 = (_e541 == 0u);
-                                local_2 = _e548;
-                                if _e548 {
-                                    phi_793_ = u32();
-                                    phi_796_ = u32();
-                                    phi_798_ = u32();
-                                    phi_800_ = u32();
-                                    phi_1146_ = false;
-                                } else {
-                                    let _e549 = (_e545 == 0u);
-                                    if _e549 {
-                                        let _e556 = (((_e541 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e541), 32u, (_e541 == 0u))) * 4u);
-                                        if (_e556 < _e91) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e560 = rows.member[(0u + _e556)];
-                                        let _e561 = (_e556 + 1u);
-                                        if (_e561 < _e91) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e565 = rows.member[(0u + _e561)];
-                                        let _e566 = (_e556 + 2u);
-                                        if (_e566 < _e91) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e570 = rows.member[(0u + _e566)];
-                                        let _e571 = (_e556 + 3u);
-                                        if (_e571 < _e91) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e575 = rows.member[(0u + _e571)];
-                                        let _e576 = lt_bvh_LightNode(_e560, _e565, _e570, _e575);
-                                        let _e578 = (_e541 & (_e541 - 1u));
-                                        let _e590 = (_e366.unnamed.positive_exponent - bitcast<f32>(_e576.frame.x));
-                                        let _e593 = bitcast<f32>((((_e576.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                        if (_e590 > 0f) {
-                                            if (_e590 < (255f * _e593)) {
-                                                phi_872_ = (_e590 / _e593);
-                                            } else {
-                                                phi_872_ = 255f;
-                                            }
-                                            let _e599 = phi_872_;
-                                            phi_873_ = _e599;
-                                        } else {
-                                            phi_873_ = 0f;
-                                        }
-                                        let _e601 = phi_873_;
-                                        let _e608 = select(select(u32(_e601), 0u, (_e601 < bitcast<f32>(0u))), 4294967295u, (_e601 > bitcast<f32>(1333788671u)));
-                                        if (f32(_e608) < _e601) {
-                                            phi_887_ = (_e608 + 1u);
-                                        } else {
-                                            phi_887_ = _e608;
-                                        }
-                                        let _e613 = phi_887_;
-                                        let _e614 = (_e608 * 16843009u);
-                                        let _e615 = (_e613 * 16843009u);
-                                        let _e625 = (_e366.unnamed.negative_exponent - bitcast<f32>(_e576.frame.y));
-                                        let _e628 = bitcast<f32>((((_e576.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                        if (_e625 > 0f) {
-                                            if (_e625 < (255f * _e628)) {
-                                                phi_910_ = (_e625 / _e628);
-                                            } else {
-                                                phi_910_ = 255f;
-                                            }
-                                            let _e634 = phi_910_;
-                                            phi_911_ = _e634;
-                                        } else {
-                                            phi_911_ = 0f;
-                                        }
-                                        let _e636 = phi_911_;
-                                        let _e643 = select(select(u32(_e636), 0u, (_e636 < bitcast<f32>(0u))), 4294967295u, (_e636 > bitcast<f32>(1333788671u)));
-                                        if (f32(_e643) < _e636) {
-                                            phi_925_ = (_e643 + 1u);
-                                        } else {
-                                            phi_925_ = _e643;
-                                        }
-                                        let _e648 = phi_925_;
-                                        let _e649 = (_e643 * 16843009u);
-                                        let _e650 = (_e648 * 16843009u);
-                                        let _e660 = (_e366.unnamed.min_variance - bitcast<f32>(_e576.frame.z));
-                                        let _e663 = bitcast<f32>((((_e576.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                        if (_e660 > 0f) {
-                                            if (_e660 < (255f * _e663)) {
-                                                phi_948_ = (_e660 / _e663);
-                                            } else {
-                                                phi_948_ = 255f;
-                                            }
-                                            let _e669 = phi_948_;
-                                            phi_949_ = _e669;
-                                        } else {
-                                            phi_949_ = 0f;
-                                        }
-                                        let _e671 = phi_949_;
-                                        let _e678 = select(select(u32(_e671), 0u, (_e671 < bitcast<f32>(0u))), 4294967295u, (_e671 > bitcast<f32>(1333788671u)));
-                                        if (f32(_e678) < _e671) {
-                                            phi_963_ = (_e678 + 1u);
-                                        } else {
-                                            phi_963_ = _e678;
-                                        }
-                                        let _e683 = phi_963_;
-                                        let _e684 = (_e683 * 16843009u);
-                                        let _e817 = (((((((((((_e614 & ~(_e576.x.x)) | (~((_e576.x.x ^ _e614)) & ((_e614 | 2155905152u) - (_e576.x.x & 2139062143u)))) & ((_e576.x.z & ~(_e615)) | (~((_e615 ^ _e576.x.z)) & ((_e576.x.z | 2155905152u) - (_e615 & 2139062143u))))) & ((_e649 & ~(_e576.y.x)) | (~((_e576.y.x ^ _e649)) & ((_e649 | 2155905152u) - (_e576.y.x & 2139062143u))))) & ((_e576.y.z & ~(_e650)) | (~((_e650 ^ _e576.y.z)) & ((_e576.y.z | 2155905152u) - (_e650 & 2139062143u))))) & ((_e576.rest.x & ~(_e684)) | (~((_e684 ^ _e576.rest.x)) & ((_e576.rest.x | 2155905152u) - (_e684 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e614 & ~(_e576.x.y)) | (~((_e576.x.y ^ _e614)) & ((_e614 | 2155905152u) - (_e576.x.y & 2139062143u)))) & ((_e576.x.w & ~(_e615)) | (~((_e615 ^ _e576.x.w)) & ((_e576.x.w | 2155905152u) - (_e615 & 2139062143u))))) & ((_e649 & ~(_e576.y.y)) | (~((_e576.y.y ^ _e649)) & ((_e649 | 2155905152u) - (_e576.y.y & 2139062143u))))) & ((_e576.y.w & ~(_e650)) | (~((_e650 ^ _e576.y.w)) & ((_e576.y.w | 2155905152u) - (_e650 & 2139062143u))))) & ((_e576.rest.y & ~(_e684)) | (~((_e684 ^ _e576.rest.y)) & ((_e576.rest.y | 2155905152u) - (_e684 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                                        if ((_e576.frame.w & 16777216u) != 0u) {
-                                            phi_1117_ = _e578;
-                                            phi_1118_ = _e576.rest.z;
-                                            phi_1119_ = _e817;
-                                            phi_1120_ = _e547;
-                                        } else {
-                                            if (_e817 == 0u) {
-                                                phi_1115_ = _e578;
-                                                phi_1116_ = _e547;
-                                            } else {
-                                                if ((_e578 & 255u) == 0u) {
-                                                    phi_1111_ = _e547;
-                                                } else {
-                                                    if (_e547 < 32u) {
-                                                        if (_e547 < 32u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        local_1[(0u + _e547)] = _e578;
-                                                        phi_1110_ = (_e547 + 1u);
-                                                    } else {
-                                                        phi_1110_ = _e547;
-                                                    }
-                                                    let _e833 = phi_1110_;
-                                                    phi_1111_ = _e833;
-                                                }
-                                                let _e835 = phi_1111_;
-                                                phi_1115_ = ((_e576.rest.z << bitcast<u32>(8i)) | _e817);
-                                                phi_1116_ = _e835;
-                                            }
-                                            let _e842 = phi_1115_;
-                                            let _e844 = phi_1116_;
-                                            phi_1117_ = _e842;
-                                            phi_1118_ = _e543;
-                                            phi_1119_ = _e545;
-                                            phi_1120_ = _e844;
-                                        }
-                                        let _e846 = phi_1117_;
-                                        let _e848 = phi_1118_;
-                                        let _e850 = phi_1119_;
-                                        let _e852 = phi_1120_;
-                                        if ((_e846 & 255u) == 0u) {
-                                            if (_e852 > 0u) {
-                                                let _e856 = (_e852 - 1u);
-                                                if (_e856 < 32u) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e860 = local_1[(0u + _e856)];
-                                                phi_1138_ = _e860;
-                                                phi_1139_ = _e856;
-                                            } else {
-                                                phi_1138_ = 0u;
-                                                phi_1139_ = _e852;
-                                            }
-                                            let _e862 = phi_1138_;
-                                            let _e864 = phi_1139_;
-                                            phi_1140_ = _e862;
-                                            phi_1141_ = _e864;
-                                        } else {
-                                            phi_1140_ = _e846;
-                                            phi_1141_ = _e852;
-                                        }
-                                        let _e866 = phi_1140_;
-                                        let _e868 = phi_1141_;
-                                        phi_1142_ = _e866;
-                                        phi_1143_ = _e848;
-                                        phi_1144_ = _e850;
-                                        phi_1145_ = _e868;
-                                    } else {
-                                        phi_1142_ = u32();
-                                        phi_1143_ = u32();
-                                        phi_1144_ = u32();
-                                        phi_1145_ = u32();
-                                    }
-                                    let _e870 = phi_1142_;
-                                    let _e872 = phi_1143_;
-                                    let _e874 = phi_1144_;
-                                    let _e876 = phi_1145_;
-                                    phi_793_ = _e870;
-                                    phi_796_ = _e872;
-                                    phi_798_ = _e874;
-                                    phi_800_ = _e876;
-                                    phi_1146_ = _e549;
-                                }
-                                let _e878 = phi_793_;
-                                let _e880 = phi_796_;
-                                let _e882 = phi_798_;
-                                let _e884 = phi_800_;
-                                let _e886 = phi_1146_;
-                                continue;
-                                continuing {
-                                    phi_792_ = _e878;
-                                    phi_795_ = _e880;
-                                    phi_797_ = _e882;
-                                    phi_799_ = _e884;
-                                    break if !(_e886);
-                                }
-                            }
-                            let _e889 = local_2;
-                            if _e889 {
-                            }
-                            let _e3061 = local_11;
-                            phi_1151_ = _e3061;
-                            loop {
-                                let _e891 = phi_1151_;
-                                let _e892 = (_e891 == 0u);
-                                local_4 = _e892;
-                                local_16 = _e892;
-                                if _e892 {
-                                    phi_1152_ = u32();
-                                    phi_1800_ = false;
-                                    phi_1801_ = false;
-                                    phi_1802_ = false;
-                                } else {
-                                    let _e895 = select(firstTrailingBit(_e891), 32u, (_e891 == 0u));
-                                    let _e899 = local_3;
-                                    let _e900 = (_e899 + (_e895 >> bitcast<u32>(2i)));
-                                    if (_e900 < _e91) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e905 = rows.member[(0u + _e900)][0u];
-                                    let _e909 = rows.member[(0u + _e900)][1u];
-                                    let _e913 = rows.member[(0u + _e900)][2u];
-                                    let _e917 = rows.member[(0u + _e900)][3u];
-                                    if ((_e895 & 2u) == 0u) {
-                                        phi_1190_ = _e909;
-                                        phi_1191_ = _e905;
-                                    } else {
-                                        phi_1190_ = _e917;
-                                        phi_1191_ = _e913;
-                                    }
-                                    let _e921 = phi_1190_;
-                                    let _e923 = phi_1191_;
-                                    if ((_e895 & 1u) == 0u) {
-                                        phi_1197_ = _e923;
-                                    } else {
-                                        phi_1197_ = _e921;
-                                    }
-                                    let _e927 = phi_1197_;
-                                    if (_e927 < _e79) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e934 = triangles.member[(0u + _e927)].v0_;
-                                    let _e936 = (_e934.x - _e126);
-                                    let _e938 = (_e934.y - _e128);
-                                    let _e940 = (_e934.z - _e130);
-                                    if (_e515 == 0u) {
-                                        phi_1227_ = vec3<f32>(_e938, _e940, _e936);
-                                    } else {
-                                        if (_e515 == 1u) {
-                                            phi_1226_ = vec3<f32>(_e940, _e936, _e938);
-                                        } else {
-                                            phi_1226_ = (_e934 - vec3<f32>(_e126, _e128, _e130));
-                                        }
-                                        let _e948 = phi_1226_;
-                                        phi_1227_ = _e948;
-                                    }
-                                    let _e950 = phi_1227_;
-                                    let _e954 = (_e950.x - (_e526 * _e950.z));
-                                    let _e958 = (_e950.y - (_e529 * _e950.z));
-                                    let _e960 = triangles.member[(0u + _e927)].v1_;
-                                    let _e962 = (_e960.x - _e126);
-                                    let _e964 = (_e960.y - _e128);
-                                    let _e966 = (_e960.z - _e130);
-                                    if (_e515 == 0u) {
-                                        phi_1257_ = vec3<f32>(_e964, _e966, _e962);
-                                    } else {
-                                        if (_e515 == 1u) {
-                                            phi_1256_ = vec3<f32>(_e966, _e962, _e964);
-                                        } else {
-                                            phi_1256_ = (_e960 - vec3<f32>(_e126, _e128, _e130));
-                                        }
-                                        let _e974 = phi_1256_;
-                                        phi_1257_ = _e974;
-                                    }
-                                    let _e976 = phi_1257_;
-                                    let _e980 = (_e976.x - (_e526 * _e976.z));
-                                    let _e984 = (_e976.y - (_e529 * _e976.z));
-                                    let _e986 = triangles.member[(0u + _e927)].v2_;
-                                    let _e988 = (_e986.x - _e126);
-                                    let _e990 = (_e986.y - _e128);
-                                    let _e992 = (_e986.z - _e130);
-                                    if (_e515 == 0u) {
-                                        phi_1287_ = vec3<f32>(_e990, _e992, _e988);
-                                    } else {
-                                        if (_e515 == 1u) {
-                                            phi_1286_ = vec3<f32>(_e992, _e988, _e990);
-                                        } else {
-                                            phi_1286_ = (_e986 - vec3<f32>(_e126, _e128, _e130));
-                                        }
-                                        let _e1000 = phi_1286_;
-                                        phi_1287_ = _e1000;
-                                    }
-                                    let _e1002 = phi_1287_;
-                                    let _e1006 = (_e1002.x - (_e526 * _e1002.z));
-                                    let _e1010 = (_e1002.y - (_e529 * _e1002.z));
-                                    if (_e980 < _e1006) {
-                                        phi_1306_ = true;
-                                    } else {
-                                        if (_e980 == _e1006) {
-                                            phi_1305_ = (_e984 < _e1010);
-                                        } else {
-                                            phi_1305_ = false;
-                                        }
-                                        let _e1015 = phi_1305_;
-                                        phi_1306_ = _e1015;
-                                    }
-                                    let _e1017 = phi_1306_;
-                                    if _e1017 {
-                                        phi_1310_ = _e1010;
-                                        phi_1311_ = _e1006;
-                                        phi_1312_ = _e984;
-                                        phi_1313_ = _e980;
-                                    } else {
-                                        phi_1310_ = _e984;
-                                        phi_1311_ = _e980;
-                                        phi_1312_ = _e1010;
-                                        phi_1313_ = _e1006;
-                                    }
-                                    let _e1019 = phi_1310_;
-                                    let _e1021 = phi_1311_;
-                                    let _e1023 = phi_1312_;
-                                    let _e1025 = phi_1313_;
-                                    let _e1028 = ((_e1025 * _e1019) - (_e1023 * _e1021));
-                                    if _e1017 {
-                                        phi_1321_ = -(_e1028);
-                                    } else {
-                                        phi_1321_ = _e1028;
-                                    }
-                                    let _e1031 = phi_1321_;
-                                    if (_e1006 < _e954) {
-                                        phi_1332_ = true;
-                                    } else {
-                                        if (_e1006 == _e954) {
-                                            phi_1331_ = (_e1010 < _e958);
-                                        } else {
-                                            phi_1331_ = false;
-                                        }
-                                        let _e1036 = phi_1331_;
-                                        phi_1332_ = _e1036;
-                                    }
-                                    let _e1038 = phi_1332_;
-                                    if _e1038 {
-                                        phi_1336_ = _e958;
-                                        phi_1337_ = _e954;
-                                        phi_1338_ = _e1010;
-                                        phi_1339_ = _e1006;
-                                    } else {
-                                        phi_1336_ = _e1010;
-                                        phi_1337_ = _e1006;
-                                        phi_1338_ = _e958;
-                                        phi_1339_ = _e954;
-                                    }
-                                    let _e1040 = phi_1336_;
-                                    let _e1042 = phi_1337_;
-                                    let _e1044 = phi_1338_;
-                                    let _e1046 = phi_1339_;
-                                    let _e1049 = ((_e1046 * _e1040) - (_e1044 * _e1042));
-                                    if _e1038 {
-                                        phi_1347_ = -(_e1049);
-                                    } else {
-                                        phi_1347_ = _e1049;
-                                    }
-                                    let _e1052 = phi_1347_;
-                                    if (_e954 < _e980) {
-                                        phi_1358_ = true;
-                                    } else {
-                                        if (_e954 == _e980) {
-                                            phi_1357_ = (_e958 < _e984);
-                                        } else {
-                                            phi_1357_ = false;
-                                        }
-                                        let _e1057 = phi_1357_;
-                                        phi_1358_ = _e1057;
-                                    }
-                                    let _e1059 = phi_1358_;
-                                    if _e1059 {
-                                        phi_1362_ = _e984;
-                                        phi_1363_ = _e980;
-                                        phi_1364_ = _e958;
-                                        phi_1365_ = _e954;
-                                    } else {
-                                        phi_1362_ = _e958;
-                                        phi_1363_ = _e954;
-                                        phi_1364_ = _e984;
-                                        phi_1365_ = _e980;
-                                    }
-                                    let _e1061 = phi_1362_;
-                                    let _e1063 = phi_1363_;
-                                    let _e1065 = phi_1364_;
-                                    let _e1067 = phi_1365_;
-                                    let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
-                                    if _e1059 {
-                                        phi_1373_ = -(_e1070);
-                                    } else {
-                                        phi_1373_ = _e1070;
-                                    }
-                                    let _e1073 = phi_1373_;
-                                    if (_e1031 >= 0f) {
-                                        if (_e1052 >= 0f) {
-                                            if (_e1073 >= 0f) {
-                                                phi_1388_ = ((_e1031 + _e1052) + _e1073);
-                                                phi_1389_ = false;
-                                            } else {
-                                                phi_1388_ = f32();
-                                                phi_1389_ = true;
-                                            }
-                                            let _e1080 = phi_1388_;
-                                            let _e1082 = phi_1389_;
-                                            phi_1390_ = _e1080;
-                                            phi_1391_ = _e1082;
-                                        } else {
-                                            phi_1390_ = f32();
-                                            phi_1391_ = true;
-                                        }
-                                        let _e1084 = phi_1390_;
-                                        let _e1086 = phi_1391_;
-                                        phi_1392_ = _e1084;
-                                        phi_1393_ = _e1086;
-                                    } else {
-                                        phi_1392_ = f32();
-                                        phi_1393_ = true;
-                                    }
-                                    let _e1088 = phi_1392_;
-                                    let _e1090 = phi_1393_;
-                                    if _e1090 {
-                                        if (_e1031 <= 0f) {
-                                            if (_e1052 <= 0f) {
-                                                let _e1093 = (_e1073 <= 0f);
-                                                if _e1093 {
-                                                }
-                                                phi_1411_ = ((_e1031 + _e1052) + _e1073);
-                                                phi_1412_ = false;
-                                                phi_1413_ = _e1093;
-                                            } else {
-                                                phi_1411_ = f32();
-                                                phi_1412_ = true;
-                                                phi_1413_ = false;
-                                            }
-                                            let _e1097 = phi_1411_;
-                                            let _e1099 = phi_1412_;
-                                            let _e1101 = phi_1413_;
-                                            phi_1414_ = _e1097;
-                                            phi_1415_ = _e1099;
-                                            phi_1416_ = _e1101;
-                                        } else {
-                                            phi_1414_ = f32();
-                                            phi_1415_ = true;
-                                            phi_1416_ = false;
-                                        }
-                                        let _e1103 = phi_1414_;
-                                        let _e1105 = phi_1415_;
-                                        let _e1107 = phi_1416_;
-                                        if _e1105 {
-                                            phi_1420_ = false;
-                                        } else {
-                                            phi_1420_ = _e1107;
-                                        }
-                                        let _e1109 = phi_1420_;
-                                        phi_1421_ = _e1103;
-                                        phi_1422_ = _e1109;
-                                    } else {
-                                        phi_1421_ = _e1088;
-                                        phi_1422_ = true;
-                                    }
-                                    let _e1111 = phi_1421_;
-                                    let _e1113 = phi_1422_;
-                                    if _e1113 {
-                                        let _e1114 = (_e1111 == 0f);
-                                        if _e1114 {
-                                            phi_1738_ = lt_bvh_triangle_Intersection();
-                                            phi_1739_ = false;
-                                        } else {
-                                            let _e1116 = triangles.member[(0u + _e927)].v0_;
-                                            let _e1118 = (_e1116.x - _e126);
-                                            let _e1120 = (_e1116.y - _e128);
-                                            let _e1122 = (_e1116.z - _e130);
-                                            if (_e515 == 0u) {
-                                                phi_1451_ = vec3<f32>(_e1120, _e1122, _e1118);
-                                            } else {
-                                                if (_e515 == 1u) {
-                                                    phi_1450_ = vec3<f32>(_e1122, _e1118, _e1120);
-                                                } else {
-                                                    phi_1450_ = (_e1116 - vec3<f32>(_e126, _e128, _e130));
-                                                }
-                                                let _e1130 = phi_1450_;
-                                                phi_1451_ = _e1130;
-                                            }
-                                            let _e1132 = phi_1451_;
-                                            let _e1134 = triangles.member[(0u + _e927)].v1_;
-                                            let _e1136 = triangles.member[(0u + _e927)].v0_;
-                                            let _e1139 = (_e1134.x - _e1136.x);
-                                            let _e1142 = (_e1134.y - _e1136.y);
-                                            let _e1145 = (_e1134.z - _e1136.z);
-                                            if (_e515 == 0u) {
-                                                phi_1477_ = vec3<f32>(_e1142, _e1145, _e1139);
-                                            } else {
-                                                if (_e515 == 1u) {
-                                                    phi_1476_ = vec3<f32>(_e1145, _e1139, _e1142);
-                                                } else {
-                                                    phi_1476_ = (_e1134 - _e1136);
-                                                }
-                                                let _e1152 = phi_1476_;
-                                                phi_1477_ = _e1152;
-                                            }
-                                            let _e1154 = phi_1477_;
-                                            let _e1156 = triangles.member[(0u + _e927)].v2_;
-                                            let _e1158 = triangles.member[(0u + _e927)].v0_;
-                                            let _e1161 = (_e1156.x - _e1158.x);
-                                            let _e1164 = (_e1156.y - _e1158.y);
-                                            let _e1167 = (_e1156.z - _e1158.z);
-                                            if (_e515 == 0u) {
-                                                phi_1503_ = vec3<f32>(_e1164, _e1167, _e1161);
-                                            } else {
-                                                if (_e515 == 1u) {
-                                                    phi_1502_ = vec3<f32>(_e1167, _e1161, _e1164);
-                                                } else {
-                                                    phi_1502_ = (_e1156 - _e1158);
-                                                }
-                                                let _e1174 = phi_1502_;
-                                                phi_1503_ = _e1174;
-                                            }
-                                            let _e1176 = phi_1503_;
-                                            let _e1183 = ((_e1154.y * _e1176.z) - (_e1154.z * _e1176.y));
-                                            let _e1190 = ((_e1154.z * _e1176.x) - (_e1154.x * _e1176.z));
-                                            let _e1197 = ((_e1154.x * _e1176.y) - (_e1154.y * _e1176.x));
-                                            let _e1211 = (((1f / _e523.z) * (((_e1183 * _e1132.x) + (_e1190 * _e1132.y)) + (_e1197 * _e1132.z))) / (((_e1183 * _e526) + (_e1190 * _e529)) + _e1197));
-                                            if (_e1211 > 0f) {
-                                                if (_e1211 < _e138) {
-                                                    let _e1215 = triangles.member[(0u + _e927)].v0_;
-                                                    let _e1217 = triangles.member[(0u + _e927)].v1_;
-                                                    if (_e1215.x < _e1217.x) {
-                                                        phi_1559_ = _e1215.x;
-                                                    } else {
-                                                        phi_1559_ = _e1217.x;
-                                                    }
-                                                    let _e1224 = phi_1559_;
-                                                    if (_e1215.y < _e1217.y) {
-                                                        phi_1568_ = _e1215.y;
-                                                    } else {
-                                                        phi_1568_ = _e1217.y;
-                                                    }
-                                                    let _e1231 = phi_1568_;
-                                                    if (_e1215.z < _e1217.z) {
-                                                        phi_1577_ = _e1215.z;
-                                                    } else {
-                                                        phi_1577_ = _e1217.z;
-                                                    }
-                                                    let _e1238 = phi_1577_;
-                                                    let _e1240 = triangles.member[(0u + _e927)].v2_;
-                                                    if (_e1224 < _e1240.x) {
-                                                        phi_1586_ = _e1224;
-                                                    } else {
-                                                        phi_1586_ = _e1240.x;
-                                                    }
-                                                    let _e1245 = phi_1586_;
-                                                    if (_e1231 < _e1240.y) {
-                                                        phi_1593_ = _e1231;
-                                                    } else {
-                                                        phi_1593_ = _e1240.y;
-                                                    }
-                                                    let _e1250 = phi_1593_;
-                                                    if (_e1238 < _e1240.z) {
-                                                        phi_1600_ = _e1238;
-                                                    } else {
-                                                        phi_1600_ = _e1240.z;
-                                                    }
-                                                    let _e1255 = phi_1600_;
-                                                    let _e1257 = triangles.member[(0u + _e927)].v0_;
-                                                    let _e1259 = triangles.member[(0u + _e927)].v1_;
-                                                    if (_e1257.x > _e1259.x) {
-                                                        phi_1613_ = _e1257.x;
-                                                    } else {
-                                                        phi_1613_ = _e1259.x;
-                                                    }
-                                                    let _e1266 = phi_1613_;
-                                                    if (_e1257.y > _e1259.y) {
-                                                        phi_1622_ = _e1257.y;
-                                                    } else {
-                                                        phi_1622_ = _e1259.y;
-                                                    }
-                                                    let _e1273 = phi_1622_;
-                                                    if (_e1257.z > _e1259.z) {
-                                                        phi_1631_ = _e1257.z;
-                                                    } else {
-                                                        phi_1631_ = _e1259.z;
-                                                    }
-                                                    let _e1280 = phi_1631_;
-                                                    let _e1282 = triangles.member[(0u + _e927)].v2_;
-                                                    if (_e1266 > _e1282.x) {
-                                                        phi_1640_ = _e1266;
-                                                    } else {
-                                                        phi_1640_ = _e1282.x;
-                                                    }
-                                                    let _e1287 = phi_1640_;
-                                                    if (_e1273 > _e1282.y) {
-                                                        phi_1647_ = _e1273;
-                                                    } else {
-                                                        phi_1647_ = _e1282.y;
-                                                    }
-                                                    let _e1292 = phi_1647_;
-                                                    if (_e1280 > _e1282.z) {
-                                                        phi_1654_ = _e1280;
-                                                    } else {
-                                                        phi_1654_ = _e1282.z;
-                                                    }
-                                                    let _e1297 = phi_1654_;
-                                                    let _e1301 = ((_e1245 - _e126) * _e444);
-                                                    let _e1302 = ((_e1250 - _e128) * _e454);
-                                                    let _e1303 = ((_e1255 - _e130) * _e464);
-                                                    let _e1307 = ((_e1287 - _e126) * _e444);
-                                                    let _e1308 = ((_e1292 - _e128) * _e454);
-                                                    let _e1309 = ((_e1297 - _e130) * _e464);
-                                                    if (_e1301 < _e1307) {
-                                                        phi_1671_ = _e1301;
-                                                    } else {
-                                                        phi_1671_ = _e1307;
-                                                    }
-                                                    let _e1312 = phi_1671_;
-                                                    if (_e1302 < _e1308) {
-                                                        phi_1676_ = _e1302;
-                                                    } else {
-                                                        phi_1676_ = _e1308;
-                                                    }
-                                                    let _e1315 = phi_1676_;
-                                                    if (_e1303 < _e1309) {
-                                                        phi_1681_ = _e1303;
-                                                    } else {
-                                                        phi_1681_ = _e1309;
-                                                    }
-                                                    let _e1318 = phi_1681_;
-                                                    if (_e1301 > _e1307) {
-                                                        phi_1689_ = _e1301;
-                                                    } else {
-                                                        phi_1689_ = _e1307;
-                                                    }
-                                                    let _e1324 = phi_1689_;
-                                                    if (_e1302 > _e1308) {
-                                                        phi_1694_ = _e1302;
-                                                    } else {
-                                                        phi_1694_ = _e1308;
-                                                    }
-                                                    let _e1327 = phi_1694_;
-                                                    if (_e1303 > _e1309) {
-                                                        phi_1699_ = _e1303;
-                                                    } else {
-                                                        phi_1699_ = _e1309;
-                                                    }
-                                                    let _e1330 = phi_1699_;
-                                                    let _e1334 = core_intrinsics_maximum_number_nsz_f32_((_e1312 - _e499), (_e1315 - _e500));
-                                                    let _e1335 = core_intrinsics_maximum_number_nsz_f32_(_e1334, (_e1318 - _e501));
-                                                    let _e1336 = core_intrinsics_minimum_number_nsz_f32_((_e1324 + _e499), (_e1327 + _e500));
-                                                    let _e1337 = core_intrinsics_minimum_number_nsz_f32_(_e1336, (_e1330 + _e501));
-                                                    if (_e1335 > -300000000000000000000000000000000000000f) {
-                                                        phi_1711_ = _e1335;
-                                                    } else {
-                                                        phi_1711_ = -300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1340 = phi_1711_;
-                                                    if (_e1337 < 300000000000000000000000000000000000000f) {
-                                                        phi_1716_ = _e1337;
-                                                    } else {
-                                                        phi_1716_ = 300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1343 = phi_1716_;
-                                                    if (_e1211 < _e1340) {
-                                                        phi_1721_ = _e1340;
-                                                    } else {
-                                                        phi_1721_ = _e1211;
-                                                    }
-                                                    let _e1346 = phi_1721_;
-                                                    if (_e1346 > _e1343) {
-                                                        phi_1726_ = _e1343;
-                                                    } else {
-                                                        phi_1726_ = _e1346;
-                                                    }
-                                                    let _e1349 = phi_1726_;
-                                                    phi_1731_ = lt_bvh_triangle_Intersection(_e1349, (_e1052 / _e1111), (_e1073 / _e1111), (_e1340 <= _e1343));
-                                                    phi_1732_ = false;
-                                                } else {
-                                                    phi_1731_ = lt_bvh_triangle_Intersection();
-                                                    phi_1732_ = true;
-                                                }
-                                                let _e1355 = phi_1731_;
-                                                let _e1357 = phi_1732_;
-                                                phi_1733_ = _e1355;
-                                                phi_1734_ = _e1357;
-                                            } else {
-                                                phi_1733_ = lt_bvh_triangle_Intersection();
-                                                phi_1734_ = true;
-                                            }
-                                            let _e1359 = phi_1733_;
-                                            let _e1361 = phi_1734_;
-                                            if _e1361 {
-                                            }
-                                            phi_1738_ = _e1359;
-                                            phi_1739_ = _e1361;
-                                        }
-                                        let _e1363 = phi_1738_;
-                                        let _e1365 = phi_1739_;
-                                        phi_1740_ = _e1363;
-                                        phi_1741_ = _e1114;
-                                        phi_1742_ = _e1365;
-                                    } else {
-                                        phi_1740_ = lt_bvh_triangle_Intersection();
-                                        phi_1741_ = true;
-                                        phi_1742_ = false;
-                                    }
-                                    let _e1367 = phi_1740_;
-                                    let _e1369 = phi_1741_;
-                                    let _e1371 = phi_1742_;
-                                    if _e1369 {
-                                        phi_1746_ = true;
-                                    } else {
-                                        phi_1746_ = _e1371;
-                                    }
-                                    let _e1373 = phi_1746_;
-                                    if _e1373 {
-                                        phi_1750_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                    } else {
-                                        phi_1750_ = _e1367;
-                                    }
-                                    let _e1375 = phi_1750_;
-                                    if _e1375.is_hit {
-                                        if (_e1375.t > 0f) {
-                                            if (_e1375.t < _e138) {
-                                                let _e1382 = triangles.member[(0u + _e927)].i0_;
-                                                let _e1384 = ((_e1382 & 2147483648u) == 0u);
-                                                if _e1384 {
-                                                    phi_1776_ = false;
-                                                    phi_1777_ = false;
-                                                } else {
-                                                    if true {
-                                                        phi_1775_ = false;
-                                                    } else {
-                                                        phi_1775_ = true;
-                                                    }
-                                                    let _e1386 = phi_1775_;
-                                                    phi_1776_ = _e1386;
-                                                    phi_1777_ = true;
-                                                }
-                                                let _e1388 = phi_1776_;
-                                                let _e1390 = phi_1777_;
-                                                phi_1778_ = _e1388;
-                                                phi_1779_ = _e1384;
-                                                phi_1780_ = _e1390;
-                                            } else {
-                                                phi_1778_ = true;
-                                                phi_1779_ = false;
-                                                phi_1780_ = false;
-                                            }
-                                            let _e1392 = phi_1778_;
-                                            let _e1394 = phi_1779_;
-                                            let _e1396 = phi_1780_;
-                                            phi_1781_ = false;
-                                            phi_1782_ = _e1392;
-                                            phi_1783_ = _e1394;
-                                            phi_1784_ = _e1396;
-                                        } else {
-                                            phi_1781_ = true;
-                                            phi_1782_ = false;
-                                            phi_1783_ = false;
-                                            phi_1784_ = false;
-                                        }
-                                        let _e1398 = phi_1781_;
-                                        let _e1400 = phi_1782_;
-                                        let _e1402 = phi_1783_;
-                                        let _e1404 = phi_1784_;
-                                        phi_1785_ = _e1398;
-                                        phi_1786_ = _e1400;
-                                        phi_1787_ = _e1402;
-                                        phi_1788_ = _e1404;
-                                    } else {
-                                        phi_1785_ = true;
-                                        phi_1786_ = false;
-                                        phi_1787_ = false;
-                                        phi_1788_ = false;
-                                    }
-                                    let _e1406 = phi_1785_;
-                                    let _e1408 = phi_1786_;
-                                    let _e1410 = phi_1787_;
-                                    let _e1412 = phi_1788_;
-                                    if _e1406 {
-                                        phi_1792_ = true;
-                                        phi_1793_ = false;
-                                        phi_1794_ = false;
-                                    } else {
-                                        phi_1792_ = _e1408;
-                                        phi_1793_ = _e1410;
-                                        phi_1794_ = _e1412;
-                                    }
-                                    let _e1414 = phi_1792_;
-                                    let _e1416 = phi_1793_;
-                                    let _e1418 = phi_1794_;
-                                    if _e1414 {
-                                        phi_1798_ = false;
-                                        phi_1799_ = false;
-                                    } else {
-                                        phi_1798_ = _e1416;
-                                        phi_1799_ = _e1418;
-                                    }
-                                    let _e1420 = phi_1798_;
-                                    let _e1422 = phi_1799_;
-                                    phi_1152_ = (_e891 & (_e891 - 1u));
-                                    phi_1800_ = _e1414;
-                                    phi_1801_ = _e1420;
-                                    phi_1802_ = _e1422;
-                                }
-                                let _e1424 = phi_1152_;
-                                let _e1426 = phi_1800_;
-                                let _e1428 = phi_1801_;
-                                let _e1430 = phi_1802_;
-                                local_12 = _e1428;
-                                local_13 = _e1430;
-                                continue;
-                                continuing {
-                                    phi_1151_ = _e1424;
-                                    break if !(_e1426);
-                                }
-                            }
-                            let _e1433 = local_4;
-                            if _e1433 {
-                                phi_1806_ = false;
-                                phi_1807_ = false;
+                        let _e546 = phi_786_;
+                        let _e548 = phi_789_;
+                        phi_794_ = _e546;
+                        phi_796_ = 0u;
+                        phi_798_ = 0u;
+                        phi_800_ = _e548;
+                        loop {
+                            let _e550 = phi_794_;
+                            let _e552 = phi_796_;
+                            let _e554 = phi_798_;
+                            let _e556 = phi_800_;
+                            let _e563 = (((_e550 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e550), 32u, (_e550 == 0u))) * 5u);
+                            if (_e563 < _e91) {
                             } else {
-                                let _e3173 = local_12;
-                                phi_1806_ = _e3173;
-                                let _e3176 = local_13;
-                                phi_1807_ = _e3176;
+                                return;
                             }
-                            let _e1435 = phi_1806_;
-                            let _e1437 = phi_1807_;
-                            let _e3179 = local_14;
-                            phi_781_ = _e3179;
-                            let _e3182 = local_15;
-                            phi_784_ = _e3182;
-                            let _e3185 = local_16;
-                            phi_1808_ = _e3185;
-                            phi_1809_ = _e1435;
-                            phi_1810_ = _e1437;
+                            let _e567 = rows.member[(0u + _e563)];
+                            let _e568 = (_e563 + 1u);
+                            if (_e568 < _e91) {
+                            } else {
+                                return;
+                            }
+                            let _e572 = rows.member[(0u + _e568)];
+                            let _e573 = (_e563 + 2u);
+                            if (_e573 < _e91) {
+                            } else {
+                                return;
+                            }
+                            let _e577 = rows.member[(0u + _e573)];
+                            let _e578 = (_e563 + 3u);
+                            if (_e578 < _e91) {
+                            } else {
+                                return;
+                            }
+                            let _e582 = rows.member[(0u + _e578)];
+                            let _e583 = (_e563 + 4u);
+                            if (_e583 < _e91) {
+                            } else {
+                                return;
+                            }
+                            let _e587 = rows.member[(0u + _e583)];
+                            let _e588 = lt_bvh_Node(_e567, _e572, _e577, _e582, _e587);
+                            let _e590 = (_e550 & (_e550 - 1u));
+                            let _e602 = (_e367.unnamed.positive_exponent - bitcast<f32>(_e588.frame.x));
+                            let _e605 = bitcast<f32>((((_e588.z.z >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e602 > 0f) {
+                                if (_e602 < (255f * _e605)) {
+                                    phi_872_ = (_e602 / _e605);
+                                } else {
+                                    phi_872_ = 255f;
+                                }
+                                let _e611 = phi_872_;
+                                phi_873_ = _e611;
+                            } else {
+                                phi_873_ = 0f;
+                            }
+                            let _e613 = phi_873_;
+                            let _e620 = select(select(u32(_e613), 0u, (_e613 < bitcast<f32>(0u))), 4294967295u, (_e613 > bitcast<f32>(1333788671u)));
+                            if (f32(_e620) < _e613) {
+                                phi_887_ = (_e620 + 1u);
+                            } else {
+                                phi_887_ = _e620;
+                            }
+                            let _e625 = phi_887_;
+                            let _e626 = (_e620 * 16843009u);
+                            let _e627 = (_e625 * 16843009u);
+                            let _e637 = (_e367.unnamed.negative_exponent - bitcast<f32>(_e588.frame.y));
+                            let _e640 = bitcast<f32>((((_e588.z.z >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e637 > 0f) {
+                                if (_e637 < (255f * _e640)) {
+                                    phi_910_ = (_e637 / _e640);
+                                } else {
+                                    phi_910_ = 255f;
+                                }
+                                let _e646 = phi_910_;
+                                phi_911_ = _e646;
+                            } else {
+                                phi_911_ = 0f;
+                            }
+                            let _e648 = phi_911_;
+                            let _e655 = select(select(u32(_e648), 0u, (_e648 < bitcast<f32>(0u))), 4294967295u, (_e648 > bitcast<f32>(1333788671u)));
+                            if (f32(_e655) < _e648) {
+                                phi_925_ = (_e655 + 1u);
+                            } else {
+                                phi_925_ = _e655;
+                            }
+                            let _e660 = phi_925_;
+                            let _e661 = (_e655 * 16843009u);
+                            let _e662 = (_e660 * 16843009u);
+                            let _e671 = (((_e106.diagonal.x * _e367.unnamed.positive_exponent) + (_e106.diagonal.y * _e367.unnamed.negative_exponent)) - bitcast<f32>(_e588.frame.z));
+                            let _e674 = bitcast<f32>((((_e588.z.z >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e671 > 0f) {
+                                if (_e671 < (255f * _e674)) {
+                                    phi_947_ = (_e671 / _e674);
+                                } else {
+                                    phi_947_ = 255f;
+                                }
+                                let _e680 = phi_947_;
+                                phi_948_ = _e680;
+                            } else {
+                                phi_948_ = 0f;
+                            }
+                            let _e682 = phi_948_;
+                            let _e689 = select(select(u32(_e682), 0u, (_e682 < bitcast<f32>(0u))), 4294967295u, (_e682 > bitcast<f32>(1333788671u)));
+                            if (f32(_e689) < _e682) {
+                                phi_962_ = (_e689 + 1u);
+                            } else {
+                                phi_962_ = _e689;
+                            }
+                            let _e694 = phi_962_;
+                            let _e695 = (_e689 * 16843009u);
+                            let _e696 = (_e694 * 16843009u);
+                            let _e706 = (_e367.unnamed.min_variance - bitcast<f32>(_e588.frame.w));
+                            let _e709 = bitcast<f32>((((_e588.z.z >> bitcast<u32>(((3u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e706 > 0f) {
+                                if (_e706 < (255f * _e709)) {
+                                    phi_985_ = (_e706 / _e709);
+                                } else {
+                                    phi_985_ = 255f;
+                                }
+                                let _e715 = phi_985_;
+                                phi_986_ = _e715;
+                            } else {
+                                phi_986_ = 0f;
+                            }
+                            let _e717 = phi_986_;
+                            let _e724 = select(select(u32(_e717), 0u, (_e717 < bitcast<f32>(0u))), 4294967295u, (_e717 > bitcast<f32>(1333788671u)));
+                            if (f32(_e724) < _e717) {
+                                phi_1000_ = (_e724 + 1u);
+                            } else {
+                                phi_1000_ = _e724;
+                            }
+                            let _e729 = phi_1000_;
+                            let _e730 = (_e729 * 16843009u);
+                            let _e911 = (((((((((((_e626 & ~(_e588.links.x)) | (~((_e588.links.x ^ _e626)) & ((_e626 | 2155905152u) - (_e588.links.x & 2139062143u)))) & ((_e588.links.z & ~(_e627)) | (~((_e627 ^ _e588.links.z)) & ((_e588.links.z | 2155905152u) - (_e627 & 2139062143u))))) & (((_e661 & ~(_e588.x.x)) | (~((_e588.x.x ^ _e661)) & ((_e661 | 2155905152u) - (_e588.x.x & 2139062143u)))) & ((_e588.x.z & ~(_e662)) | (~((_e662 ^ _e588.x.z)) & ((_e588.x.z | 2155905152u) - (_e662 & 2139062143u)))))) & (((_e695 & ~(_e588.y.x)) | (~((_e588.y.x ^ _e695)) & ((_e695 | 2155905152u) - (_e588.y.x & 2139062143u)))) & ((_e588.y.z & ~(_e696)) | (~((_e696 ^ _e588.y.z)) & ((_e588.y.z | 2155905152u) - (_e696 & 2139062143u)))))) & ((_e588.z.x & ~(_e730)) | (~((_e730 ^ _e588.z.x)) & ((_e588.z.x | 2155905152u) - (_e730 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e626 & ~(_e588.links.y)) | (~((_e588.links.y ^ _e626)) & ((_e626 | 2155905152u) - (_e588.links.y & 2139062143u)))) & ((_e588.links.w & ~(_e627)) | (~((_e627 ^ _e588.links.w)) & ((_e588.links.w | 2155905152u) - (_e627 & 2139062143u))))) & (((_e661 & ~(_e588.x.y)) | (~((_e588.x.y ^ _e661)) & ((_e661 | 2155905152u) - (_e588.x.y & 2139062143u)))) & ((_e588.x.w & ~(_e662)) | (~((_e662 ^ _e588.x.w)) & ((_e588.x.w | 2155905152u) - (_e662 & 2139062143u)))))) & (((_e695 & ~(_e588.y.y)) | (~((_e588.y.y ^ _e695)) & ((_e695 | 2155905152u) - (_e588.y.y & 2139062143u)))) & ((_e588.y.w & ~(_e696)) | (~((_e696 ^ _e588.y.w)) & ((_e588.y.w | 2155905152u) - (_e696 & 2139062143u)))))) & ((_e588.z.y & ~(_e730)) | (~((_e730 ^ _e588.z.y)) & ((_e588.z.y | 2155905152u) - (_e730 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                            if ((_e588.z.w & 2147483648u) != 0u) {
+                                phi_1200_ = _e590;
+                                phi_797_ = (_e588.z.w & 2147483647u);
+                                phi_799_ = _e911;
+                                phi_1201_ = _e556;
+                            } else {
+                                if (_e911 == 0u) {
+                                    phi_1198_ = _e590;
+                                    phi_1199_ = _e556;
+                                } else {
+                                    if ((_e590 & 255u) == 0u) {
+                                        phi_1193_ = _e556;
+                                    } else {
+                                        if (_e556 < 32u) {
+                                            if (_e556 < 32u) {
+                                            } else {
+                                                return;
+                                            }
+                                            local_1[(0u + _e556)] = _e590;
+                                            phi_1192_ = (_e556 + 1u);
+                                        } else {
+                                            phi_1192_ = _e556;
+                                        }
+                                        let _e928 = phi_1192_;
+                                        phi_1193_ = _e928;
+                                    }
+                                    let _e930 = phi_1193_;
+                                    phi_1198_ = (((_e588.z.w & 2147483647u) << bitcast<u32>(8i)) | _e911);
+                                    phi_1199_ = _e930;
+                                }
+                                let _e938 = phi_1198_;
+                                let _e940 = phi_1199_;
+                                phi_1200_ = _e938;
+                                phi_797_ = _e552;
+                                phi_799_ = _e554;
+                                phi_1201_ = _e940;
+                            }
+                            let _e942 = phi_1200_;
+                            let _e944 = phi_797_;
+                            let _e946 = phi_799_;
+                            let _e948 = phi_1201_;
+                            local_3 = _e946;
+                            local_15 = _e946;
+                            local_4 = _e944;
+                            if ((_e942 & 255u) == 0u) {
+                                if (_e948 > 0u) {
+                                    let _e952 = (_e948 - 1u);
+                                    if (_e952 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e956 = local_1[(0u + _e952)];
+                                    phi_1219_ = _e956;
+                                    phi_1220_ = _e952;
+                                } else {
+                                    phi_1219_ = 0u;
+                                    phi_1220_ = _e948;
+                                }
+                                let _e958 = phi_1219_;
+                                let _e960 = phi_1220_;
+                                phi_787_ = _e958;
+                                phi_790_ = _e960;
+                            } else {
+                                phi_787_ = _e942;
+                                phi_790_ = _e948;
+                            }
+                            let _e962 = phi_787_;
+                            let _e964 = phi_790_;
+                            local_13 = _e962;
+                            local_14 = _e964;
+                            local_6 = _e962;
+                            if (_e946 == 0u) {
+                                let _e966 = (_e962 == 0u);
+                                if _e966 {
+                                    phi_1229_ = false;
+                                } else {
+                                    phi_1229_ = true;
+                                }
+                                let _e968 = phi_1229_;
+                                phi_1230_ = _e968;
+                                phi_1231_ = _e966;
+                            } else {
+                                phi_1230_ = false;
+                                phi_1231_ = false;
+                            }
+                            let _e970 = phi_1230_;
+                            let _e972 = phi_1231_;
+                            local_2 = _e972;
+                            continue;
+                            continuing {
+                                phi_794_ = _e962;
+                                phi_796_ = _e944;
+                                phi_798_ = _e946;
+                                phi_800_ = _e964;
+                                break if !(_e970);
+                            }
                         }
-                        let _e1439 = phi_781_;
-                        let _e1441 = phi_784_;
-                        let _e1443 = phi_1808_;
-                        let _e1445 = phi_1809_;
-                        let _e1447 = phi_1810_;
-                        local_17 = _e1445;
-                        local_18 = _e1447;
+                        let _e975 = local_2;
+                        if _e975 {
+                        }
+                        let _e977 = local_3;
+                        if (_e977 == 0u) {
+                            phi_1896_ = true;
+                            phi_1897_ = false;
+                            phi_1898_ = false;
+                        } else {
+                            let _e3151 = local_15;
+                            phi_1240_ = _e3151;
+                            loop {
+                                let _e980 = phi_1240_;
+                                let _e983 = select(firstTrailingBit(_e980), 32u, (_e980 == 0u));
+                                let _e987 = local_4;
+                                let _e988 = (_e987 + (_e983 >> bitcast<u32>(2i)));
+                                if (_e988 < _e91) {
+                                } else {
+                                    return;
+                                }
+                                let _e993 = rows.member[(0u + _e988)][0u];
+                                let _e997 = rows.member[(0u + _e988)][1u];
+                                let _e1001 = rows.member[(0u + _e988)][2u];
+                                let _e1005 = rows.member[(0u + _e988)][3u];
+                                if ((_e983 & 2u) == 0u) {
+                                    phi_1275_ = _e997;
+                                    phi_1276_ = _e993;
+                                } else {
+                                    phi_1275_ = _e1005;
+                                    phi_1276_ = _e1001;
+                                }
+                                let _e1009 = phi_1275_;
+                                let _e1011 = phi_1276_;
+                                if ((_e983 & 1u) == 0u) {
+                                    phi_1282_ = _e1011;
+                                } else {
+                                    phi_1282_ = _e1009;
+                                }
+                                let _e1015 = phi_1282_;
+                                let _e1017 = (_e980 & (_e980 - 1u));
+                                if (_e1015 < _e79) {
+                                } else {
+                                    return;
+                                }
+                                let _e1022 = triangles.member[(0u + _e1015)].v0_;
+                                let _e1024 = (_e1022.x - _e126);
+                                let _e1026 = (_e1022.y - _e128);
+                                let _e1028 = (_e1022.z - _e130);
+                                if (_e525 == 0u) {
+                                    phi_1311_ = vec3<f32>(_e1026, _e1028, _e1024);
+                                } else {
+                                    if (_e525 == 1u) {
+                                        phi_1310_ = vec3<f32>(_e1028, _e1024, _e1026);
+                                    } else {
+                                        phi_1310_ = (_e1022 - vec3<f32>(_e126, _e128, _e130));
+                                    }
+                                    let _e1036 = phi_1310_;
+                                    phi_1311_ = _e1036;
+                                }
+                                let _e1038 = phi_1311_;
+                                let _e1042 = (_e1038.x - (_e536 * _e1038.z));
+                                let _e1046 = (_e1038.y - (_e539 * _e1038.z));
+                                let _e1048 = triangles.member[(0u + _e1015)].v1_;
+                                let _e1050 = (_e1048.x - _e126);
+                                let _e1052 = (_e1048.y - _e128);
+                                let _e1054 = (_e1048.z - _e130);
+                                if (_e525 == 0u) {
+                                    phi_1341_ = vec3<f32>(_e1052, _e1054, _e1050);
+                                } else {
+                                    if (_e525 == 1u) {
+                                        phi_1340_ = vec3<f32>(_e1054, _e1050, _e1052);
+                                    } else {
+                                        phi_1340_ = (_e1048 - vec3<f32>(_e126, _e128, _e130));
+                                    }
+                                    let _e1062 = phi_1340_;
+                                    phi_1341_ = _e1062;
+                                }
+                                let _e1064 = phi_1341_;
+                                let _e1068 = (_e1064.x - (_e536 * _e1064.z));
+                                let _e1072 = (_e1064.y - (_e539 * _e1064.z));
+                                let _e1074 = triangles.member[(0u + _e1015)].v2_;
+                                let _e1076 = (_e1074.x - _e126);
+                                let _e1078 = (_e1074.y - _e128);
+                                let _e1080 = (_e1074.z - _e130);
+                                if (_e525 == 0u) {
+                                    phi_1371_ = vec3<f32>(_e1078, _e1080, _e1076);
+                                } else {
+                                    if (_e525 == 1u) {
+                                        phi_1370_ = vec3<f32>(_e1080, _e1076, _e1078);
+                                    } else {
+                                        phi_1370_ = (_e1074 - vec3<f32>(_e126, _e128, _e130));
+                                    }
+                                    let _e1088 = phi_1370_;
+                                    phi_1371_ = _e1088;
+                                }
+                                let _e1090 = phi_1371_;
+                                let _e1094 = (_e1090.x - (_e536 * _e1090.z));
+                                let _e1098 = (_e1090.y - (_e539 * _e1090.z));
+                                if (_e1068 < _e1094) {
+                                    phi_1390_ = true;
+                                } else {
+                                    if (_e1068 == _e1094) {
+                                        phi_1389_ = (_e1072 < _e1098);
+                                    } else {
+                                        phi_1389_ = false;
+                                    }
+                                    let _e1103 = phi_1389_;
+                                    phi_1390_ = _e1103;
+                                }
+                                let _e1105 = phi_1390_;
+                                if _e1105 {
+                                    phi_1394_ = _e1098;
+                                    phi_1395_ = _e1094;
+                                    phi_1396_ = _e1072;
+                                    phi_1397_ = _e1068;
+                                } else {
+                                    phi_1394_ = _e1072;
+                                    phi_1395_ = _e1068;
+                                    phi_1396_ = _e1098;
+                                    phi_1397_ = _e1094;
+                                }
+                                let _e1107 = phi_1394_;
+                                let _e1109 = phi_1395_;
+                                let _e1111 = phi_1396_;
+                                let _e1113 = phi_1397_;
+                                let _e1116 = ((_e1113 * _e1107) - (_e1111 * _e1109));
+                                if _e1105 {
+                                    phi_1405_ = -(_e1116);
+                                } else {
+                                    phi_1405_ = _e1116;
+                                }
+                                let _e1119 = phi_1405_;
+                                if (_e1094 < _e1042) {
+                                    phi_1416_ = true;
+                                } else {
+                                    if (_e1094 == _e1042) {
+                                        phi_1415_ = (_e1098 < _e1046);
+                                    } else {
+                                        phi_1415_ = false;
+                                    }
+                                    let _e1124 = phi_1415_;
+                                    phi_1416_ = _e1124;
+                                }
+                                let _e1126 = phi_1416_;
+                                if _e1126 {
+                                    phi_1420_ = _e1046;
+                                    phi_1421_ = _e1042;
+                                    phi_1422_ = _e1098;
+                                    phi_1423_ = _e1094;
+                                } else {
+                                    phi_1420_ = _e1098;
+                                    phi_1421_ = _e1094;
+                                    phi_1422_ = _e1046;
+                                    phi_1423_ = _e1042;
+                                }
+                                let _e1128 = phi_1420_;
+                                let _e1130 = phi_1421_;
+                                let _e1132 = phi_1422_;
+                                let _e1134 = phi_1423_;
+                                let _e1137 = ((_e1134 * _e1128) - (_e1132 * _e1130));
+                                if _e1126 {
+                                    phi_1431_ = -(_e1137);
+                                } else {
+                                    phi_1431_ = _e1137;
+                                }
+                                let _e1140 = phi_1431_;
+                                if (_e1042 < _e1068) {
+                                    phi_1442_ = true;
+                                } else {
+                                    if (_e1042 == _e1068) {
+                                        phi_1441_ = (_e1046 < _e1072);
+                                    } else {
+                                        phi_1441_ = false;
+                                    }
+                                    let _e1145 = phi_1441_;
+                                    phi_1442_ = _e1145;
+                                }
+                                let _e1147 = phi_1442_;
+                                if _e1147 {
+                                    phi_1446_ = _e1072;
+                                    phi_1447_ = _e1068;
+                                    phi_1448_ = _e1046;
+                                    phi_1449_ = _e1042;
+                                } else {
+                                    phi_1446_ = _e1046;
+                                    phi_1447_ = _e1042;
+                                    phi_1448_ = _e1072;
+                                    phi_1449_ = _e1068;
+                                }
+                                let _e1149 = phi_1446_;
+                                let _e1151 = phi_1447_;
+                                let _e1153 = phi_1448_;
+                                let _e1155 = phi_1449_;
+                                let _e1158 = ((_e1155 * _e1149) - (_e1153 * _e1151));
+                                if _e1147 {
+                                    phi_1457_ = -(_e1158);
+                                } else {
+                                    phi_1457_ = _e1158;
+                                }
+                                let _e1161 = phi_1457_;
+                                if (_e1119 >= 0f) {
+                                    if (_e1140 >= 0f) {
+                                        if (_e1161 >= 0f) {
+                                            phi_1472_ = ((_e1119 + _e1140) + _e1161);
+                                            phi_1473_ = false;
+                                        } else {
+                                            phi_1472_ = f32();
+                                            phi_1473_ = true;
+                                        }
+                                        let _e1168 = phi_1472_;
+                                        let _e1170 = phi_1473_;
+                                        phi_1474_ = _e1168;
+                                        phi_1475_ = _e1170;
+                                    } else {
+                                        phi_1474_ = f32();
+                                        phi_1475_ = true;
+                                    }
+                                    let _e1172 = phi_1474_;
+                                    let _e1174 = phi_1475_;
+                                    phi_1476_ = _e1172;
+                                    phi_1477_ = _e1174;
+                                } else {
+                                    phi_1476_ = f32();
+                                    phi_1477_ = true;
+                                }
+                                let _e1176 = phi_1476_;
+                                let _e1178 = phi_1477_;
+                                if _e1178 {
+                                    if (_e1119 <= 0f) {
+                                        if (_e1140 <= 0f) {
+                                            let _e1181 = (_e1161 <= 0f);
+                                            if _e1181 {
+                                            }
+                                            phi_1495_ = ((_e1119 + _e1140) + _e1161);
+                                            phi_1496_ = false;
+                                            phi_1497_ = _e1181;
+                                        } else {
+                                            phi_1495_ = f32();
+                                            phi_1496_ = true;
+                                            phi_1497_ = false;
+                                        }
+                                        let _e1185 = phi_1495_;
+                                        let _e1187 = phi_1496_;
+                                        let _e1189 = phi_1497_;
+                                        phi_1498_ = _e1185;
+                                        phi_1499_ = _e1187;
+                                        phi_1500_ = _e1189;
+                                    } else {
+                                        phi_1498_ = f32();
+                                        phi_1499_ = true;
+                                        phi_1500_ = false;
+                                    }
+                                    let _e1191 = phi_1498_;
+                                    let _e1193 = phi_1499_;
+                                    let _e1195 = phi_1500_;
+                                    if _e1193 {
+                                        phi_1504_ = false;
+                                    } else {
+                                        phi_1504_ = _e1195;
+                                    }
+                                    let _e1197 = phi_1504_;
+                                    phi_1505_ = _e1191;
+                                    phi_1506_ = _e1197;
+                                } else {
+                                    phi_1505_ = _e1176;
+                                    phi_1506_ = true;
+                                }
+                                let _e1199 = phi_1505_;
+                                let _e1201 = phi_1506_;
+                                if _e1201 {
+                                    let _e1202 = (_e1199 == 0f);
+                                    if _e1202 {
+                                        phi_1822_ = lt_bvh_triangle_Intersection();
+                                        phi_1823_ = false;
+                                    } else {
+                                        let _e1204 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1206 = (_e1204.x - _e126);
+                                        let _e1208 = (_e1204.y - _e128);
+                                        let _e1210 = (_e1204.z - _e130);
+                                        if (_e525 == 0u) {
+                                            phi_1535_ = vec3<f32>(_e1208, _e1210, _e1206);
+                                        } else {
+                                            if (_e525 == 1u) {
+                                                phi_1534_ = vec3<f32>(_e1210, _e1206, _e1208);
+                                            } else {
+                                                phi_1534_ = (_e1204 - vec3<f32>(_e126, _e128, _e130));
+                                            }
+                                            let _e1218 = phi_1534_;
+                                            phi_1535_ = _e1218;
+                                        }
+                                        let _e1220 = phi_1535_;
+                                        let _e1222 = triangles.member[(0u + _e1015)].v1_;
+                                        let _e1224 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1227 = (_e1222.x - _e1224.x);
+                                        let _e1230 = (_e1222.y - _e1224.y);
+                                        let _e1233 = (_e1222.z - _e1224.z);
+                                        if (_e525 == 0u) {
+                                            phi_1561_ = vec3<f32>(_e1230, _e1233, _e1227);
+                                        } else {
+                                            if (_e525 == 1u) {
+                                                phi_1560_ = vec3<f32>(_e1233, _e1227, _e1230);
+                                            } else {
+                                                phi_1560_ = (_e1222 - _e1224);
+                                            }
+                                            let _e1240 = phi_1560_;
+                                            phi_1561_ = _e1240;
+                                        }
+                                        let _e1242 = phi_1561_;
+                                        let _e1244 = triangles.member[(0u + _e1015)].v2_;
+                                        let _e1246 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1249 = (_e1244.x - _e1246.x);
+                                        let _e1252 = (_e1244.y - _e1246.y);
+                                        let _e1255 = (_e1244.z - _e1246.z);
+                                        if (_e525 == 0u) {
+                                            phi_1587_ = vec3<f32>(_e1252, _e1255, _e1249);
+                                        } else {
+                                            if (_e525 == 1u) {
+                                                phi_1586_ = vec3<f32>(_e1255, _e1249, _e1252);
+                                            } else {
+                                                phi_1586_ = (_e1244 - _e1246);
+                                            }
+                                            let _e1262 = phi_1586_;
+                                            phi_1587_ = _e1262;
+                                        }
+                                        let _e1264 = phi_1587_;
+                                        let _e1271 = ((_e1242.y * _e1264.z) - (_e1242.z * _e1264.y));
+                                        let _e1278 = ((_e1242.z * _e1264.x) - (_e1242.x * _e1264.z));
+                                        let _e1285 = ((_e1242.x * _e1264.y) - (_e1242.y * _e1264.x));
+                                        let _e1299 = (((1f / _e533.z) * (((_e1271 * _e1220.x) + (_e1278 * _e1220.y)) + (_e1285 * _e1220.z))) / (((_e1271 * _e536) + (_e1278 * _e539)) + _e1285));
+                                        if (_e1299 > 0f) {
+                                            if (_e1299 < _e138) {
+                                                let _e1303 = triangles.member[(0u + _e1015)].v0_;
+                                                let _e1305 = triangles.member[(0u + _e1015)].v1_;
+                                                if (_e1303.x < _e1305.x) {
+                                                    phi_1643_ = _e1303.x;
+                                                } else {
+                                                    phi_1643_ = _e1305.x;
+                                                }
+                                                let _e1312 = phi_1643_;
+                                                if (_e1303.y < _e1305.y) {
+                                                    phi_1652_ = _e1303.y;
+                                                } else {
+                                                    phi_1652_ = _e1305.y;
+                                                }
+                                                let _e1319 = phi_1652_;
+                                                if (_e1303.z < _e1305.z) {
+                                                    phi_1661_ = _e1303.z;
+                                                } else {
+                                                    phi_1661_ = _e1305.z;
+                                                }
+                                                let _e1326 = phi_1661_;
+                                                let _e1328 = triangles.member[(0u + _e1015)].v2_;
+                                                if (_e1312 < _e1328.x) {
+                                                    phi_1670_ = _e1312;
+                                                } else {
+                                                    phi_1670_ = _e1328.x;
+                                                }
+                                                let _e1333 = phi_1670_;
+                                                if (_e1319 < _e1328.y) {
+                                                    phi_1677_ = _e1319;
+                                                } else {
+                                                    phi_1677_ = _e1328.y;
+                                                }
+                                                let _e1338 = phi_1677_;
+                                                if (_e1326 < _e1328.z) {
+                                                    phi_1684_ = _e1326;
+                                                } else {
+                                                    phi_1684_ = _e1328.z;
+                                                }
+                                                let _e1343 = phi_1684_;
+                                                let _e1345 = triangles.member[(0u + _e1015)].v0_;
+                                                let _e1347 = triangles.member[(0u + _e1015)].v1_;
+                                                if (_e1345.x > _e1347.x) {
+                                                    phi_1697_ = _e1345.x;
+                                                } else {
+                                                    phi_1697_ = _e1347.x;
+                                                }
+                                                let _e1354 = phi_1697_;
+                                                if (_e1345.y > _e1347.y) {
+                                                    phi_1706_ = _e1345.y;
+                                                } else {
+                                                    phi_1706_ = _e1347.y;
+                                                }
+                                                let _e1361 = phi_1706_;
+                                                if (_e1345.z > _e1347.z) {
+                                                    phi_1715_ = _e1345.z;
+                                                } else {
+                                                    phi_1715_ = _e1347.z;
+                                                }
+                                                let _e1368 = phi_1715_;
+                                                let _e1370 = triangles.member[(0u + _e1015)].v2_;
+                                                if (_e1354 > _e1370.x) {
+                                                    phi_1724_ = _e1354;
+                                                } else {
+                                                    phi_1724_ = _e1370.x;
+                                                }
+                                                let _e1375 = phi_1724_;
+                                                if (_e1361 > _e1370.y) {
+                                                    phi_1731_ = _e1361;
+                                                } else {
+                                                    phi_1731_ = _e1370.y;
+                                                }
+                                                let _e1380 = phi_1731_;
+                                                if (_e1368 > _e1370.z) {
+                                                    phi_1738_ = _e1368;
+                                                } else {
+                                                    phi_1738_ = _e1370.z;
+                                                }
+                                                let _e1385 = phi_1738_;
+                                                let _e1389 = ((_e1333 - _e126) * _e454);
+                                                let _e1390 = ((_e1338 - _e128) * _e464);
+                                                let _e1391 = ((_e1343 - _e130) * _e474);
+                                                let _e1395 = ((_e1375 - _e126) * _e454);
+                                                let _e1396 = ((_e1380 - _e128) * _e464);
+                                                let _e1397 = ((_e1385 - _e130) * _e474);
+                                                if (_e1389 < _e1395) {
+                                                    phi_1755_ = _e1389;
+                                                } else {
+                                                    phi_1755_ = _e1395;
+                                                }
+                                                let _e1400 = phi_1755_;
+                                                if (_e1390 < _e1396) {
+                                                    phi_1760_ = _e1390;
+                                                } else {
+                                                    phi_1760_ = _e1396;
+                                                }
+                                                let _e1403 = phi_1760_;
+                                                if (_e1391 < _e1397) {
+                                                    phi_1765_ = _e1391;
+                                                } else {
+                                                    phi_1765_ = _e1397;
+                                                }
+                                                let _e1406 = phi_1765_;
+                                                if (_e1389 > _e1395) {
+                                                    phi_1773_ = _e1389;
+                                                } else {
+                                                    phi_1773_ = _e1395;
+                                                }
+                                                let _e1412 = phi_1773_;
+                                                if (_e1390 > _e1396) {
+                                                    phi_1778_ = _e1390;
+                                                } else {
+                                                    phi_1778_ = _e1396;
+                                                }
+                                                let _e1415 = phi_1778_;
+                                                if (_e1391 > _e1397) {
+                                                    phi_1783_ = _e1391;
+                                                } else {
+                                                    phi_1783_ = _e1397;
+                                                }
+                                                let _e1418 = phi_1783_;
+                                                let _e1422 = core_intrinsics_maximum_number_nsz_f32_((_e1400 - _e509), (_e1403 - _e510));
+                                                let _e1423 = core_intrinsics_maximum_number_nsz_f32_(_e1422, (_e1406 - _e511));
+                                                let _e1424 = core_intrinsics_minimum_number_nsz_f32_((_e1412 + _e509), (_e1415 + _e510));
+                                                let _e1425 = core_intrinsics_minimum_number_nsz_f32_(_e1424, (_e1418 + _e511));
+                                                if (_e1423 > -300000000000000000000000000000000000000f) {
+                                                    phi_1795_ = _e1423;
+                                                } else {
+                                                    phi_1795_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1428 = phi_1795_;
+                                                if (_e1425 < 300000000000000000000000000000000000000f) {
+                                                    phi_1800_ = _e1425;
+                                                } else {
+                                                    phi_1800_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1431 = phi_1800_;
+                                                if (_e1299 < _e1428) {
+                                                    phi_1805_ = _e1428;
+                                                } else {
+                                                    phi_1805_ = _e1299;
+                                                }
+                                                let _e1434 = phi_1805_;
+                                                if (_e1434 > _e1431) {
+                                                    phi_1810_ = _e1431;
+                                                } else {
+                                                    phi_1810_ = _e1434;
+                                                }
+                                                let _e1437 = phi_1810_;
+                                                phi_1815_ = lt_bvh_triangle_Intersection(_e1437, (_e1140 / _e1199), (_e1161 / _e1199), (_e1428 <= _e1431));
+                                                phi_1816_ = false;
+                                            } else {
+                                                phi_1815_ = lt_bvh_triangle_Intersection();
+                                                phi_1816_ = true;
+                                            }
+                                            let _e1443 = phi_1815_;
+                                            let _e1445 = phi_1816_;
+                                            phi_1817_ = _e1443;
+                                            phi_1818_ = _e1445;
+                                        } else {
+                                            phi_1817_ = lt_bvh_triangle_Intersection();
+                                            phi_1818_ = true;
+                                        }
+                                        let _e1447 = phi_1817_;
+                                        let _e1449 = phi_1818_;
+                                        if _e1449 {
+                                        }
+                                        phi_1822_ = _e1447;
+                                        phi_1823_ = _e1449;
+                                    }
+                                    let _e1451 = phi_1822_;
+                                    let _e1453 = phi_1823_;
+                                    phi_1824_ = _e1451;
+                                    phi_1825_ = _e1202;
+                                    phi_1826_ = _e1453;
+                                } else {
+                                    phi_1824_ = lt_bvh_triangle_Intersection();
+                                    phi_1825_ = true;
+                                    phi_1826_ = false;
+                                }
+                                let _e1455 = phi_1824_;
+                                let _e1457 = phi_1825_;
+                                let _e1459 = phi_1826_;
+                                if _e1457 {
+                                    phi_1830_ = true;
+                                } else {
+                                    phi_1830_ = _e1459;
+                                }
+                                let _e1461 = phi_1830_;
+                                if _e1461 {
+                                    phi_1834_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_1834_ = _e1455;
+                                }
+                                let _e1463 = phi_1834_;
+                                if _e1463.is_hit {
+                                    if (_e1463.t > 0f) {
+                                        if (_e1463.t < _e138) {
+                                            let _e1470 = triangles.member[(0u + _e1015)].i0_;
+                                            let _e1472 = ((_e1470 & 2147483648u) == 0u);
+                                            if _e1472 {
+                                                phi_1860_ = false;
+                                                phi_1861_ = false;
+                                            } else {
+                                                if true {
+                                                    phi_1859_ = false;
+                                                } else {
+                                                    phi_1859_ = true;
+                                                }
+                                                let _e1474 = phi_1859_;
+                                                phi_1860_ = _e1474;
+                                                phi_1861_ = true;
+                                            }
+                                            let _e1476 = phi_1860_;
+                                            let _e1478 = phi_1861_;
+                                            phi_1862_ = _e1476;
+                                            phi_1863_ = _e1472;
+                                            phi_1864_ = _e1478;
+                                        } else {
+                                            phi_1862_ = true;
+                                            phi_1863_ = false;
+                                            phi_1864_ = false;
+                                        }
+                                        let _e1480 = phi_1862_;
+                                        let _e1482 = phi_1863_;
+                                        let _e1484 = phi_1864_;
+                                        phi_1865_ = false;
+                                        phi_1866_ = _e1480;
+                                        phi_1867_ = _e1482;
+                                        phi_1868_ = _e1484;
+                                    } else {
+                                        phi_1865_ = true;
+                                        phi_1866_ = false;
+                                        phi_1867_ = false;
+                                        phi_1868_ = false;
+                                    }
+                                    let _e1486 = phi_1865_;
+                                    let _e1488 = phi_1866_;
+                                    let _e1490 = phi_1867_;
+                                    let _e1492 = phi_1868_;
+                                    phi_1869_ = _e1486;
+                                    phi_1870_ = _e1488;
+                                    phi_1871_ = _e1490;
+                                    phi_1872_ = _e1492;
+                                } else {
+                                    phi_1869_ = true;
+                                    phi_1870_ = false;
+                                    phi_1871_ = false;
+                                    phi_1872_ = false;
+                                }
+                                let _e1494 = phi_1869_;
+                                let _e1496 = phi_1870_;
+                                let _e1498 = phi_1871_;
+                                let _e1500 = phi_1872_;
+                                if _e1494 {
+                                    phi_1876_ = true;
+                                    phi_1877_ = false;
+                                    phi_1878_ = false;
+                                } else {
+                                    phi_1876_ = _e1496;
+                                    phi_1877_ = _e1498;
+                                    phi_1878_ = _e1500;
+                                }
+                                let _e1502 = phi_1876_;
+                                let _e1504 = phi_1877_;
+                                let _e1506 = phi_1878_;
+                                if _e1502 {
+                                    let _e1507 = (_e1017 == 0u);
+                                    if _e1507 {
+                                        phi_1886_ = false;
+                                    } else {
+                                        phi_1886_ = true;
+                                    }
+                                    let _e1509 = phi_1886_;
+                                    phi_1887_ = _e1509;
+                                    phi_1888_ = _e1507;
+                                    phi_1889_ = false;
+                                    phi_1890_ = false;
+                                } else {
+                                    phi_1887_ = false;
+                                    phi_1888_ = false;
+                                    phi_1889_ = _e1504;
+                                    phi_1890_ = _e1506;
+                                }
+                                let _e1511 = phi_1887_;
+                                let _e1513 = phi_1888_;
+                                let _e1515 = phi_1889_;
+                                let _e1517 = phi_1890_;
+                                local_5 = _e1513;
+                                local_16 = _e1515;
+                                local_17 = _e1517;
+                                local_18 = _e1513;
+                                continue;
+                                continuing {
+                                    phi_1240_ = _e1017;
+                                    break if !(_e1511);
+                                }
+                            }
+                            let _e1520 = local_5;
+                            if _e1520 {
+                                phi_1894_ = false;
+                                phi_1895_ = false;
+                            } else {
+                                let _e3262 = local_16;
+                                phi_1894_ = _e3262;
+                                let _e3265 = local_17;
+                                phi_1895_ = _e3265;
+                            }
+                            let _e1522 = phi_1894_;
+                            let _e1524 = phi_1895_;
+                            let _e3268 = local_18;
+                            phi_1896_ = _e3268;
+                            phi_1897_ = _e1522;
+                            phi_1898_ = _e1524;
+                        }
+                        let _e1526 = phi_1896_;
+                        let _e1528 = phi_1897_;
+                        let _e1530 = phi_1898_;
+                        if _e1526 {
+                            let _e1532 = local_6;
+                            if (_e1532 == 0u) {
+                                phi_1906_ = false;
+                            } else {
+                                phi_1906_ = true;
+                            }
+                            let _e1535 = phi_1906_;
+                            phi_1907_ = _e1535;
+                            phi_1908_ = false;
+                            phi_1909_ = false;
+                        } else {
+                            phi_1907_ = false;
+                            phi_1908_ = _e1528;
+                            phi_1909_ = _e1530;
+                        }
+                        let _e1537 = phi_1907_;
+                        let _e1539 = phi_1908_;
+                        let _e1541 = phi_1909_;
+                        local_7 = _e1539;
+                        local_19 = _e1541;
+                        local_20 = _e1539;
                         continue;
                         continuing {
-                            phi_780_ = _e1439;
-                            phi_783_ = _e1441;
-                            break if !(_e1443);
+                            let _e3112 = local_13;
+                            phi_786_ = _e3112;
+                            let _e3115 = local_14;
+                            phi_789_ = _e3115;
+                            break if !(_e1537);
                         }
                     }
-                    let _e1450 = local_5;
-                    if _e1450 {
-                        phi_1814_ = false;
-                        phi_1815_ = false;
+                    let _e1544 = local_7;
+                    if _e1544 {
+                        phi_1913_ = false;
                     } else {
-                        let _e3191 = local_17;
-                        phi_1814_ = _e3191;
-                        let _e3194 = local_18;
-                        phi_1815_ = _e3194;
+                        let _e3279 = local_19;
+                        phi_1913_ = _e3279;
                     }
-                    let _e1452 = phi_1814_;
-                    let _e1454 = phi_1815_;
-                    if _e1452 {
-                        phi_1819_ = false;
+                    let _e1546 = phi_1913_;
+                    if _e1546 {
+                        phi_1917_ = true;
                     } else {
-                        phi_1819_ = _e1454;
+                        let _e3282 = local_20;
+                        phi_1917_ = _e3282;
                     }
-                    let _e1456 = phi_1819_;
-                    if _e1456 {
-                        phi_1823_ = true;
+                    let _e1548 = phi_1917_;
+                    if _e1548 {
+                        phi_1921_ = true;
                     } else {
-                        phi_1823_ = _e1452;
+                        phi_1921_ = false;
                     }
-                    let _e1458 = phi_1823_;
-                    if _e1458 {
-                    }
-                    phi_1827_ = true;
-                    phi_1828_ = _e1458;
+                    let _e1550 = phi_1921_;
+                    phi_1922_ = _e1550;
                 }
-                let _e1460 = phi_1827_;
-                let _e1462 = phi_1828_;
-                if _e1462 {
-                    phi_1832_ = _e1460;
-                } else {
-                    phi_1832_ = false;
-                }
-                let _e1464 = phi_1832_;
-                phi_3289_ = _e1464;
+                let _e1552 = phi_1922_;
+                phi_3379_ = _e1552;
             } else {
-                let _e1465 = abs(_e146);
-                let _e1466 = abs(_e147);
-                let _e1467 = abs(_e148);
+                let _e1553 = abs(_e146);
+                let _e1554 = abs(_e147);
+                let _e1555 = abs(_e148);
                 if (abs(_e126) < 1000000000000000f) {
                     if (abs(_e128) < 1000000000000000f) {
-                        phi_1848_ = (abs(_e130) < 1000000000000000f);
-                        phi_1849_ = false;
+                        phi_1938_ = (abs(_e130) < 1000000000000000f);
+                        phi_1939_ = false;
                     } else {
-                        phi_1848_ = bool();
-                        phi_1849_ = true;
+                        phi_1938_ = bool();
+                        phi_1939_ = true;
                     }
-                    let _e1475 = phi_1848_;
-                    let _e1477 = phi_1849_;
-                    phi_1850_ = _e1475;
-                    phi_1851_ = _e1477;
+                    let _e1563 = phi_1938_;
+                    let _e1565 = phi_1939_;
+                    phi_1940_ = _e1563;
+                    phi_1941_ = _e1565;
                 } else {
-                    phi_1850_ = bool();
-                    phi_1851_ = true;
+                    phi_1940_ = bool();
+                    phi_1941_ = true;
                 }
-                let _e1479 = phi_1850_;
-                let _e1481 = phi_1851_;
-                if _e1481 {
-                    phi_1855_ = false;
+                let _e1567 = phi_1940_;
+                let _e1569 = phi_1941_;
+                if _e1569 {
+                    phi_1945_ = false;
                 } else {
-                    phi_1855_ = _e1479;
+                    phi_1945_ = _e1567;
                 }
-                let _e1483 = phi_1855_;
-                if _e1483 {
-                    if (_e1465 < 1000000000000000f) {
-                        if (_e1466 < 1000000000000000f) {
-                            phi_1868_ = (_e1467 < 1000000000000000f);
-                            phi_1869_ = false;
+                let _e1571 = phi_1945_;
+                if _e1571 {
+                    if (_e1553 < 1000000000000000f) {
+                        if (_e1554 < 1000000000000000f) {
+                            phi_1958_ = (_e1555 < 1000000000000000f);
+                            phi_1959_ = false;
                         } else {
-                            phi_1868_ = bool();
-                            phi_1869_ = true;
+                            phi_1958_ = bool();
+                            phi_1959_ = true;
                         }
-                        let _e1488 = phi_1868_;
-                        let _e1490 = phi_1869_;
-                        phi_1870_ = _e1488;
-                        phi_1871_ = _e1490;
+                        let _e1576 = phi_1958_;
+                        let _e1578 = phi_1959_;
+                        phi_1960_ = _e1576;
+                        phi_1961_ = _e1578;
                     } else {
-                        phi_1870_ = bool();
-                        phi_1871_ = true;
+                        phi_1960_ = bool();
+                        phi_1961_ = true;
                     }
-                    let _e1492 = phi_1870_;
-                    let _e1494 = phi_1871_;
-                    if _e1494 {
-                        phi_1875_ = false;
+                    let _e1580 = phi_1960_;
+                    let _e1582 = phi_1961_;
+                    if _e1582 {
+                        phi_1965_ = false;
                     } else {
-                        phi_1875_ = _e1492;
+                        phi_1965_ = _e1580;
                     }
-                    let _e1496 = phi_1875_;
-                    if _e1496 {
-                        if (_e1465 > 0f) {
-                            phi_1889_ = bool();
-                            phi_1890_ = true;
+                    let _e1584 = phi_1965_;
+                    if _e1584 {
+                        if (_e1553 > 0f) {
+                            phi_1979_ = bool();
+                            phi_1980_ = true;
                         } else {
-                            let _e1498 = (_e1466 > 0f);
-                            if _e1498 {
-                                phi_1888_ = bool();
+                            let _e1586 = (_e1554 > 0f);
+                            if _e1586 {
+                                phi_1978_ = bool();
                             } else {
-                                phi_1888_ = (_e1467 > 0f);
+                                phi_1978_ = (_e1555 > 0f);
                             }
-                            let _e1501 = phi_1888_;
-                            phi_1889_ = _e1501;
-                            phi_1890_ = _e1498;
+                            let _e1589 = phi_1978_;
+                            phi_1979_ = _e1589;
+                            phi_1980_ = _e1586;
                         }
-                        let _e1503 = phi_1889_;
-                        let _e1505 = phi_1890_;
-                        if _e1505 {
-                            phi_1894_ = true;
+                        let _e1591 = phi_1979_;
+                        let _e1593 = phi_1980_;
+                        if _e1593 {
+                            phi_1984_ = true;
                         } else {
-                            phi_1894_ = _e1503;
+                            phi_1984_ = _e1591;
                         }
-                        let _e1507 = phi_1894_;
-                        phi_1895_ = _e1507;
-                        phi_1896_ = false;
+                        let _e1595 = phi_1984_;
+                        phi_1985_ = _e1595;
+                        phi_1986_ = false;
                     } else {
-                        phi_1895_ = bool();
-                        phi_1896_ = true;
+                        phi_1985_ = bool();
+                        phi_1986_ = true;
                     }
-                    let _e1509 = phi_1895_;
-                    let _e1511 = phi_1896_;
-                    phi_1897_ = _e1509;
-                    phi_1898_ = _e1511;
+                    let _e1597 = phi_1985_;
+                    let _e1599 = phi_1986_;
+                    phi_1987_ = _e1597;
+                    phi_1988_ = _e1599;
                 } else {
-                    phi_1897_ = bool();
-                    phi_1898_ = true;
+                    phi_1987_ = bool();
+                    phi_1988_ = true;
                 }
-                let _e1513 = phi_1897_;
-                let _e1515 = phi_1898_;
-                if _e1515 {
-                    phi_1902_ = false;
+                let _e1601 = phi_1987_;
+                let _e1603 = phi_1988_;
+                if _e1603 {
+                    phi_1992_ = false;
                 } else {
-                    phi_1902_ = _e1513;
+                    phi_1992_ = _e1601;
                 }
-                let _e1517 = phi_1902_;
-                if _e1517 {
-                    let _e1518 = (0u >= _e76);
-                    if _e1518 {
-                        phi_3282_ = bool();
+                let _e1605 = phi_1992_;
+                if _e1605 {
+                    let _e1606 = (0u >= _e76);
+                    if _e1606 {
+                        phi_3372_ = bool();
                     } else {
                         if (0u < _e76) {
                         } else {
                             return;
                         }
-                        let _e1524 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1528 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1532 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1536 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1540 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1544 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1548 = nodes.member[(0u + 0u)].frame[3u];
-                        let _e1582 = core_intrinsics_maximum_number_nsz_f32_(abs(_e146), abs(_e147));
-                        let _e1583 = core_intrinsics_maximum_number_nsz_f32_(_e1582, abs(_e148));
-                        let _e1584 = (_e1583 * 0.0000000000009094947f);
-                        if (abs(_e146) < _e1584) {
-                            phi_1972_ = _e1584;
+                        let _e1612 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1616 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1620 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1624 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1628 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1632 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1636 = nodes.member[(0u + 0u)].frame[3u];
+                        let _e1670 = core_intrinsics_maximum_number_nsz_f32_(abs(_e146), abs(_e147));
+                        let _e1671 = core_intrinsics_maximum_number_nsz_f32_(_e1670, abs(_e148));
+                        let _e1672 = (_e1671 * 0.0000000000009094947f);
+                        if (abs(_e146) < _e1672) {
+                            phi_2062_ = _e1672;
                         } else {
-                            phi_1972_ = abs(_e146);
+                            phi_2062_ = abs(_e146);
                         }
-                        let _e1589 = phi_1972_;
+                        let _e1677 = phi_2062_;
                         if (_e146 < 0f) {
-                            phi_1979_ = (-1f / _e1589);
+                            phi_2069_ = (-1f / _e1677);
                         } else {
-                            phi_1979_ = (1f / _e1589);
+                            phi_2069_ = (1f / _e1677);
                         }
-                        let _e1594 = phi_1979_;
-                        if (abs(_e147) < _e1584) {
-                            phi_1986_ = _e1584;
+                        let _e1682 = phi_2069_;
+                        if (abs(_e147) < _e1672) {
+                            phi_2076_ = _e1672;
                         } else {
-                            phi_1986_ = abs(_e147);
+                            phi_2076_ = abs(_e147);
                         }
-                        let _e1599 = phi_1986_;
+                        let _e1687 = phi_2076_;
                         if (_e147 < 0f) {
-                            phi_1993_ = (-1f / _e1599);
+                            phi_2083_ = (-1f / _e1687);
                         } else {
-                            phi_1993_ = (1f / _e1599);
+                            phi_2083_ = (1f / _e1687);
                         }
-                        let _e1604 = phi_1993_;
-                        if (abs(_e148) < _e1584) {
-                            phi_2000_ = _e1584;
+                        let _e1692 = phi_2083_;
+                        if (abs(_e148) < _e1672) {
+                            phi_2090_ = _e1672;
                         } else {
-                            phi_2000_ = abs(_e148);
+                            phi_2090_ = abs(_e148);
                         }
-                        let _e1609 = phi_2000_;
+                        let _e1697 = phi_2090_;
                         if (_e148 < 0f) {
-                            phi_2007_ = (-1f / _e1609);
+                            phi_2097_ = (-1f / _e1697);
                         } else {
-                            phi_2007_ = (1f / _e1609);
+                            phi_2097_ = (1f / _e1697);
                         }
-                        let _e1614 = phi_2007_;
-                        let _e1618 = abs((bitcast<f32>(_e1524) - _e126));
-                        let _e1619 = abs((bitcast<f32>(_e1528) - _e128));
-                        let _e1620 = abs((bitcast<f32>(_e1532) - _e130));
-                        let _e1624 = abs(((bitcast<f32>(_e1536) + (bitcast<f32>((((_e1548 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
-                        let _e1625 = abs(((bitcast<f32>(_e1540) + (bitcast<f32>((((_e1548 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
-                        let _e1626 = abs(((bitcast<f32>(_e1544) + (bitcast<f32>((((_e1548 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
-                        if (_e1618 > _e1624) {
-                            phi_2024_ = _e1618;
+                        let _e1702 = phi_2097_;
+                        let _e1706 = abs((bitcast<f32>(_e1612) - _e126));
+                        let _e1707 = abs((bitcast<f32>(_e1616) - _e128));
+                        let _e1708 = abs((bitcast<f32>(_e1620) - _e130));
+                        let _e1712 = abs(((bitcast<f32>(_e1624) + (bitcast<f32>((((_e1636 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
+                        let _e1713 = abs(((bitcast<f32>(_e1628) + (bitcast<f32>((((_e1636 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
+                        let _e1714 = abs(((bitcast<f32>(_e1632) + (bitcast<f32>((((_e1636 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
+                        if (_e1706 > _e1712) {
+                            phi_2114_ = _e1706;
                         } else {
-                            phi_2024_ = _e1624;
+                            phi_2114_ = _e1712;
                         }
-                        let _e1629 = phi_2024_;
-                        if (_e1619 > _e1625) {
-                            phi_2029_ = _e1619;
+                        let _e1717 = phi_2114_;
+                        if (_e1707 > _e1713) {
+                            phi_2119_ = _e1707;
                         } else {
-                            phi_2029_ = _e1625;
+                            phi_2119_ = _e1713;
                         }
-                        let _e1632 = phi_2029_;
-                        if (_e1620 > _e1626) {
-                            phi_2034_ = _e1620;
+                        let _e1720 = phi_2119_;
+                        if (_e1708 > _e1714) {
+                            phi_2124_ = _e1708;
                         } else {
-                            phi_2034_ = _e1626;
+                            phi_2124_ = _e1714;
                         }
-                        let _e1635 = phi_2034_;
-                        if (_e1629 > _e1632) {
-                            phi_2039_ = _e1629;
+                        let _e1723 = phi_2124_;
+                        if (_e1717 > _e1720) {
+                            phi_2129_ = _e1717;
                         } else {
-                            phi_2039_ = _e1632;
+                            phi_2129_ = _e1720;
                         }
-                        let _e1638 = phi_2039_;
-                        if (_e1638 > _e1635) {
-                            phi_2044_ = _e1638;
+                        let _e1726 = phi_2129_;
+                        if (_e1726 > _e1723) {
+                            phi_2134_ = _e1726;
                         } else {
-                            phi_2044_ = _e1635;
+                            phi_2134_ = _e1723;
                         }
-                        let _e1641 = phi_2044_;
-                        let _e1645 = (_e1641 * 0.0000019073486f);
-                        let _e1646 = (abs(_e1594) * _e1645);
-                        let _e1647 = (abs(_e1604) * _e1645);
-                        let _e1648 = (abs(_e1614) * _e1645);
-                        let _e1652 = (_e1641 * 0.0000009536743f);
-                        let _e1653 = (abs(_e1594) * _e1652);
-                        let _e1654 = (abs(_e1604) * _e1652);
-                        let _e1655 = (abs(_e1614) * _e1652);
-                        let _e1656 = abs(_e146);
-                        let _e1657 = abs(_e147);
-                        let _e1658 = abs(_e148);
-                        if (_e1656 >= _e1657) {
-                            if (_e1656 >= _e1658) {
-                                phi_2070_ = false;
+                        let _e1729 = phi_2134_;
+                        let _e1733 = (_e1729 * 0.0000019073486f);
+                        let _e1734 = (abs(_e1682) * _e1733);
+                        let _e1735 = (abs(_e1692) * _e1733);
+                        let _e1736 = (abs(_e1702) * _e1733);
+                        let _e1740 = (_e1729 * 0.0000009536743f);
+                        let _e1741 = (abs(_e1682) * _e1740);
+                        let _e1742 = (abs(_e1692) * _e1740);
+                        let _e1743 = (abs(_e1702) * _e1740);
+                        let _e1744 = abs(_e146);
+                        let _e1745 = abs(_e147);
+                        let _e1746 = abs(_e148);
+                        if (_e1744 >= _e1745) {
+                            if (_e1744 >= _e1746) {
+                                phi_2160_ = false;
                             } else {
-                                phi_2070_ = true;
+                                phi_2160_ = true;
                             }
-                            let _e1662 = phi_2070_;
-                            phi_2071_ = _e1662;
+                            let _e1750 = phi_2160_;
+                            phi_2161_ = _e1750;
                         } else {
-                            phi_2071_ = true;
+                            phi_2161_ = true;
                         }
-                        let _e1664 = phi_2071_;
-                        if _e1664 {
-                            if (_e1657 >= _e1658) {
-                                phi_2079_ = 1u;
+                        let _e1752 = phi_2161_;
+                        if _e1752 {
+                            if (_e1745 >= _e1746) {
+                                phi_2169_ = 1u;
                             } else {
-                                phi_2079_ = 2u;
+                                phi_2169_ = 2u;
                             }
-                            let _e1667 = phi_2079_;
-                            phi_2080_ = _e1667;
+                            let _e1755 = phi_2169_;
+                            phi_2170_ = _e1755;
                         } else {
-                            phi_2080_ = 0u;
+                            phi_2170_ = 0u;
                         }
-                        let _e1669 = phi_2080_;
-                        if (_e1669 == 0u) {
-                            phi_2092_ = vec3<f32>(_e147, _e148, _e146);
+                        let _e1757 = phi_2170_;
+                        if (_e1757 == 0u) {
+                            phi_2182_ = vec3<f32>(_e147, _e148, _e146);
                         } else {
-                            if (_e1669 == 1u) {
-                                phi_2091_ = vec3<f32>(_e148, _e146, _e147);
+                            if (_e1757 == 1u) {
+                                phi_2181_ = vec3<f32>(_e148, _e146, _e147);
                             } else {
-                                phi_2091_ = _e149;
+                                phi_2181_ = _e149;
                             }
-                            let _e1675 = phi_2091_;
-                            phi_2092_ = _e1675;
+                            let _e1763 = phi_2181_;
+                            phi_2182_ = _e1763;
                         }
-                        let _e1677 = phi_2092_;
-                        let _e1680 = (_e1677.x / _e1677.z);
-                        let _e1683 = (_e1677.y / _e1677.z);
-                        if (_e1594 < 0f) {
-                            phi_2105_ = 0u;
+                        let _e1765 = phi_2182_;
+                        let _e1768 = (_e1765.x / _e1765.z);
+                        let _e1771 = (_e1765.y / _e1765.z);
+                        if (_e1682 < 0f) {
+                            phi_2195_ = 0u;
                         } else {
-                            phi_2105_ = 1u;
+                            phi_2195_ = 1u;
                         }
-                        let _e1688 = phi_2105_;
-                        if (_e1604 < 0f) {
-                            phi_2110_ = 0u;
+                        let _e1776 = phi_2195_;
+                        if (_e1692 < 0f) {
+                            phi_2200_ = 0u;
                         } else {
-                            phi_2110_ = 2u;
+                            phi_2200_ = 2u;
                         }
-                        let _e1691 = phi_2110_;
-                        if (_e1614 < 0f) {
-                            phi_2115_ = 0u;
+                        let _e1779 = phi_2200_;
+                        if (_e1702 < 0f) {
+                            phi_2205_ = 0u;
                         } else {
-                            phi_2115_ = 4u;
+                            phi_2205_ = 4u;
                         }
-                        let _e1694 = phi_2115_;
-                        let _e1696 = ((_e1688 | _e1691) | _e1694);
-                        let _e1697 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1697.first[0], _e1697.first[1], _e1697.first[2], _e1697.first[3], _e1697.first[4], _e1697.first[5], _e1697.first[6], _e1697.first[7], _e1697.first[8], _e1697.first[9], _e1697.first[10], _e1697.first[11], _e1697.first[12], _e1697.first[13], _e1697.first[14], _e1697.first[15], _e1697.first[16], _e1697.first[17], _e1697.first[18], _e1697.first[19], _e1697.first[20], _e1697.first[21], _e1697.first[22], _e1697.first[23], _e1697.first[24], _e1697.first[25], _e1697.first[26], _e1697.first[27], _e1697.first[28], _e1697.first[29], _e1697.first[30], _e1697.first[31]), array<u32, 32>(_e1697.mask[0], _e1697.mask[1], _e1697.mask[2], _e1697.mask[3], _e1697.mask[4], _e1697.mask[5], _e1697.mask[6], _e1697.mask[7], _e1697.mask[8], _e1697.mask[9], _e1697.mask[10], _e1697.mask[11], _e1697.mask[12], _e1697.mask[13], _e1697.mask[14], _e1697.mask[15], _e1697.mask[16], _e1697.mask[17], _e1697.mask[18], _e1697.mask[19], _e1697.mask[20], _e1697.mask[21], _e1697.mask[22], _e1697.mask[23], _e1697.mask[24], _e1697.mask[25], _e1697.mask[26], _e1697.mask[27], _e1697.mask[28], _e1697.mask[29], _e1697.mask[30], _e1697.mask[31]), _e1697.len, _e1697.group, _e1697.group_mask);
-                        let _e1771 = local.group_mask;
-                        if ((_e1771 & 4278190080u) == 0u) {
-                            let _e1775 = local.len;
-                            if (_e1775 == 0u) {
-                                phi_2229_ = false;
+                        let _e1782 = phi_2205_;
+                        let _e1784 = ((_e1776 | _e1779) | _e1782);
+                        let _e1785 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1785.first[0], _e1785.first[1], _e1785.first[2], _e1785.first[3], _e1785.first[4], _e1785.first[5], _e1785.first[6], _e1785.first[7], _e1785.first[8], _e1785.first[9], _e1785.first[10], _e1785.first[11], _e1785.first[12], _e1785.first[13], _e1785.first[14], _e1785.first[15], _e1785.first[16], _e1785.first[17], _e1785.first[18], _e1785.first[19], _e1785.first[20], _e1785.first[21], _e1785.first[22], _e1785.first[23], _e1785.first[24], _e1785.first[25], _e1785.first[26], _e1785.first[27], _e1785.first[28], _e1785.first[29], _e1785.first[30], _e1785.first[31]), array<u32, 32>(_e1785.mask[0], _e1785.mask[1], _e1785.mask[2], _e1785.mask[3], _e1785.mask[4], _e1785.mask[5], _e1785.mask[6], _e1785.mask[7], _e1785.mask[8], _e1785.mask[9], _e1785.mask[10], _e1785.mask[11], _e1785.mask[12], _e1785.mask[13], _e1785.mask[14], _e1785.mask[15], _e1785.mask[16], _e1785.mask[17], _e1785.mask[18], _e1785.mask[19], _e1785.mask[20], _e1785.mask[21], _e1785.mask[22], _e1785.mask[23], _e1785.mask[24], _e1785.mask[25], _e1785.mask[26], _e1785.mask[27], _e1785.mask[28], _e1785.mask[29], _e1785.mask[30], _e1785.mask[31]), _e1785.len, _e1785.group, _e1785.group_mask);
+                        let _e1859 = local.group_mask;
+                        if ((_e1859 & 4278190080u) == 0u) {
+                            let _e1863 = local.len;
+                            if (_e1863 == 0u) {
+                                phi_2319_ = false;
                             } else {
-                                let _e1779 = local.len;
-                                local.len = (_e1779 - 1u);
-                                let _e1782 = local.len;
-                                if (_e1782 < 32u) {
+                                let _e1867 = local.len;
+                                local.len = (_e1867 - 1u);
+                                let _e1870 = local.len;
+                                if (_e1870 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1787 = local.first[(0u + _e1782)];
-                                local.group = _e1787;
-                                let _e1790 = local.len;
-                                if (_e1790 < 32u) {
+                                let _e1875 = local.first[(0u + _e1870)];
+                                local.group = _e1875;
+                                let _e1878 = local.len;
+                                if (_e1878 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1795 = local.mask[(0u + _e1790)];
-                                local.group_mask = _e1795;
-                                phi_2229_ = true;
+                                let _e1883 = local.mask[(0u + _e1878)];
+                                local.group_mask = _e1883;
+                                phi_2319_ = true;
                             }
-                            let _e1798 = phi_2229_;
-                            phi_2230_ = _e1798;
+                            let _e1886 = phi_2319_;
+                            phi_2320_ = _e1886;
                         } else {
-                            phi_2230_ = true;
+                            phi_2320_ = true;
                         }
-                        let _e1800 = phi_2230_;
-                        if _e1800 {
-                            let _e1802 = local.group_mask;
-                            let _e1808 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1802)), 32u, (_e1802 == 0u)));
-                            let _e1812 = local.group_mask;
-                            let _e1826 = local.group_mask;
-                            local.group_mask = (_e1826 & ~((1u << bitcast<u32>((_e1808 & 31u)))));
-                            let _e1829 = local.group;
-                            phi_2261_ = (_e1829 + countOneBits(((_e1812 & ~((4294967295u << bitcast<u32>((((_e1808 - 24u) ^ 7u) & 31u))))) & 255u)));
+                        let _e1888 = phi_2320_;
+                        if _e1888 {
+                            let _e1890 = local.group_mask;
+                            let _e1896 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1890)), 32u, (_e1890 == 0u)));
+                            let _e1900 = local.group_mask;
+                            let _e1914 = local.group_mask;
+                            local.group_mask = (_e1914 & ~((1u << bitcast<u32>((_e1896 & 31u)))));
+                            let _e1917 = local.group;
+                            phi_2351_ = (_e1917 + countOneBits(((_e1900 & ~((4294967295u << bitcast<u32>((((_e1896 - 24u) ^ 7u) & 31u))))) & 255u)));
                         } else {
-                            phi_2261_ = 4294967295u;
+                            phi_2351_ = 4294967295u;
                         }
-                        let _e1832 = phi_2261_;
-                        phi_2263_ = _e1832;
-                        phi_2266_ = false;
+                        let _e1920 = phi_2351_;
+                        phi_2353_ = _e1920;
+                        phi_2356_ = false;
                         loop {
-                            let _e1834 = phi_2263_;
-                            let _e1836 = phi_2266_;
-                            local_21 = _e1836;
-                            if (_e1834 != 4294967295u) {
-                                if (_e1834 < _e76) {
+                            let _e1922 = phi_2353_;
+                            let _e1924 = phi_2356_;
+                            local_23 = _e1924;
+                            if (_e1922 != 4294967295u) {
+                                if (_e1922 < _e76) {
                                 } else {
                                     return;
                                 }
-                                let _e1843 = nodes.member[(0u + _e1834)].frame[3u];
-                                let _e1868 = (bitcast<f32>((((_e1843 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1594);
-                                let _e1869 = (bitcast<f32>((((_e1843 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1604);
-                                let _e1870 = (bitcast<f32>((((_e1843 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1614);
-                                let _e1873 = nodes.member[(0u + _e1834)].frame[0u];
-                                let _e1877 = nodes.member[(0u + _e1834)].frame[1u];
-                                let _e1881 = nodes.member[(0u + _e1834)].frame[2u];
-                                let _e1886 = ((bitcast<f32>(_e1873) - _e126) * _e1594);
-                                let _e1887 = ((bitcast<f32>(_e1877) - _e128) * _e1604);
-                                let _e1888 = ((bitcast<f32>(_e1881) - _e130) * _e1614);
-                                let _e1896 = nodes.member[(0u + _e1834)].x;
-                                if (_e1594 < 0f) {
-                                    let _e1907 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1896.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1913 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1907.unnamed.word, _e1896.w), _e1907.unnamed_1);
-                                    let _e1919 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1913.unnamed, lt_mask_LightPlace(_e1896.x, _e1913.unnamed_1.shift));
-                                    phi_2346_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1919.unnamed, lt_mask_LightPlace(_e1919.unnamed_1.word, _e1896.y));
+                                let _e1931 = nodes.member[(0u + _e1922)].frame[3u];
+                                let _e1956 = (bitcast<f32>((((_e1931 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1682);
+                                let _e1957 = (bitcast<f32>((((_e1931 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1692);
+                                let _e1958 = (bitcast<f32>((((_e1931 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1702);
+                                let _e1961 = nodes.member[(0u + _e1922)].frame[0u];
+                                let _e1965 = nodes.member[(0u + _e1922)].frame[1u];
+                                let _e1969 = nodes.member[(0u + _e1922)].frame[2u];
+                                let _e1974 = ((bitcast<f32>(_e1961) - _e126) * _e1682);
+                                let _e1975 = ((bitcast<f32>(_e1965) - _e128) * _e1692);
+                                let _e1976 = ((bitcast<f32>(_e1969) - _e130) * _e1702);
+                                let _e1984 = nodes.member[(0u + _e1922)].x;
+                                if (_e1682 < 0f) {
+                                    let _e1995 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1984.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2001 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1995.unnamed.word, _e1984.w), _e1995.unnamed_1);
+                                    let _e2007 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2001.unnamed, lt_mask_LightPlace(_e1984.x, _e2001.unnamed_1.shift));
+                                    phi_2436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2007.unnamed, lt_mask_LightPlace(_e2007.unnamed_1.word, _e1984.y));
                                 } else {
-                                    let _e1935 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1896.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1941 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1935.unnamed.word, _e1896.y), _e1935.unnamed_1);
-                                    let _e1947 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1941.unnamed, lt_mask_LightPlace(_e1896.z, _e1941.unnamed_1.shift));
-                                    phi_2346_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1947.unnamed, lt_mask_LightPlace(_e1947.unnamed_1.word, _e1896.w));
+                                    let _e2023 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1984.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2029 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2023.unnamed.word, _e1984.y), _e2023.unnamed_1);
+                                    let _e2035 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2029.unnamed, lt_mask_LightPlace(_e1984.z, _e2029.unnamed_1.shift));
+                                    phi_2436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2035.unnamed, lt_mask_LightPlace(_e2035.unnamed_1.word, _e1984.w));
                                 }
-                                let _e1955 = phi_2346_;
-                                let _e1965 = nodes.member[(0u + _e1834)].y;
-                                if (_e1604 < 0f) {
-                                    let _e1976 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1965.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1982 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1976.unnamed.word, _e1965.w), _e1976.unnamed_1);
-                                    let _e1988 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1982.unnamed, lt_mask_LightPlace(_e1965.x, _e1982.unnamed_1.shift));
-                                    phi_2373_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1988.unnamed, lt_mask_LightPlace(_e1988.unnamed_1.word, _e1965.y));
+                                let _e2043 = phi_2436_;
+                                let _e2053 = nodes.member[(0u + _e1922)].y;
+                                if (_e1692 < 0f) {
+                                    let _e2064 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2053.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2070 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2064.unnamed.word, _e2053.w), _e2064.unnamed_1);
+                                    let _e2076 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2070.unnamed, lt_mask_LightPlace(_e2053.x, _e2070.unnamed_1.shift));
+                                    phi_2463_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2076.unnamed, lt_mask_LightPlace(_e2076.unnamed_1.word, _e2053.y));
                                 } else {
-                                    let _e2004 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1965.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2010 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2004.unnamed.word, _e1965.y), _e2004.unnamed_1);
-                                    let _e2016 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2010.unnamed, lt_mask_LightPlace(_e1965.z, _e2010.unnamed_1.shift));
-                                    phi_2373_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2016.unnamed, lt_mask_LightPlace(_e2016.unnamed_1.word, _e1965.w));
+                                    let _e2092 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2053.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2098 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2092.unnamed.word, _e2053.y), _e2092.unnamed_1);
+                                    let _e2104 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2098.unnamed, lt_mask_LightPlace(_e2053.z, _e2098.unnamed_1.shift));
+                                    phi_2463_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2104.unnamed, lt_mask_LightPlace(_e2104.unnamed_1.word, _e2053.w));
                                 }
-                                let _e2024 = phi_2373_;
-                                let _e2034 = nodes.member[(0u + _e1834)].z;
-                                if (_e1614 < 0f) {
-                                    let _e2045 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2034.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2051 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2045.unnamed.word, _e2034.w), _e2045.unnamed_1);
-                                    let _e2057 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2051.unnamed, lt_mask_LightPlace(_e2034.x, _e2051.unnamed_1.shift));
-                                    phi_2400_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2057.unnamed, lt_mask_LightPlace(_e2057.unnamed_1.word, _e2034.y));
+                                let _e2112 = phi_2463_;
+                                let _e2122 = nodes.member[(0u + _e1922)].z;
+                                if (_e1702 < 0f) {
+                                    let _e2133 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2122.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2139 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2133.unnamed.word, _e2122.w), _e2133.unnamed_1);
+                                    let _e2145 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2139.unnamed, lt_mask_LightPlace(_e2122.x, _e2139.unnamed_1.shift));
+                                    phi_2490_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2145.unnamed, lt_mask_LightPlace(_e2145.unnamed_1.word, _e2122.y));
                                 } else {
-                                    let _e2073 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2034.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2079 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2073.unnamed.word, _e2034.y), _e2073.unnamed_1);
-                                    let _e2085 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2079.unnamed, lt_mask_LightPlace(_e2034.z, _e2079.unnamed_1.shift));
-                                    phi_2400_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2085.unnamed, lt_mask_LightPlace(_e2085.unnamed_1.word, _e2034.w));
+                                    let _e2161 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2122.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2167 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2161.unnamed.word, _e2122.y), _e2161.unnamed_1);
+                                    let _e2173 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2167.unnamed, lt_mask_LightPlace(_e2122.z, _e2167.unnamed_1.shift));
+                                    phi_2490_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2173.unnamed, lt_mask_LightPlace(_e2173.unnamed_1.word, _e2122.w));
                                 }
-                                let _e2093 = phi_2400_;
-                                phi_2406_ = 0u;
-                                phi_2409_ = 0u;
+                                let _e2181 = phi_2490_;
+                                phi_2496_ = 0u;
+                                phi_2499_ = 0u;
                                 loop {
-                                    let _e2103 = phi_2406_;
-                                    let _e2105 = phi_2409_;
-                                    local_6 = _e2105;
-                                    local_7 = _e2105;
-                                    local_8 = _e2105;
-                                    let _e2106 = (_e2103 < 8u);
-                                    if _e2106 {
-                                        let _e2108 = (_e2103 >> bitcast<u32>(2i));
-                                        let _e2109 = (_e2103 & 3u);
-                                        if (_e2108 == 0u) {
-                                            phi_2423_ = _e1955.unnamed.word;
+                                    let _e2191 = phi_2496_;
+                                    let _e2193 = phi_2499_;
+                                    local_8 = _e2193;
+                                    local_9 = _e2193;
+                                    local_10 = _e2193;
+                                    let _e2194 = (_e2191 < 8u);
+                                    if _e2194 {
+                                        let _e2196 = (_e2191 >> bitcast<u32>(2i));
+                                        let _e2197 = (_e2191 & 3u);
+                                        if (_e2196 == 0u) {
+                                            phi_2513_ = _e2043.unnamed.word;
                                         } else {
-                                            phi_2423_ = _e1955.unnamed.shift;
+                                            phi_2513_ = _e2043.unnamed.shift;
                                         }
-                                        let _e2112 = phi_2423_;
-                                        if (_e2108 == 0u) {
-                                            phi_2433_ = _e2024.unnamed.word;
+                                        let _e2200 = phi_2513_;
+                                        if (_e2196 == 0u) {
+                                            phi_2523_ = _e2112.unnamed.word;
                                         } else {
-                                            phi_2433_ = _e2024.unnamed.shift;
+                                            phi_2523_ = _e2112.unnamed.shift;
                                         }
-                                        let _e2121 = phi_2433_;
-                                        if (_e2108 == 0u) {
-                                            phi_2443_ = _e2093.unnamed.word;
+                                        let _e2209 = phi_2523_;
+                                        if (_e2196 == 0u) {
+                                            phi_2533_ = _e2181.unnamed.word;
                                         } else {
-                                            phi_2443_ = _e2093.unnamed.shift;
+                                            phi_2533_ = _e2181.unnamed.shift;
                                         }
-                                        let _e2130 = phi_2443_;
-                                        let _e2143 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2112 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1868) + (_e1886 - _e1646)), ((f32(((_e2121 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1869) + (_e1887 - _e1647)));
-                                        let _e2144 = core_intrinsics_maximum_number_nsz_f32_(_e2143, ((f32(((_e2130 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1870) + (_e1888 - _e1648)));
-                                        if (_e2108 == 0u) {
-                                            phi_2461_ = _e1955.unnamed_1.word;
+                                        let _e2218 = phi_2533_;
+                                        let _e2231 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2200 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1956) + (_e1974 - _e1734)), ((f32(((_e2209 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1957) + (_e1975 - _e1735)));
+                                        let _e2232 = core_intrinsics_maximum_number_nsz_f32_(_e2231, ((f32(((_e2218 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1958) + (_e1976 - _e1736)));
+                                        if (_e2196 == 0u) {
+                                            phi_2551_ = _e2043.unnamed_1.word;
                                         } else {
-                                            phi_2461_ = _e1955.unnamed_1.shift;
+                                            phi_2551_ = _e2043.unnamed_1.shift;
                                         }
-                                        let _e2147 = phi_2461_;
-                                        if (_e2108 == 0u) {
-                                            phi_2471_ = _e2024.unnamed_1.word;
+                                        let _e2235 = phi_2551_;
+                                        if (_e2196 == 0u) {
+                                            phi_2561_ = _e2112.unnamed_1.word;
                                         } else {
-                                            phi_2471_ = _e2024.unnamed_1.shift;
+                                            phi_2561_ = _e2112.unnamed_1.shift;
                                         }
-                                        let _e2156 = phi_2471_;
-                                        if (_e2108 == 0u) {
-                                            phi_2481_ = _e2093.unnamed_1.word;
+                                        let _e2244 = phi_2561_;
+                                        if (_e2196 == 0u) {
+                                            phi_2571_ = _e2181.unnamed_1.word;
                                         } else {
-                                            phi_2481_ = _e2093.unnamed_1.shift;
+                                            phi_2571_ = _e2181.unnamed_1.shift;
                                         }
-                                        let _e2165 = phi_2481_;
-                                        let _e2178 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2147 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1868) + (_e1886 + _e1646)), ((f32(((_e2156 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1869) + (_e1887 + _e1647)));
-                                        let _e2179 = core_intrinsics_minimum_number_nsz_f32_(_e2178, ((f32(((_e2165 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u)) * _e1870) + (_e1888 + _e1648)));
-                                        if (_e2144 <= _e2179) {
-                                            if (_e2144 <= _e138) {
-                                                if (_e2179 >= 0f) {
-                                                    if (_e2108 == 0u) {
-                                                        let _e2186 = nodes.member[(0u + _e1834)].links[2u];
-                                                        phi_2517_ = _e2186;
+                                        let _e2253 = phi_2571_;
+                                        let _e2266 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2235 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1956) + (_e1974 + _e1734)), ((f32(((_e2244 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1957) + (_e1975 + _e1735)));
+                                        let _e2267 = core_intrinsics_minimum_number_nsz_f32_(_e2266, ((f32(((_e2253 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1958) + (_e1976 + _e1736)));
+                                        if (_e2232 <= _e2267) {
+                                            if (_e2232 <= _e138) {
+                                                if (_e2267 >= 0f) {
+                                                    if (_e2196 == 0u) {
+                                                        let _e2274 = nodes.member[(0u + _e1922)].links[2u];
+                                                        phi_2607_ = _e2274;
                                                     } else {
-                                                        let _e2189 = nodes.member[(0u + _e1834)].links[3u];
-                                                        phi_2517_ = _e2189;
+                                                        let _e2277 = nodes.member[(0u + _e1922)].links[3u];
+                                                        phi_2607_ = _e2277;
                                                     }
-                                                    let _e2191 = phi_2517_;
-                                                    let _e2196 = ((_e2191 >> bitcast<u32>(((_e2109 * 8u) & 31u))) & 255u);
-                                                    let _e2197 = (_e2196 & 31u);
-                                                    if (_e2197 >= 24u) {
-                                                        phi_2530_ = (24u + ((_e2197 - 24u) ^ _e1696));
+                                                    let _e2279 = phi_2607_;
+                                                    let _e2284 = ((_e2279 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u);
+                                                    let _e2285 = (_e2284 & 31u);
+                                                    if (_e2285 >= 24u) {
+                                                        phi_2620_ = (24u + ((_e2285 - 24u) ^ _e1784));
                                                     } else {
-                                                        phi_2530_ = _e2197;
+                                                        phi_2620_ = _e2285;
                                                     }
-                                                    let _e2203 = phi_2530_;
-                                                    phi_2535_ = (_e2105 | ((_e2196 >> bitcast<u32>(5i)) << bitcast<u32>((_e2203 & 31u))));
+                                                    let _e2291 = phi_2620_;
+                                                    phi_2625_ = (_e2193 | ((_e2284 >> bitcast<u32>(5i)) << bitcast<u32>((_e2291 & 31u))));
                                                 } else {
-                                                    phi_2535_ = _e2105;
+                                                    phi_2625_ = _e2193;
                                                 }
-                                                let _e2211 = phi_2535_;
-                                                phi_2536_ = _e2211;
+                                                let _e2299 = phi_2625_;
+                                                phi_2626_ = _e2299;
                                             } else {
-                                                phi_2536_ = _e2105;
+                                                phi_2626_ = _e2193;
                                             }
-                                            let _e2213 = phi_2536_;
-                                            phi_2537_ = _e2213;
+                                            let _e2301 = phi_2626_;
+                                            phi_2627_ = _e2301;
                                         } else {
-                                            phi_2537_ = _e2105;
+                                            phi_2627_ = _e2193;
                                         }
-                                        let _e2215 = phi_2537_;
-                                        phi_2407_ = (_e2103 + 1u);
-                                        phi_2410_ = _e2215;
+                                        let _e2303 = phi_2627_;
+                                        phi_2497_ = (_e2191 + 1u);
+                                        phi_2500_ = _e2303;
                                     } else {
-                                        phi_2407_ = u32();
-                                        phi_2410_ = u32();
+                                        phi_2497_ = u32();
+                                        phi_2500_ = u32();
                                     }
-                                    let _e2218 = phi_2407_;
-                                    let _e2220 = phi_2410_;
+                                    let _e2306 = phi_2497_;
+                                    let _e2308 = phi_2500_;
                                     continue;
                                     continuing {
-                                        phi_2406_ = _e2218;
-                                        phi_2409_ = _e2220;
-                                        break if !(_e2106);
+                                        phi_2496_ = _e2306;
+                                        phi_2499_ = _e2308;
+                                        break if !(_e2194);
                                     }
                                 }
-                                let _e2224 = nodes.member[(0u + _e1834)].links[0u];
-                                let _e2228 = nodes.member[(0u + _e1834)].frame[3u];
-                                let _e2232 = local_6;
-                                if ((_e2232 & 4278190080u) == 0u) {
+                                let _e2312 = nodes.member[(0u + _e1922)].links[0u];
+                                let _e2316 = nodes.member[(0u + _e1922)].frame[3u];
+                                let _e2320 = local_8;
+                                if ((_e2320 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e2236 = local.group_mask;
-                                    if ((_e2236 & 4278190080u) == 0u) {
+                                    let _e2324 = local.group_mask;
+                                    if ((_e2324 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2240 = local.len;
-                                        if (_e2240 < 32u) {
-                                            let _e2243 = local.group;
-                                            let _e2245 = local.len;
-                                            if (_e2245 < 32u) {
+                                        let _e2328 = local.len;
+                                        if (_e2328 < 32u) {
+                                            let _e2331 = local.group;
+                                            let _e2333 = local.len;
+                                            if (_e2333 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local.first[(0u + _e2245)] = _e2243;
-                                            let _e2251 = local.group_mask;
-                                            let _e2253 = local.len;
-                                            if (_e2253 < 32u) {
+                                            local.first[(0u + _e2333)] = _e2331;
+                                            let _e2339 = local.group_mask;
+                                            let _e2341 = local.len;
+                                            if (_e2341 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local.mask[(0u + _e2253)] = _e2251;
-                                            let _e2260 = local.len;
-                                            local.len = (_e2260 + 1u);
+                                            local.mask[(0u + _e2341)] = _e2339;
+                                            let _e2348 = local.len;
+                                            local.len = (_e2348 + 1u);
                                         }
                                     }
-                                    local.group = (0u + _e2224);
-                                    let _e2264 = local_7;
-                                    local.group_mask = ((_e2264 & 4278190080u) | (_e2228 >> bitcast<u32>(24i)));
+                                    local.group = (0u + _e2312);
+                                    let _e2352 = local_9;
+                                    local.group_mask = ((_e2352 & 4278190080u) | (_e2316 >> bitcast<u32>(24i)));
                                 }
-                                let _e2269 = local_8;
-                                phi_2595_ = (_e2269 & 16777215u);
-                                phi_2598_ = _e1836;
+                                let _e2357 = local_10;
+                                phi_2685_ = (_e2357 & 16777215u);
+                                phi_2688_ = _e1924;
                                 loop {
-                                    let _e2272 = phi_2595_;
-                                    let _e2274 = phi_2598_;
-                                    local_19 = _e2274;
-                                    let _e2275 = (_e2272 == 0u);
-                                    local_9 = _e2275;
-                                    local_20 = _e2275;
-                                    if _e2275 {
-                                        phi_2596_ = u32();
-                                        phi_2599_ = bool();
-                                        phi_3196_ = false;
+                                    let _e2360 = phi_2685_;
+                                    let _e2362 = phi_2688_;
+                                    local_21 = _e2362;
+                                    let _e2363 = (_e2360 == 0u);
+                                    local_11 = _e2363;
+                                    local_22 = _e2363;
+                                    if _e2363 {
+                                        phi_2686_ = u32();
+                                        phi_2689_ = bool();
+                                        phi_3286_ = false;
                                     } else {
-                                        let _e2278 = nodes.member[(0u + _e1834)].links[1u];
-                                        let _e2283 = ((0u + _e2278) + select(firstTrailingBit(_e2272), 32u, (_e2272 == 0u)));
-                                        if (_e2283 < _e79) {
+                                        let _e2366 = nodes.member[(0u + _e1922)].links[1u];
+                                        let _e2371 = ((0u + _e2366) + select(firstTrailingBit(_e2360), 32u, (_e2360 == 0u)));
+                                        if (_e2371 < _e79) {
                                         } else {
                                             return;
                                         }
-                                        let _e2290 = triangles.member[(0u + _e2283)].v0_;
-                                        let _e2292 = (_e2290.x - _e126);
-                                        let _e2294 = (_e2290.y - _e128);
-                                        let _e2296 = (_e2290.z - _e130);
-                                        if (_e1669 == 0u) {
-                                            phi_2643_ = vec3<f32>(_e2294, _e2296, _e2292);
+                                        let _e2378 = triangles.member[(0u + _e2371)].v0_;
+                                        let _e2380 = (_e2378.x - _e126);
+                                        let _e2382 = (_e2378.y - _e128);
+                                        let _e2384 = (_e2378.z - _e130);
+                                        if (_e1757 == 0u) {
+                                            phi_2733_ = vec3<f32>(_e2382, _e2384, _e2380);
                                         } else {
-                                            if (_e1669 == 1u) {
-                                                phi_2642_ = vec3<f32>(_e2296, _e2292, _e2294);
+                                            if (_e1757 == 1u) {
+                                                phi_2732_ = vec3<f32>(_e2384, _e2380, _e2382);
                                             } else {
-                                                phi_2642_ = (_e2290 - vec3<f32>(_e126, _e128, _e130));
+                                                phi_2732_ = (_e2378 - vec3<f32>(_e126, _e128, _e130));
                                             }
-                                            let _e2304 = phi_2642_;
-                                            phi_2643_ = _e2304;
+                                            let _e2392 = phi_2732_;
+                                            phi_2733_ = _e2392;
                                         }
-                                        let _e2306 = phi_2643_;
-                                        let _e2310 = (_e2306.x - (_e1680 * _e2306.z));
-                                        let _e2314 = (_e2306.y - (_e1683 * _e2306.z));
-                                        let _e2316 = triangles.member[(0u + _e2283)].v1_;
-                                        let _e2318 = (_e2316.x - _e126);
-                                        let _e2320 = (_e2316.y - _e128);
-                                        let _e2322 = (_e2316.z - _e130);
-                                        if (_e1669 == 0u) {
-                                            phi_2673_ = vec3<f32>(_e2320, _e2322, _e2318);
+                                        let _e2394 = phi_2733_;
+                                        let _e2398 = (_e2394.x - (_e1768 * _e2394.z));
+                                        let _e2402 = (_e2394.y - (_e1771 * _e2394.z));
+                                        let _e2404 = triangles.member[(0u + _e2371)].v1_;
+                                        let _e2406 = (_e2404.x - _e126);
+                                        let _e2408 = (_e2404.y - _e128);
+                                        let _e2410 = (_e2404.z - _e130);
+                                        if (_e1757 == 0u) {
+                                            phi_2763_ = vec3<f32>(_e2408, _e2410, _e2406);
                                         } else {
-                                            if (_e1669 == 1u) {
-                                                phi_2672_ = vec3<f32>(_e2322, _e2318, _e2320);
+                                            if (_e1757 == 1u) {
+                                                phi_2762_ = vec3<f32>(_e2410, _e2406, _e2408);
                                             } else {
-                                                phi_2672_ = (_e2316 - vec3<f32>(_e126, _e128, _e130));
+                                                phi_2762_ = (_e2404 - vec3<f32>(_e126, _e128, _e130));
                                             }
-                                            let _e2330 = phi_2672_;
-                                            phi_2673_ = _e2330;
+                                            let _e2418 = phi_2762_;
+                                            phi_2763_ = _e2418;
                                         }
-                                        let _e2332 = phi_2673_;
-                                        let _e2336 = (_e2332.x - (_e1680 * _e2332.z));
-                                        let _e2340 = (_e2332.y - (_e1683 * _e2332.z));
-                                        let _e2342 = triangles.member[(0u + _e2283)].v2_;
-                                        let _e2344 = (_e2342.x - _e126);
-                                        let _e2346 = (_e2342.y - _e128);
-                                        let _e2348 = (_e2342.z - _e130);
-                                        if (_e1669 == 0u) {
-                                            phi_2703_ = vec3<f32>(_e2346, _e2348, _e2344);
+                                        let _e2420 = phi_2763_;
+                                        let _e2424 = (_e2420.x - (_e1768 * _e2420.z));
+                                        let _e2428 = (_e2420.y - (_e1771 * _e2420.z));
+                                        let _e2430 = triangles.member[(0u + _e2371)].v2_;
+                                        let _e2432 = (_e2430.x - _e126);
+                                        let _e2434 = (_e2430.y - _e128);
+                                        let _e2436 = (_e2430.z - _e130);
+                                        if (_e1757 == 0u) {
+                                            phi_2793_ = vec3<f32>(_e2434, _e2436, _e2432);
                                         } else {
-                                            if (_e1669 == 1u) {
-                                                phi_2702_ = vec3<f32>(_e2348, _e2344, _e2346);
+                                            if (_e1757 == 1u) {
+                                                phi_2792_ = vec3<f32>(_e2436, _e2432, _e2434);
                                             } else {
-                                                phi_2702_ = (_e2342 - vec3<f32>(_e126, _e128, _e130));
+                                                phi_2792_ = (_e2430 - vec3<f32>(_e126, _e128, _e130));
                                             }
-                                            let _e2356 = phi_2702_;
-                                            phi_2703_ = _e2356;
+                                            let _e2444 = phi_2792_;
+                                            phi_2793_ = _e2444;
                                         }
-                                        let _e2358 = phi_2703_;
-                                        let _e2362 = (_e2358.x - (_e1680 * _e2358.z));
-                                        let _e2366 = (_e2358.y - (_e1683 * _e2358.z));
-                                        if (_e2336 < _e2362) {
-                                            phi_2722_ = true;
+                                        let _e2446 = phi_2793_;
+                                        let _e2450 = (_e2446.x - (_e1768 * _e2446.z));
+                                        let _e2454 = (_e2446.y - (_e1771 * _e2446.z));
+                                        if (_e2424 < _e2450) {
+                                            phi_2812_ = true;
                                         } else {
-                                            if (_e2336 == _e2362) {
-                                                phi_2721_ = (_e2340 < _e2366);
+                                            if (_e2424 == _e2450) {
+                                                phi_2811_ = (_e2428 < _e2454);
                                             } else {
-                                                phi_2721_ = false;
+                                                phi_2811_ = false;
                                             }
-                                            let _e2371 = phi_2721_;
-                                            phi_2722_ = _e2371;
+                                            let _e2459 = phi_2811_;
+                                            phi_2812_ = _e2459;
                                         }
-                                        let _e2373 = phi_2722_;
-                                        if _e2373 {
-                                            phi_2726_ = _e2366;
-                                            phi_2727_ = _e2362;
-                                            phi_2728_ = _e2340;
-                                            phi_2729_ = _e2336;
+                                        let _e2461 = phi_2812_;
+                                        if _e2461 {
+                                            phi_2816_ = _e2454;
+                                            phi_2817_ = _e2450;
+                                            phi_2818_ = _e2428;
+                                            phi_2819_ = _e2424;
                                         } else {
-                                            phi_2726_ = _e2340;
-                                            phi_2727_ = _e2336;
-                                            phi_2728_ = _e2366;
-                                            phi_2729_ = _e2362;
+                                            phi_2816_ = _e2428;
+                                            phi_2817_ = _e2424;
+                                            phi_2818_ = _e2454;
+                                            phi_2819_ = _e2450;
                                         }
-                                        let _e2375 = phi_2726_;
-                                        let _e2377 = phi_2727_;
-                                        let _e2379 = phi_2728_;
-                                        let _e2381 = phi_2729_;
-                                        let _e2384 = ((_e2381 * _e2375) - (_e2379 * _e2377));
-                                        if _e2373 {
-                                            phi_2737_ = -(_e2384);
+                                        let _e2463 = phi_2816_;
+                                        let _e2465 = phi_2817_;
+                                        let _e2467 = phi_2818_;
+                                        let _e2469 = phi_2819_;
+                                        let _e2472 = ((_e2469 * _e2463) - (_e2467 * _e2465));
+                                        if _e2461 {
+                                            phi_2827_ = -(_e2472);
                                         } else {
-                                            phi_2737_ = _e2384;
+                                            phi_2827_ = _e2472;
                                         }
-                                        let _e2387 = phi_2737_;
-                                        if (_e2362 < _e2310) {
-                                            phi_2748_ = true;
-                                        } else {
-                                            if (_e2362 == _e2310) {
-                                                phi_2747_ = (_e2366 < _e2314);
-                                            } else {
-                                                phi_2747_ = false;
-                                            }
-                                            let _e2392 = phi_2747_;
-                                            phi_2748_ = _e2392;
-                                        }
-                                        let _e2394 = phi_2748_;
-                                        if _e2394 {
-                                            phi_2752_ = _e2314;
-                                            phi_2753_ = _e2310;
-                                            phi_2754_ = _e2366;
-                                            phi_2755_ = _e2362;
-                                        } else {
-                                            phi_2752_ = _e2366;
-                                            phi_2753_ = _e2362;
-                                            phi_2754_ = _e2314;
-                                            phi_2755_ = _e2310;
-                                        }
-                                        let _e2396 = phi_2752_;
-                                        let _e2398 = phi_2753_;
-                                        let _e2400 = phi_2754_;
-                                        let _e2402 = phi_2755_;
-                                        let _e2405 = ((_e2402 * _e2396) - (_e2400 * _e2398));
-                                        if _e2394 {
-                                            phi_2763_ = -(_e2405);
-                                        } else {
-                                            phi_2763_ = _e2405;
-                                        }
-                                        let _e2408 = phi_2763_;
-                                        if (_e2310 < _e2336) {
-                                            phi_2774_ = true;
-                                        } else {
-                                            if (_e2310 == _e2336) {
-                                                phi_2773_ = (_e2314 < _e2340);
-                                            } else {
-                                                phi_2773_ = false;
-                                            }
-                                            let _e2413 = phi_2773_;
-                                            phi_2774_ = _e2413;
-                                        }
-                                        let _e2415 = phi_2774_;
-                                        if _e2415 {
-                                            phi_2778_ = _e2340;
-                                            phi_2779_ = _e2336;
-                                            phi_2780_ = _e2314;
-                                            phi_2781_ = _e2310;
-                                        } else {
-                                            phi_2778_ = _e2314;
-                                            phi_2779_ = _e2310;
-                                            phi_2780_ = _e2340;
-                                            phi_2781_ = _e2336;
-                                        }
-                                        let _e2417 = phi_2778_;
-                                        let _e2419 = phi_2779_;
-                                        let _e2421 = phi_2780_;
-                                        let _e2423 = phi_2781_;
-                                        let _e2426 = ((_e2423 * _e2417) - (_e2421 * _e2419));
-                                        if _e2415 {
-                                            phi_2789_ = -(_e2426);
-                                        } else {
-                                            phi_2789_ = _e2426;
-                                        }
-                                        let _e2429 = phi_2789_;
-                                        if (_e2387 >= 0f) {
-                                            if (_e2408 >= 0f) {
-                                                if (_e2429 >= 0f) {
-                                                    phi_2804_ = ((_e2387 + _e2408) + _e2429);
-                                                    phi_2805_ = false;
-                                                } else {
-                                                    phi_2804_ = f32();
-                                                    phi_2805_ = true;
-                                                }
-                                                let _e2436 = phi_2804_;
-                                                let _e2438 = phi_2805_;
-                                                phi_2806_ = _e2436;
-                                                phi_2807_ = _e2438;
-                                            } else {
-                                                phi_2806_ = f32();
-                                                phi_2807_ = true;
-                                            }
-                                            let _e2440 = phi_2806_;
-                                            let _e2442 = phi_2807_;
-                                            phi_2808_ = _e2440;
-                                            phi_2809_ = _e2442;
-                                        } else {
-                                            phi_2808_ = f32();
-                                            phi_2809_ = true;
-                                        }
-                                        let _e2444 = phi_2808_;
-                                        let _e2446 = phi_2809_;
-                                        if _e2446 {
-                                            if (_e2387 <= 0f) {
-                                                if (_e2408 <= 0f) {
-                                                    let _e2449 = (_e2429 <= 0f);
-                                                    if _e2449 {
-                                                    }
-                                                    phi_2827_ = ((_e2387 + _e2408) + _e2429);
-                                                    phi_2828_ = false;
-                                                    phi_2829_ = _e2449;
-                                                } else {
-                                                    phi_2827_ = f32();
-                                                    phi_2828_ = true;
-                                                    phi_2829_ = false;
-                                                }
-                                                let _e2453 = phi_2827_;
-                                                let _e2455 = phi_2828_;
-                                                let _e2457 = phi_2829_;
-                                                phi_2830_ = _e2453;
-                                                phi_2831_ = _e2455;
-                                                phi_2832_ = _e2457;
-                                            } else {
-                                                phi_2830_ = f32();
-                                                phi_2831_ = true;
-                                                phi_2832_ = false;
-                                            }
-                                            let _e2459 = phi_2830_;
-                                            let _e2461 = phi_2831_;
-                                            let _e2463 = phi_2832_;
-                                            if _e2461 {
-                                                phi_2836_ = false;
-                                            } else {
-                                                phi_2836_ = _e2463;
-                                            }
-                                            let _e2465 = phi_2836_;
-                                            phi_2837_ = _e2459;
-                                            phi_2838_ = _e2465;
-                                        } else {
-                                            phi_2837_ = _e2444;
+                                        let _e2475 = phi_2827_;
+                                        if (_e2450 < _e2398) {
                                             phi_2838_ = true;
-                                        }
-                                        let _e2467 = phi_2837_;
-                                        let _e2469 = phi_2838_;
-                                        if _e2469 {
-                                            let _e2470 = (_e2467 == 0f);
-                                            if _e2470 {
-                                                phi_3154_ = lt_bvh_triangle_Intersection();
-                                                phi_3155_ = false;
+                                        } else {
+                                            if (_e2450 == _e2398) {
+                                                phi_2837_ = (_e2454 < _e2402);
                                             } else {
-                                                let _e2472 = triangles.member[(0u + _e2283)].v0_;
-                                                let _e2474 = (_e2472.x - _e126);
-                                                let _e2476 = (_e2472.y - _e128);
-                                                let _e2478 = (_e2472.z - _e130);
-                                                if (_e1669 == 0u) {
-                                                    phi_2867_ = vec3<f32>(_e2476, _e2478, _e2474);
-                                                } else {
-                                                    if (_e1669 == 1u) {
-                                                        phi_2866_ = vec3<f32>(_e2478, _e2474, _e2476);
-                                                    } else {
-                                                        phi_2866_ = (_e2472 - vec3<f32>(_e126, _e128, _e130));
-                                                    }
-                                                    let _e2486 = phi_2866_;
-                                                    phi_2867_ = _e2486;
-                                                }
-                                                let _e2488 = phi_2867_;
-                                                let _e2490 = triangles.member[(0u + _e2283)].v1_;
-                                                let _e2492 = triangles.member[(0u + _e2283)].v0_;
-                                                let _e2495 = (_e2490.x - _e2492.x);
-                                                let _e2498 = (_e2490.y - _e2492.y);
-                                                let _e2501 = (_e2490.z - _e2492.z);
-                                                if (_e1669 == 0u) {
-                                                    phi_2893_ = vec3<f32>(_e2498, _e2501, _e2495);
-                                                } else {
-                                                    if (_e1669 == 1u) {
-                                                        phi_2892_ = vec3<f32>(_e2501, _e2495, _e2498);
-                                                    } else {
-                                                        phi_2892_ = (_e2490 - _e2492);
-                                                    }
-                                                    let _e2508 = phi_2892_;
-                                                    phi_2893_ = _e2508;
-                                                }
-                                                let _e2510 = phi_2893_;
-                                                let _e2512 = triangles.member[(0u + _e2283)].v2_;
-                                                let _e2514 = triangles.member[(0u + _e2283)].v0_;
-                                                let _e2517 = (_e2512.x - _e2514.x);
-                                                let _e2520 = (_e2512.y - _e2514.y);
-                                                let _e2523 = (_e2512.z - _e2514.z);
-                                                if (_e1669 == 0u) {
-                                                    phi_2919_ = vec3<f32>(_e2520, _e2523, _e2517);
-                                                } else {
-                                                    if (_e1669 == 1u) {
-                                                        phi_2918_ = vec3<f32>(_e2523, _e2517, _e2520);
-                                                    } else {
-                                                        phi_2918_ = (_e2512 - _e2514);
-                                                    }
-                                                    let _e2530 = phi_2918_;
-                                                    phi_2919_ = _e2530;
-                                                }
-                                                let _e2532 = phi_2919_;
-                                                let _e2539 = ((_e2510.y * _e2532.z) - (_e2510.z * _e2532.y));
-                                                let _e2546 = ((_e2510.z * _e2532.x) - (_e2510.x * _e2532.z));
-                                                let _e2553 = ((_e2510.x * _e2532.y) - (_e2510.y * _e2532.x));
-                                                let _e2567 = (((1f / _e1677.z) * (((_e2539 * _e2488.x) + (_e2546 * _e2488.y)) + (_e2553 * _e2488.z))) / (((_e2539 * _e1680) + (_e2546 * _e1683)) + _e2553));
-                                                if (_e2567 > 0f) {
-                                                    if (_e2567 < _e138) {
-                                                        let _e2571 = triangles.member[(0u + _e2283)].v0_;
-                                                        let _e2573 = triangles.member[(0u + _e2283)].v1_;
-                                                        if (_e2571.x < _e2573.x) {
-                                                            phi_2975_ = _e2571.x;
-                                                        } else {
-                                                            phi_2975_ = _e2573.x;
-                                                        }
-                                                        let _e2580 = phi_2975_;
-                                                        if (_e2571.y < _e2573.y) {
-                                                            phi_2984_ = _e2571.y;
-                                                        } else {
-                                                            phi_2984_ = _e2573.y;
-                                                        }
-                                                        let _e2587 = phi_2984_;
-                                                        if (_e2571.z < _e2573.z) {
-                                                            phi_2993_ = _e2571.z;
-                                                        } else {
-                                                            phi_2993_ = _e2573.z;
-                                                        }
-                                                        let _e2594 = phi_2993_;
-                                                        let _e2596 = triangles.member[(0u + _e2283)].v2_;
-                                                        if (_e2580 < _e2596.x) {
-                                                            phi_3002_ = _e2580;
-                                                        } else {
-                                                            phi_3002_ = _e2596.x;
-                                                        }
-                                                        let _e2601 = phi_3002_;
-                                                        if (_e2587 < _e2596.y) {
-                                                            phi_3009_ = _e2587;
-                                                        } else {
-                                                            phi_3009_ = _e2596.y;
-                                                        }
-                                                        let _e2606 = phi_3009_;
-                                                        if (_e2594 < _e2596.z) {
-                                                            phi_3016_ = _e2594;
-                                                        } else {
-                                                            phi_3016_ = _e2596.z;
-                                                        }
-                                                        let _e2611 = phi_3016_;
-                                                        let _e2613 = triangles.member[(0u + _e2283)].v0_;
-                                                        let _e2615 = triangles.member[(0u + _e2283)].v1_;
-                                                        if (_e2613.x > _e2615.x) {
-                                                            phi_3029_ = _e2613.x;
-                                                        } else {
-                                                            phi_3029_ = _e2615.x;
-                                                        }
-                                                        let _e2622 = phi_3029_;
-                                                        if (_e2613.y > _e2615.y) {
-                                                            phi_3038_ = _e2613.y;
-                                                        } else {
-                                                            phi_3038_ = _e2615.y;
-                                                        }
-                                                        let _e2629 = phi_3038_;
-                                                        if (_e2613.z > _e2615.z) {
-                                                            phi_3047_ = _e2613.z;
-                                                        } else {
-                                                            phi_3047_ = _e2615.z;
-                                                        }
-                                                        let _e2636 = phi_3047_;
-                                                        let _e2638 = triangles.member[(0u + _e2283)].v2_;
-                                                        if (_e2622 > _e2638.x) {
-                                                            phi_3056_ = _e2622;
-                                                        } else {
-                                                            phi_3056_ = _e2638.x;
-                                                        }
-                                                        let _e2643 = phi_3056_;
-                                                        if (_e2629 > _e2638.y) {
-                                                            phi_3063_ = _e2629;
-                                                        } else {
-                                                            phi_3063_ = _e2638.y;
-                                                        }
-                                                        let _e2648 = phi_3063_;
-                                                        if (_e2636 > _e2638.z) {
-                                                            phi_3070_ = _e2636;
-                                                        } else {
-                                                            phi_3070_ = _e2638.z;
-                                                        }
-                                                        let _e2653 = phi_3070_;
-                                                        let _e2657 = ((_e2601 - _e126) * _e1594);
-                                                        let _e2658 = ((_e2606 - _e128) * _e1604);
-                                                        let _e2659 = ((_e2611 - _e130) * _e1614);
-                                                        let _e2663 = ((_e2643 - _e126) * _e1594);
-                                                        let _e2664 = ((_e2648 - _e128) * _e1604);
-                                                        let _e2665 = ((_e2653 - _e130) * _e1614);
-                                                        if (_e2657 < _e2663) {
-                                                            phi_3087_ = _e2657;
-                                                        } else {
-                                                            phi_3087_ = _e2663;
-                                                        }
-                                                        let _e2668 = phi_3087_;
-                                                        if (_e2658 < _e2664) {
-                                                            phi_3092_ = _e2658;
-                                                        } else {
-                                                            phi_3092_ = _e2664;
-                                                        }
-                                                        let _e2671 = phi_3092_;
-                                                        if (_e2659 < _e2665) {
-                                                            phi_3097_ = _e2659;
-                                                        } else {
-                                                            phi_3097_ = _e2665;
-                                                        }
-                                                        let _e2674 = phi_3097_;
-                                                        if (_e2657 > _e2663) {
-                                                            phi_3105_ = _e2657;
-                                                        } else {
-                                                            phi_3105_ = _e2663;
-                                                        }
-                                                        let _e2680 = phi_3105_;
-                                                        if (_e2658 > _e2664) {
-                                                            phi_3110_ = _e2658;
-                                                        } else {
-                                                            phi_3110_ = _e2664;
-                                                        }
-                                                        let _e2683 = phi_3110_;
-                                                        if (_e2659 > _e2665) {
-                                                            phi_3115_ = _e2659;
-                                                        } else {
-                                                            phi_3115_ = _e2665;
-                                                        }
-                                                        let _e2686 = phi_3115_;
-                                                        let _e2690 = core_intrinsics_maximum_number_nsz_f32_((_e2668 - _e1653), (_e2671 - _e1654));
-                                                        let _e2691 = core_intrinsics_maximum_number_nsz_f32_(_e2690, (_e2674 - _e1655));
-                                                        let _e2692 = core_intrinsics_minimum_number_nsz_f32_((_e2680 + _e1653), (_e2683 + _e1654));
-                                                        let _e2693 = core_intrinsics_minimum_number_nsz_f32_(_e2692, (_e2686 + _e1655));
-                                                        if (_e2691 > -300000000000000000000000000000000000000f) {
-                                                            phi_3127_ = _e2691;
-                                                        } else {
-                                                            phi_3127_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2696 = phi_3127_;
-                                                        if (_e2693 < 300000000000000000000000000000000000000f) {
-                                                            phi_3132_ = _e2693;
-                                                        } else {
-                                                            phi_3132_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2699 = phi_3132_;
-                                                        if (_e2567 < _e2696) {
-                                                            phi_3137_ = _e2696;
-                                                        } else {
-                                                            phi_3137_ = _e2567;
-                                                        }
-                                                        let _e2702 = phi_3137_;
-                                                        if (_e2702 > _e2699) {
-                                                            phi_3142_ = _e2699;
-                                                        } else {
-                                                            phi_3142_ = _e2702;
-                                                        }
-                                                        let _e2705 = phi_3142_;
-                                                        phi_3147_ = lt_bvh_triangle_Intersection(_e2705, (_e2408 / _e2467), (_e2429 / _e2467), (_e2696 <= _e2699));
-                                                        phi_3148_ = false;
-                                                    } else {
-                                                        phi_3147_ = lt_bvh_triangle_Intersection();
-                                                        phi_3148_ = true;
-                                                    }
-                                                    let _e2711 = phi_3147_;
-                                                    let _e2713 = phi_3148_;
-                                                    phi_3149_ = _e2711;
-                                                    phi_3150_ = _e2713;
-                                                } else {
-                                                    phi_3149_ = lt_bvh_triangle_Intersection();
-                                                    phi_3150_ = true;
-                                                }
-                                                let _e2715 = phi_3149_;
-                                                let _e2717 = phi_3150_;
-                                                if _e2717 {
-                                                }
-                                                phi_3154_ = _e2715;
-                                                phi_3155_ = _e2717;
+                                                phi_2837_ = false;
                                             }
-                                            let _e2719 = phi_3154_;
-                                            let _e2721 = phi_3155_;
-                                            phi_3156_ = _e2719;
-                                            phi_3157_ = _e2470;
-                                            phi_3158_ = _e2721;
-                                        } else {
-                                            phi_3156_ = lt_bvh_triangle_Intersection();
-                                            phi_3157_ = true;
-                                            phi_3158_ = false;
+                                            let _e2480 = phi_2837_;
+                                            phi_2838_ = _e2480;
                                         }
-                                        let _e2723 = phi_3156_;
-                                        let _e2725 = phi_3157_;
-                                        let _e2727 = phi_3158_;
-                                        if _e2725 {
-                                            phi_3162_ = true;
+                                        let _e2482 = phi_2838_;
+                                        if _e2482 {
+                                            phi_2842_ = _e2402;
+                                            phi_2843_ = _e2398;
+                                            phi_2844_ = _e2454;
+                                            phi_2845_ = _e2450;
                                         } else {
-                                            phi_3162_ = _e2727;
+                                            phi_2842_ = _e2454;
+                                            phi_2843_ = _e2450;
+                                            phi_2844_ = _e2402;
+                                            phi_2845_ = _e2398;
                                         }
-                                        let _e2729 = phi_3162_;
-                                        if _e2729 {
-                                            phi_3166_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        let _e2484 = phi_2842_;
+                                        let _e2486 = phi_2843_;
+                                        let _e2488 = phi_2844_;
+                                        let _e2490 = phi_2845_;
+                                        let _e2493 = ((_e2490 * _e2484) - (_e2488 * _e2486));
+                                        if _e2482 {
+                                            phi_2853_ = -(_e2493);
                                         } else {
-                                            phi_3166_ = _e2723;
+                                            phi_2853_ = _e2493;
                                         }
-                                        let _e2731 = phi_3166_;
-                                        if _e2731.is_hit {
-                                            if (_e2731.t > 0f) {
-                                                if (_e2731.t < _e138) {
+                                        let _e2496 = phi_2853_;
+                                        if (_e2398 < _e2424) {
+                                            phi_2864_ = true;
+                                        } else {
+                                            if (_e2398 == _e2424) {
+                                                phi_2863_ = (_e2402 < _e2428);
+                                            } else {
+                                                phi_2863_ = false;
+                                            }
+                                            let _e2501 = phi_2863_;
+                                            phi_2864_ = _e2501;
+                                        }
+                                        let _e2503 = phi_2864_;
+                                        if _e2503 {
+                                            phi_2868_ = _e2428;
+                                            phi_2869_ = _e2424;
+                                            phi_2870_ = _e2402;
+                                            phi_2871_ = _e2398;
+                                        } else {
+                                            phi_2868_ = _e2402;
+                                            phi_2869_ = _e2398;
+                                            phi_2870_ = _e2428;
+                                            phi_2871_ = _e2424;
+                                        }
+                                        let _e2505 = phi_2868_;
+                                        let _e2507 = phi_2869_;
+                                        let _e2509 = phi_2870_;
+                                        let _e2511 = phi_2871_;
+                                        let _e2514 = ((_e2511 * _e2505) - (_e2509 * _e2507));
+                                        if _e2503 {
+                                            phi_2879_ = -(_e2514);
+                                        } else {
+                                            phi_2879_ = _e2514;
+                                        }
+                                        let _e2517 = phi_2879_;
+                                        if (_e2475 >= 0f) {
+                                            if (_e2496 >= 0f) {
+                                                if (_e2517 >= 0f) {
+                                                    phi_2894_ = ((_e2475 + _e2496) + _e2517);
+                                                    phi_2895_ = false;
+                                                } else {
+                                                    phi_2894_ = f32();
+                                                    phi_2895_ = true;
+                                                }
+                                                let _e2524 = phi_2894_;
+                                                let _e2526 = phi_2895_;
+                                                phi_2896_ = _e2524;
+                                                phi_2897_ = _e2526;
+                                            } else {
+                                                phi_2896_ = f32();
+                                                phi_2897_ = true;
+                                            }
+                                            let _e2528 = phi_2896_;
+                                            let _e2530 = phi_2897_;
+                                            phi_2898_ = _e2528;
+                                            phi_2899_ = _e2530;
+                                        } else {
+                                            phi_2898_ = f32();
+                                            phi_2899_ = true;
+                                        }
+                                        let _e2532 = phi_2898_;
+                                        let _e2534 = phi_2899_;
+                                        if _e2534 {
+                                            if (_e2475 <= 0f) {
+                                                if (_e2496 <= 0f) {
+                                                    let _e2537 = (_e2517 <= 0f);
+                                                    if _e2537 {
+                                                    }
+                                                    phi_2917_ = ((_e2475 + _e2496) + _e2517);
+                                                    phi_2918_ = false;
+                                                    phi_2919_ = _e2537;
+                                                } else {
+                                                    phi_2917_ = f32();
+                                                    phi_2918_ = true;
+                                                    phi_2919_ = false;
+                                                }
+                                                let _e2541 = phi_2917_;
+                                                let _e2543 = phi_2918_;
+                                                let _e2545 = phi_2919_;
+                                                phi_2920_ = _e2541;
+                                                phi_2921_ = _e2543;
+                                                phi_2922_ = _e2545;
+                                            } else {
+                                                phi_2920_ = f32();
+                                                phi_2921_ = true;
+                                                phi_2922_ = false;
+                                            }
+                                            let _e2547 = phi_2920_;
+                                            let _e2549 = phi_2921_;
+                                            let _e2551 = phi_2922_;
+                                            if _e2549 {
+                                                phi_2926_ = false;
+                                            } else {
+                                                phi_2926_ = _e2551;
+                                            }
+                                            let _e2553 = phi_2926_;
+                                            phi_2927_ = _e2547;
+                                            phi_2928_ = _e2553;
+                                        } else {
+                                            phi_2927_ = _e2532;
+                                            phi_2928_ = true;
+                                        }
+                                        let _e2555 = phi_2927_;
+                                        let _e2557 = phi_2928_;
+                                        if _e2557 {
+                                            let _e2558 = (_e2555 == 0f);
+                                            if _e2558 {
+                                                phi_3244_ = lt_bvh_triangle_Intersection();
+                                                phi_3245_ = false;
+                                            } else {
+                                                let _e2560 = triangles.member[(0u + _e2371)].v0_;
+                                                let _e2562 = (_e2560.x - _e126);
+                                                let _e2564 = (_e2560.y - _e128);
+                                                let _e2566 = (_e2560.z - _e130);
+                                                if (_e1757 == 0u) {
+                                                    phi_2957_ = vec3<f32>(_e2564, _e2566, _e2562);
+                                                } else {
+                                                    if (_e1757 == 1u) {
+                                                        phi_2956_ = vec3<f32>(_e2566, _e2562, _e2564);
+                                                    } else {
+                                                        phi_2956_ = (_e2560 - vec3<f32>(_e126, _e128, _e130));
+                                                    }
+                                                    let _e2574 = phi_2956_;
+                                                    phi_2957_ = _e2574;
+                                                }
+                                                let _e2576 = phi_2957_;
+                                                let _e2578 = triangles.member[(0u + _e2371)].v1_;
+                                                let _e2580 = triangles.member[(0u + _e2371)].v0_;
+                                                let _e2583 = (_e2578.x - _e2580.x);
+                                                let _e2586 = (_e2578.y - _e2580.y);
+                                                let _e2589 = (_e2578.z - _e2580.z);
+                                                if (_e1757 == 0u) {
+                                                    phi_2983_ = vec3<f32>(_e2586, _e2589, _e2583);
+                                                } else {
+                                                    if (_e1757 == 1u) {
+                                                        phi_2982_ = vec3<f32>(_e2589, _e2583, _e2586);
+                                                    } else {
+                                                        phi_2982_ = (_e2578 - _e2580);
+                                                    }
+                                                    let _e2596 = phi_2982_;
+                                                    phi_2983_ = _e2596;
+                                                }
+                                                let _e2598 = phi_2983_;
+                                                let _e2600 = triangles.member[(0u + _e2371)].v2_;
+                                                let _e2602 = triangles.member[(0u + _e2371)].v0_;
+                                                let _e2605 = (_e2600.x - _e2602.x);
+                                                let _e2608 = (_e2600.y - _e2602.y);
+                                                let _e2611 = (_e2600.z - _e2602.z);
+                                                if (_e1757 == 0u) {
+                                                    phi_3009_ = vec3<f32>(_e2608, _e2611, _e2605);
+                                                } else {
+                                                    if (_e1757 == 1u) {
+                                                        phi_3008_ = vec3<f32>(_e2611, _e2605, _e2608);
+                                                    } else {
+                                                        phi_3008_ = (_e2600 - _e2602);
+                                                    }
+                                                    let _e2618 = phi_3008_;
+                                                    phi_3009_ = _e2618;
+                                                }
+                                                let _e2620 = phi_3009_;
+                                                let _e2627 = ((_e2598.y * _e2620.z) - (_e2598.z * _e2620.y));
+                                                let _e2634 = ((_e2598.z * _e2620.x) - (_e2598.x * _e2620.z));
+                                                let _e2641 = ((_e2598.x * _e2620.y) - (_e2598.y * _e2620.x));
+                                                let _e2655 = (((1f / _e1765.z) * (((_e2627 * _e2576.x) + (_e2634 * _e2576.y)) + (_e2641 * _e2576.z))) / (((_e2627 * _e1768) + (_e2634 * _e1771)) + _e2641));
+                                                if (_e2655 > 0f) {
+                                                    if (_e2655 < _e138) {
+                                                        let _e2659 = triangles.member[(0u + _e2371)].v0_;
+                                                        let _e2661 = triangles.member[(0u + _e2371)].v1_;
+                                                        if (_e2659.x < _e2661.x) {
+                                                            phi_3065_ = _e2659.x;
+                                                        } else {
+                                                            phi_3065_ = _e2661.x;
+                                                        }
+                                                        let _e2668 = phi_3065_;
+                                                        if (_e2659.y < _e2661.y) {
+                                                            phi_3074_ = _e2659.y;
+                                                        } else {
+                                                            phi_3074_ = _e2661.y;
+                                                        }
+                                                        let _e2675 = phi_3074_;
+                                                        if (_e2659.z < _e2661.z) {
+                                                            phi_3083_ = _e2659.z;
+                                                        } else {
+                                                            phi_3083_ = _e2661.z;
+                                                        }
+                                                        let _e2682 = phi_3083_;
+                                                        let _e2684 = triangles.member[(0u + _e2371)].v2_;
+                                                        if (_e2668 < _e2684.x) {
+                                                            phi_3092_ = _e2668;
+                                                        } else {
+                                                            phi_3092_ = _e2684.x;
+                                                        }
+                                                        let _e2689 = phi_3092_;
+                                                        if (_e2675 < _e2684.y) {
+                                                            phi_3099_ = _e2675;
+                                                        } else {
+                                                            phi_3099_ = _e2684.y;
+                                                        }
+                                                        let _e2694 = phi_3099_;
+                                                        if (_e2682 < _e2684.z) {
+                                                            phi_3106_ = _e2682;
+                                                        } else {
+                                                            phi_3106_ = _e2684.z;
+                                                        }
+                                                        let _e2699 = phi_3106_;
+                                                        let _e2701 = triangles.member[(0u + _e2371)].v0_;
+                                                        let _e2703 = triangles.member[(0u + _e2371)].v1_;
+                                                        if (_e2701.x > _e2703.x) {
+                                                            phi_3119_ = _e2701.x;
+                                                        } else {
+                                                            phi_3119_ = _e2703.x;
+                                                        }
+                                                        let _e2710 = phi_3119_;
+                                                        if (_e2701.y > _e2703.y) {
+                                                            phi_3128_ = _e2701.y;
+                                                        } else {
+                                                            phi_3128_ = _e2703.y;
+                                                        }
+                                                        let _e2717 = phi_3128_;
+                                                        if (_e2701.z > _e2703.z) {
+                                                            phi_3137_ = _e2701.z;
+                                                        } else {
+                                                            phi_3137_ = _e2703.z;
+                                                        }
+                                                        let _e2724 = phi_3137_;
+                                                        let _e2726 = triangles.member[(0u + _e2371)].v2_;
+                                                        if (_e2710 > _e2726.x) {
+                                                            phi_3146_ = _e2710;
+                                                        } else {
+                                                            phi_3146_ = _e2726.x;
+                                                        }
+                                                        let _e2731 = phi_3146_;
+                                                        if (_e2717 > _e2726.y) {
+                                                            phi_3153_ = _e2717;
+                                                        } else {
+                                                            phi_3153_ = _e2726.y;
+                                                        }
+                                                        let _e2736 = phi_3153_;
+                                                        if (_e2724 > _e2726.z) {
+                                                            phi_3160_ = _e2724;
+                                                        } else {
+                                                            phi_3160_ = _e2726.z;
+                                                        }
+                                                        let _e2741 = phi_3160_;
+                                                        let _e2745 = ((_e2689 - _e126) * _e1682);
+                                                        let _e2746 = ((_e2694 - _e128) * _e1692);
+                                                        let _e2747 = ((_e2699 - _e130) * _e1702);
+                                                        let _e2751 = ((_e2731 - _e126) * _e1682);
+                                                        let _e2752 = ((_e2736 - _e128) * _e1692);
+                                                        let _e2753 = ((_e2741 - _e130) * _e1702);
+                                                        if (_e2745 < _e2751) {
+                                                            phi_3177_ = _e2745;
+                                                        } else {
+                                                            phi_3177_ = _e2751;
+                                                        }
+                                                        let _e2756 = phi_3177_;
+                                                        if (_e2746 < _e2752) {
+                                                            phi_3182_ = _e2746;
+                                                        } else {
+                                                            phi_3182_ = _e2752;
+                                                        }
+                                                        let _e2759 = phi_3182_;
+                                                        if (_e2747 < _e2753) {
+                                                            phi_3187_ = _e2747;
+                                                        } else {
+                                                            phi_3187_ = _e2753;
+                                                        }
+                                                        let _e2762 = phi_3187_;
+                                                        if (_e2745 > _e2751) {
+                                                            phi_3195_ = _e2745;
+                                                        } else {
+                                                            phi_3195_ = _e2751;
+                                                        }
+                                                        let _e2768 = phi_3195_;
+                                                        if (_e2746 > _e2752) {
+                                                            phi_3200_ = _e2746;
+                                                        } else {
+                                                            phi_3200_ = _e2752;
+                                                        }
+                                                        let _e2771 = phi_3200_;
+                                                        if (_e2747 > _e2753) {
+                                                            phi_3205_ = _e2747;
+                                                        } else {
+                                                            phi_3205_ = _e2753;
+                                                        }
+                                                        let _e2774 = phi_3205_;
+                                                        let _e2778 = core_intrinsics_maximum_number_nsz_f32_((_e2756 - _e1741), (_e2759 - _e1742));
+                                                        let _e2779 = core_intrinsics_maximum_number_nsz_f32_(_e2778, (_e2762 - _e1743));
+                                                        let _e2780 = core_intrinsics_minimum_number_nsz_f32_((_e2768 + _e1741), (_e2771 + _e1742));
+                                                        let _e2781 = core_intrinsics_minimum_number_nsz_f32_(_e2780, (_e2774 + _e1743));
+                                                        if (_e2779 > -300000000000000000000000000000000000000f) {
+                                                            phi_3217_ = _e2779;
+                                                        } else {
+                                                            phi_3217_ = -300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2784 = phi_3217_;
+                                                        if (_e2781 < 300000000000000000000000000000000000000f) {
+                                                            phi_3222_ = _e2781;
+                                                        } else {
+                                                            phi_3222_ = 300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2787 = phi_3222_;
+                                                        if (_e2655 < _e2784) {
+                                                            phi_3227_ = _e2784;
+                                                        } else {
+                                                            phi_3227_ = _e2655;
+                                                        }
+                                                        let _e2790 = phi_3227_;
+                                                        if (_e2790 > _e2787) {
+                                                            phi_3232_ = _e2787;
+                                                        } else {
+                                                            phi_3232_ = _e2790;
+                                                        }
+                                                        let _e2793 = phi_3232_;
+                                                        phi_3237_ = lt_bvh_triangle_Intersection(_e2793, (_e2496 / _e2555), (_e2517 / _e2555), (_e2784 <= _e2787));
+                                                        phi_3238_ = false;
+                                                    } else {
+                                                        phi_3237_ = lt_bvh_triangle_Intersection();
+                                                        phi_3238_ = true;
+                                                    }
+                                                    let _e2799 = phi_3237_;
+                                                    let _e2801 = phi_3238_;
+                                                    phi_3239_ = _e2799;
+                                                    phi_3240_ = _e2801;
+                                                } else {
+                                                    phi_3239_ = lt_bvh_triangle_Intersection();
+                                                    phi_3240_ = true;
+                                                }
+                                                let _e2803 = phi_3239_;
+                                                let _e2805 = phi_3240_;
+                                                if _e2805 {
+                                                }
+                                                phi_3244_ = _e2803;
+                                                phi_3245_ = _e2805;
+                                            }
+                                            let _e2807 = phi_3244_;
+                                            let _e2809 = phi_3245_;
+                                            phi_3246_ = _e2807;
+                                            phi_3247_ = _e2558;
+                                            phi_3248_ = _e2809;
+                                        } else {
+                                            phi_3246_ = lt_bvh_triangle_Intersection();
+                                            phi_3247_ = true;
+                                            phi_3248_ = false;
+                                        }
+                                        let _e2811 = phi_3246_;
+                                        let _e2813 = phi_3247_;
+                                        let _e2815 = phi_3248_;
+                                        if _e2813 {
+                                            phi_3252_ = true;
+                                        } else {
+                                            phi_3252_ = _e2815;
+                                        }
+                                        let _e2817 = phi_3252_;
+                                        if _e2817 {
+                                            phi_3256_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        } else {
+                                            phi_3256_ = _e2811;
+                                        }
+                                        let _e2819 = phi_3256_;
+                                        if _e2819.is_hit {
+                                            if (_e2819.t > 0f) {
+                                                if (_e2819.t < _e138) {
                                                     if true {
-                                                        phi_3186_ = false;
+                                                        phi_3276_ = false;
                                                     } else {
-                                                        phi_3186_ = true;
+                                                        phi_3276_ = true;
                                                     }
-                                                    let _e2740 = phi_3186_;
-                                                    phi_3187_ = true;
-                                                    phi_3188_ = _e2740;
+                                                    let _e2828 = phi_3276_;
+                                                    phi_3277_ = true;
+                                                    phi_3278_ = _e2828;
                                                 } else {
-                                                    phi_3187_ = _e2274;
-                                                    phi_3188_ = true;
+                                                    phi_3277_ = _e2362;
+                                                    phi_3278_ = true;
                                                 }
-                                                let _e2742 = phi_3187_;
-                                                let _e2744 = phi_3188_;
-                                                phi_3189_ = _e2742;
-                                                phi_3190_ = _e2744;
+                                                let _e2830 = phi_3277_;
+                                                let _e2832 = phi_3278_;
+                                                phi_3279_ = _e2830;
+                                                phi_3280_ = _e2832;
                                             } else {
-                                                phi_3189_ = _e2274;
-                                                phi_3190_ = true;
+                                                phi_3279_ = _e2362;
+                                                phi_3280_ = true;
                                             }
-                                            let _e2746 = phi_3189_;
-                                            let _e2748 = phi_3190_;
-                                            phi_3191_ = _e2746;
-                                            phi_3192_ = _e2748;
+                                            let _e2834 = phi_3279_;
+                                            let _e2836 = phi_3280_;
+                                            phi_3281_ = _e2834;
+                                            phi_3282_ = _e2836;
                                         } else {
-                                            phi_3191_ = _e2274;
-                                            phi_3192_ = true;
+                                            phi_3281_ = _e2362;
+                                            phi_3282_ = true;
                                         }
-                                        let _e2750 = phi_3191_;
-                                        let _e2752 = phi_3192_;
-                                        if _e2752 {
+                                        let _e2838 = phi_3281_;
+                                        let _e2840 = phi_3282_;
+                                        if _e2840 {
                                         }
-                                        phi_2596_ = (_e2272 & (_e2272 - 1u));
-                                        phi_2599_ = _e2750;
-                                        phi_3196_ = _e2752;
+                                        phi_2686_ = (_e2360 & (_e2360 - 1u));
+                                        phi_2689_ = _e2838;
+                                        phi_3286_ = _e2840;
                                     }
-                                    let _e2754 = phi_2596_;
-                                    let _e2756 = phi_2599_;
-                                    let _e2758 = phi_3196_;
+                                    let _e2842 = phi_2686_;
+                                    let _e2844 = phi_2689_;
+                                    let _e2846 = phi_3286_;
                                     continue;
                                     continuing {
-                                        phi_2595_ = _e2754;
-                                        phi_2598_ = _e2756;
-                                        break if !(_e2758);
+                                        phi_2685_ = _e2842;
+                                        phi_2688_ = _e2844;
+                                        break if !(_e2846);
                                     }
                                 }
-                                let _e2761 = local_9;
-                                if _e2761 {
-                                    let _e2763 = local.group_mask;
-                                    if ((_e2763 & 4278190080u) == 0u) {
-                                        let _e2767 = local.len;
-                                        if (_e2767 == 0u) {
-                                            phi_3238_ = false;
+                                let _e2849 = local_11;
+                                if _e2849 {
+                                    let _e2851 = local.group_mask;
+                                    if ((_e2851 & 4278190080u) == 0u) {
+                                        let _e2855 = local.len;
+                                        if (_e2855 == 0u) {
+                                            phi_3328_ = false;
                                         } else {
-                                            let _e2771 = local.len;
-                                            local.len = (_e2771 - 1u);
-                                            let _e2774 = local.len;
-                                            if (_e2774 < 32u) {
+                                            let _e2859 = local.len;
+                                            local.len = (_e2859 - 1u);
+                                            let _e2862 = local.len;
+                                            if (_e2862 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e2779 = local.first[(0u + _e2774)];
-                                            local.group = _e2779;
-                                            let _e2782 = local.len;
-                                            if (_e2782 < 32u) {
+                                            let _e2867 = local.first[(0u + _e2862)];
+                                            local.group = _e2867;
+                                            let _e2870 = local.len;
+                                            if (_e2870 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e2787 = local.mask[(0u + _e2782)];
-                                            local.group_mask = _e2787;
-                                            phi_3238_ = true;
+                                            let _e2875 = local.mask[(0u + _e2870)];
+                                            local.group_mask = _e2875;
+                                            phi_3328_ = true;
                                         }
-                                        let _e2790 = phi_3238_;
-                                        phi_3239_ = _e2790;
+                                        let _e2878 = phi_3328_;
+                                        phi_3329_ = _e2878;
                                     } else {
-                                        phi_3239_ = true;
+                                        phi_3329_ = true;
                                     }
-                                    let _e2792 = phi_3239_;
-                                    if _e2792 {
-                                        let _e2794 = local.group_mask;
-                                        let _e2800 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2794)), 32u, (_e2794 == 0u)));
-                                        let _e2804 = local.group_mask;
-                                        let _e2818 = local.group_mask;
-                                        local.group_mask = (_e2818 & ~((1u << bitcast<u32>((_e2800 & 31u)))));
-                                        let _e2821 = local.group;
-                                        phi_3270_ = (_e2821 + countOneBits(((_e2804 & ~((4294967295u << bitcast<u32>((((_e2800 - 24u) ^ _e1696) & 31u))))) & 255u)));
+                                    let _e2880 = phi_3329_;
+                                    if _e2880 {
+                                        let _e2882 = local.group_mask;
+                                        let _e2888 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2882)), 32u, (_e2882 == 0u)));
+                                        let _e2892 = local.group_mask;
+                                        let _e2906 = local.group_mask;
+                                        local.group_mask = (_e2906 & ~((1u << bitcast<u32>((_e2888 & 31u)))));
+                                        let _e2909 = local.group;
+                                        phi_3360_ = (_e2909 + countOneBits(((_e2892 & ~((4294967295u << bitcast<u32>((((_e2888 - 24u) ^ _e1784) & 31u))))) & 255u)));
                                     } else {
-                                        phi_3270_ = 4294967295u;
+                                        phi_3360_ = 4294967295u;
                                     }
-                                    let _e2824 = phi_3270_;
-                                    phi_3271_ = _e2824;
+                                    let _e2912 = phi_3360_;
+                                    phi_3361_ = _e2912;
                                 } else {
-                                    phi_3271_ = u32();
+                                    phi_3361_ = u32();
                                 }
-                                let _e2826 = phi_3271_;
-                                phi_2264_ = _e2826;
-                                let _e3366 = local_19;
-                                phi_2267_ = _e3366;
-                                let _e3369 = local_20;
-                                phi_3272_ = _e3369;
-                                phi_3273_ = false;
+                                let _e2914 = phi_3361_;
+                                phi_2354_ = _e2914;
+                                let _e3451 = local_21;
+                                phi_2357_ = _e3451;
+                                let _e3454 = local_22;
+                                phi_3362_ = _e3454;
+                                phi_3363_ = false;
                             } else {
-                                phi_2264_ = u32();
-                                phi_2267_ = bool();
-                                phi_3272_ = false;
-                                phi_3273_ = true;
+                                phi_2354_ = u32();
+                                phi_2357_ = bool();
+                                phi_3362_ = false;
+                                phi_3363_ = true;
                             }
-                            let _e2828 = phi_2264_;
-                            let _e2830 = phi_2267_;
-                            let _e2832 = phi_3272_;
-                            let _e2834 = phi_3273_;
-                            local_10 = _e2834;
+                            let _e2916 = phi_2354_;
+                            let _e2918 = phi_2357_;
+                            let _e2920 = phi_3362_;
+                            let _e2922 = phi_3363_;
+                            local_12 = _e2922;
                             continue;
                             continuing {
-                                phi_2263_ = _e2828;
-                                phi_2266_ = _e2830;
-                                break if !(_e2832);
+                                phi_2353_ = _e2916;
+                                phi_2356_ = _e2918;
+                                break if !(_e2920);
                             }
                         }
-                        let _e2837 = local_10;
-                        if _e2837 {
-                            phi_3277_ = false;
+                        let _e2925 = local_12;
+                        if _e2925 {
+                            phi_3367_ = false;
                         } else {
-                            phi_3277_ = true;
+                            phi_3367_ = true;
                         }
-                        let _e2839 = phi_3277_;
-                        if _e2839 {
-                            phi_3281_ = true;
+                        let _e2927 = phi_3367_;
+                        if _e2927 {
+                            phi_3371_ = true;
                         } else {
-                            let _e3375 = local_21;
-                            phi_3281_ = _e3375;
+                            let _e3460 = local_23;
+                            phi_3371_ = _e3460;
                         }
-                        let _e2841 = phi_3281_;
-                        phi_3282_ = _e2841;
+                        let _e2929 = phi_3371_;
+                        phi_3372_ = _e2929;
                     }
-                    let _e2843 = phi_3282_;
-                    phi_3283_ = _e2843;
-                    phi_3284_ = _e1518;
+                    let _e2931 = phi_3372_;
+                    phi_3373_ = _e2931;
+                    phi_3374_ = _e1606;
                 } else {
-                    phi_3283_ = bool();
-                    phi_3284_ = true;
+                    phi_3373_ = bool();
+                    phi_3374_ = true;
                 }
-                let _e2845 = phi_3283_;
-                let _e2847 = phi_3284_;
-                if _e2847 {
-                    phi_3288_ = false;
+                let _e2933 = phi_3373_;
+                let _e2935 = phi_3374_;
+                if _e2935 {
+                    phi_3378_ = false;
                 } else {
-                    phi_3288_ = _e2845;
+                    phi_3378_ = _e2933;
                 }
-                let _e2849 = phi_3288_;
-                phi_3289_ = _e2849;
+                let _e2937 = phi_3378_;
+                phi_3379_ = _e2937;
             }
-            let _e2851 = phi_3289_;
-            phi_3290_ = _e2851;
+            let _e2939 = phi_3379_;
+            phi_3380_ = _e2939;
         } else {
-            phi_3290_ = false;
+            phi_3380_ = false;
         }
-        let _e2853 = phi_3290_;
-        if _e2853 {
-            phi_3294_ = 0f;
+        let _e2941 = phi_3380_;
+        if _e2941 {
+            phi_3384_ = 0f;
         } else {
-            phi_3294_ = 1f;
+            phi_3384_ = 1f;
         }
-        let _e2855 = phi_3294_;
+        let _e2943 = phi_3384_;
         if (_e105 < _e82) {
         } else {
             return;
         }
-        visibility.member[(0u + _e105)] = _e2855;
-        let _e2861 = p.member.light.number;
-        let _e2862 = (_e2861 * 3u);
-        let _e2863 = (_e2862 / 32u);
-        let _e2864 = (_e2862 % 32u);
-        let _e2866 = p.member.light.mask_words;
+        visibility.member[(0u + _e105)] = _e2943;
+        let _e2949 = p.member.light.number;
+        let _e2950 = (_e2949 * 3u);
+        let _e2951 = (_e2950 / 32u);
+        let _e2952 = (_e2950 % 32u);
+        let _e2954 = p.member.light.mask_words;
         if (_e105 < _e82) {
         } else {
             return;
         }
-        let _e2870 = visibility.member[(0u + _e105)];
-        let _e2872 = ((_e105 * _e2866) + _e2863);
-        if (_e2864 > 29u) {
-            let _e2874 = (_e2872 + 1u);
-            if (_e2874 < _e88) {
+        let _e2958 = visibility.member[(0u + _e105)];
+        let _e2960 = ((_e105 * _e2954) + _e2951);
+        if (_e2952 > 29u) {
+            let _e2962 = (_e2960 + 1u);
+            if (_e2962 < _e88) {
             } else {
                 return;
             }
-            let _e2878 = bits.member[(0u + _e2874)];
-            phi_3335_ = _e2878;
+            let _e2966 = bits.member[(0u + _e2962)];
+            phi_3425_ = _e2966;
         } else {
-            phi_3335_ = 0u;
+            phi_3425_ = 0u;
         }
-        let _e2880 = phi_3335_;
-        if (_e2872 < _e88) {
-        } else {
-            return;
-        }
-        let _e2884 = bits.member[(0u + _e2872)];
-        let _e2887 = (_e2884 >> bitcast<u32>((_e2864 & 31u)));
-        if (_e2864 > 29u) {
-            phi_3354_ = (_e2887 | (_e2880 << bitcast<u32>(((32u - _e2864) & 31u))));
-        } else {
-            phi_3354_ = _e2887;
-        }
-        let _e2895 = phi_3354_;
-        if ((_e2895 & 2u) == 0u) {
-            phi_3362_ = (_e2895 & 1u);
-        } else {
-            phi_3362_ = (_e2895 & 7u);
-        }
-        let _e2901 = phi_3362_;
-        if ((_e2901 & 1u) != 0u) {
-            phi_3370_ = (2u | 1u);
-        } else {
-            phi_3370_ = 2u;
-        }
-        let _e2907 = phi_3370_;
-        if (_e2870 < 0.5f) {
-            phi_3375_ = (_e2907 | 4u);
-        } else {
-            phi_3375_ = _e2907;
-        }
-        let _e2910 = phi_3375_;
-        let _e2912 = ((_e105 * _e2866) + _e2863);
-        if (_e2912 < _e88) {
+        let _e2968 = phi_3425_;
+        if (_e2960 < _e88) {
         } else {
             return;
         }
-        let _e2916 = bits.member[(0u + _e2912)];
-        if (_e2912 < _e88) {
+        let _e2972 = bits.member[(0u + _e2960)];
+        let _e2975 = (_e2972 >> bitcast<u32>((_e2952 & 31u)));
+        if (_e2952 > 29u) {
+            phi_3444_ = (_e2975 | (_e2968 << bitcast<u32>(((32u - _e2952) & 31u))));
+        } else {
+            phi_3444_ = _e2975;
+        }
+        let _e2983 = phi_3444_;
+        if ((_e2983 & 2u) == 0u) {
+            phi_3452_ = (_e2983 & 1u);
+        } else {
+            phi_3452_ = (_e2983 & 7u);
+        }
+        let _e2989 = phi_3452_;
+        if ((_e2989 & 1u) != 0u) {
+            phi_3460_ = (2u | 1u);
+        } else {
+            phi_3460_ = 2u;
+        }
+        let _e2995 = phi_3460_;
+        if (_e2958 < 0.5f) {
+            phi_3465_ = (_e2995 | 4u);
+        } else {
+            phi_3465_ = _e2995;
+        }
+        let _e2998 = phi_3465_;
+        let _e3000 = ((_e105 * _e2954) + _e2951);
+        if (_e3000 < _e88) {
         } else {
             return;
         }
-        bits.member[(0u + _e2912)] = ((_e2916 & ~((7u << bitcast<u32>((_e2864 & 31u))))) | (_e2910 << bitcast<u32>((_e2864 & 31u))));
-        if (_e2864 > 29u) {
-            let _e2930 = (_e2912 + 1u);
-            if (_e2930 < _e88) {
+        let _e3004 = bits.member[(0u + _e3000)];
+        if (_e3000 < _e88) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e3000)] = ((_e3004 & ~((7u << bitcast<u32>((_e2952 & 31u))))) | (_e2998 << bitcast<u32>((_e2952 & 31u))));
+        if (_e2952 > 29u) {
+            let _e3018 = (_e3000 + 1u);
+            if (_e3018 < _e88) {
             } else {
                 return;
             }
-            let _e2934 = bits.member[(0u + _e2930)];
-            let _e2935 = (32u - _e2864);
-            let _e2945 = (_e2912 + 1u);
-            if (_e2945 < _e88) {
+            let _e3022 = bits.member[(0u + _e3018)];
+            let _e3023 = (32u - _e2952);
+            let _e3033 = (_e3000 + 1u);
+            if (_e3033 < _e88) {
             } else {
                 return;
             }
-            bits.member[(0u + _e2945)] = ((_e2934 & ~((7u >> bitcast<u32>((_e2935 & 31u))))) | (_e2910 >> bitcast<u32>((_e2935 & 31u))));
+            bits.member[(0u + _e3033)] = ((_e3022 & ~((7u >> bitcast<u32>((_e3023 & 31u))))) | (_e2998 >> bitcast<u32>((_e3023 & 31u))));
         }
     }
     return;

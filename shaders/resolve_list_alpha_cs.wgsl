@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_36 {
+struct type_35 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +93,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_40 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -105,7 +105,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_44 {
+struct type_43 {
     member: array<abi_Vertex>,
 }
 
@@ -121,7 +121,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_48 {
+struct type_47 {
     member: array<abi_Material>,
 }
 
@@ -156,13 +156,13 @@ var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
 var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_39;
 @group(0) @binding(6) 
-var<storage> vertices: type_44;
+var<storage> vertices: type_43;
 @group(0) @binding(7) 
-var<storage> materials: type_48;
+var<storage> materials: type_47;
 @group(0) @binding(8) 
 var<storage> alpha_texels: type_13;
 @group(0) @binding(5) 

@@ -74,7 +74,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_35 {
+struct type_34 {
     member: array<lt_bvh_Node>,
 }
 
@@ -87,7 +87,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_39 {
+struct type_38 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -111,9 +111,9 @@ var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
 var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> nodes: type_35;
+var<storage> nodes: type_34;
 @group(0) @binding(3) 
-var<storage> triangles: type_39;
+var<storage> triangles: type_38;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 

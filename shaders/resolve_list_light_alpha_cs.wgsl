@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_36 {
+struct type_35 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +93,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_40 {
+struct type_39 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -105,7 +105,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_44 {
+struct type_43 {
     member: array<abi_Vertex>,
 }
 
@@ -121,7 +121,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_48 {
+struct type_47 {
     member: array<abi_Material>,
 }
 
@@ -154,37 +154,30 @@ struct lt_math_Evsm {
     min_variance: f32,
 }
 
-struct type_61 {
+struct type_59 {
     member: array<vec4<u32>>,
 }
 
 struct lt_bvh_LightSpace {
-    shear: vec3<f32>,
-    axis: u32,
+    shear: vec2<f32>,
+    diagonal: vec2<f32>,
     middle: vec3<f32>,
     sign: f32,
     low: vec3<f32>,
     is_parallel: u32,
     high: vec3<f32>,
-    pad: u32,
+    axis: u32,
     roots: vec4<u32>,
     roots_z: vec4<u32>,
 }
 
-struct type_64 {
+struct type_63 {
     member: lt_bvh_LightSpace,
 }
 
 struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
     unnamed: lt_math_Evsm,
     unnamed_1: u32,
-}
-
-struct lt_bvh_LightNode {
-    frame: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    rest: vec4<u32>,
 }
 
 var<private> id_1: vec3<u32>;
@@ -195,413 +188,413 @@ var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
 var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
-var<storage> rows: type_61;
+var<storage> rows: type_59;
 @group(0) @binding(7) 
-var<uniform> space: type_64;
+var<uniform> space: type_63;
 @group(0) @binding(8) 
-var<storage> vertices: type_44;
+var<storage> vertices: type_43;
 @group(0) @binding(9) 
-var<storage> materials: type_48;
+var<storage> materials: type_47;
 @group(0) @binding(10) 
 var<storage> alpha_texels: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_222_: bool;
-    var phi_226_: f32;
+    var phi_221_: bool;
+    var phi_225_: f32;
 
     if (param != param) {
-        phi_222_ = true;
+        phi_221_ = true;
     } else {
-        let _e81 = (param_1 >= param);
-        if _e81 {
+        let _e80 = (param_1 >= param);
+        if _e80 {
         }
-        phi_222_ = _e81;
+        phi_221_ = _e80;
     }
-    let _e83 = phi_222_;
-    if _e83 {
-        phi_226_ = param_1;
+    let _e82 = phi_221_;
+    if _e82 {
+        phi_225_ = param_1;
     } else {
-        phi_226_ = param;
+        phi_225_ = param;
     }
-    let _e85 = phi_226_;
-    return _e85;
+    let _e84 = phi_225_;
+    return _e84;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_238_: bool;
-    var phi_242_: f32;
+    var phi_237_: bool;
+    var phi_241_: f32;
 
     if (param_2 != param_2) {
-        phi_238_ = true;
+        phi_237_ = true;
     } else {
-        let _e81 = (param_3 <= param_2);
-        if _e81 {
+        let _e80 = (param_3 <= param_2);
+        if _e80 {
         }
-        phi_238_ = _e81;
+        phi_237_ = _e80;
     }
-    let _e83 = phi_238_;
-    if _e83 {
-        phi_242_ = param_3;
+    let _e82 = phi_237_;
+    if _e82 {
+        phi_241_ = param_3;
     } else {
-        phi_242_ = param_2;
+        phi_241_ = param_2;
     }
-    let _e85 = phi_242_;
-    return _e85;
+    let _e84 = phi_241_;
+    return _e84;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
-    var phi_284_: f32;
-    var phi_289_: f32;
-    var phi_290_: bool;
-    var phi_291_: f32;
-    var phi_292_: bool;
-    var phi_296_: f32;
-    var phi_322_: f32;
-    var phi_327_: f32;
-    var phi_328_: bool;
-    var phi_329_: f32;
-    var phi_330_: bool;
-    var phi_334_: f32;
+    var phi_283_: f32;
+    var phi_288_: f32;
+    var phi_289_: bool;
+    var phi_290_: f32;
+    var phi_291_: bool;
+    var phi_295_: f32;
+    var phi_321_: f32;
+    var phi_326_: f32;
+    var phi_327_: bool;
+    var phi_328_: f32;
+    var phi_329_: bool;
+    var phi_333_: f32;
+    var phi_341_: f32;
     var phi_342_: f32;
     var phi_343_: f32;
-    var phi_344_: f32;
+    var phi_352_: f32;
     var phi_353_: f32;
-    var phi_354_: f32;
-    var phi_372_: u32;
-    var phi_386_: u32;
-    var phi_393_: u32;
-    var phi_398_: u32;
-    var phi_404_: u32;
-    var phi_409_: u32;
-    var phi_411_: texture_Axis;
-    var phi_439_: f32;
-    var phi_444_: f32;
-    var phi_445_: bool;
-    var phi_446_: f32;
-    var phi_447_: bool;
-    var phi_451_: f32;
-    var phi_477_: f32;
-    var phi_482_: f32;
-    var phi_483_: bool;
-    var phi_484_: f32;
-    var phi_485_: bool;
-    var phi_489_: f32;
+    var phi_371_: u32;
+    var phi_385_: u32;
+    var phi_392_: u32;
+    var phi_397_: u32;
+    var phi_403_: u32;
+    var phi_408_: u32;
+    var phi_410_: texture_Axis;
+    var phi_438_: f32;
+    var phi_443_: f32;
+    var phi_444_: bool;
+    var phi_445_: f32;
+    var phi_446_: bool;
+    var phi_450_: f32;
+    var phi_476_: f32;
+    var phi_481_: f32;
+    var phi_482_: bool;
+    var phi_483_: f32;
+    var phi_484_: bool;
+    var phi_488_: f32;
+    var phi_496_: f32;
     var phi_497_: f32;
     var phi_498_: f32;
-    var phi_499_: f32;
+    var phi_507_: f32;
     var phi_508_: f32;
-    var phi_509_: f32;
-    var phi_527_: u32;
-    var phi_541_: u32;
-    var phi_548_: u32;
-    var phi_553_: u32;
-    var phi_559_: u32;
-    var phi_564_: u32;
-    var phi_566_: texture_Axis;
+    var phi_526_: u32;
+    var phi_540_: u32;
+    var phi_547_: u32;
+    var phi_552_: u32;
+    var phi_558_: u32;
+    var phi_563_: u32;
+    var phi_565_: texture_Axis;
 
-    let _e82 = (*param_4).size;
-    let _e83 = (_e82 & 65535u);
-    let _e85 = (*param_4).size;
-    let _e87 = (_e85 >> bitcast<u32>(16i));
-    let _e89 = (*param_4).flags;
-    let _e91 = ((_e89 & 4u) != 0u);
-    let _e93 = (*param_4).flags;
-    let _e96 = ((_e93 >> bitcast<u32>(4u)) & 3u);
-    if (_e96 == 0u) {
+    let _e81 = (*param_4).size;
+    let _e82 = (_e81 & 65535u);
+    let _e84 = (*param_4).size;
+    let _e86 = (_e84 >> bitcast<u32>(16i));
+    let _e88 = (*param_4).flags;
+    let _e90 = ((_e88 & 4u) != 0u);
+    let _e92 = (*param_4).flags;
+    let _e95 = ((_e92 >> bitcast<u32>(4u)) & 3u);
+    if (_e95 == 0u) {
         if (param_5 > -8388608f) {
-            let _e109 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e109 > param_5) {
-                phi_284_ = 1f;
+            let _e108 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e108 > param_5) {
+                phi_283_ = 1f;
             } else {
-                phi_284_ = 0f;
+                phi_283_ = 0f;
             }
-            let _e112 = phi_284_;
+            let _e111 = phi_283_;
             if (param_5 < 8388608f) {
-                phi_289_ = (_e109 - _e112);
-                phi_290_ = false;
+                phi_288_ = (_e108 - _e111);
+                phi_289_ = false;
             } else {
-                phi_289_ = f32();
-                phi_290_ = true;
+                phi_288_ = f32();
+                phi_289_ = true;
             }
-            let _e115 = phi_289_;
-            let _e117 = phi_290_;
-            phi_291_ = _e115;
-            phi_292_ = _e117;
+            let _e114 = phi_288_;
+            let _e116 = phi_289_;
+            phi_290_ = _e114;
+            phi_291_ = _e116;
         } else {
-            phi_291_ = f32();
-            phi_292_ = true;
+            phi_290_ = f32();
+            phi_291_ = true;
         }
-        let _e119 = phi_291_;
-        let _e121 = phi_292_;
-        if _e121 {
-            phi_296_ = param_5;
+        let _e118 = phi_290_;
+        let _e120 = phi_291_;
+        if _e120 {
+            phi_295_ = param_5;
         } else {
-            phi_296_ = _e119;
+            phi_295_ = _e118;
         }
-        let _e123 = phi_296_;
-        phi_344_ = (param_5 - _e123);
+        let _e122 = phi_295_;
+        phi_343_ = (param_5 - _e122);
     } else {
-        if (_e96 == 1u) {
-            let _e126 = (param_5 * 0.5f);
-            if (_e126 > -8388608f) {
-                let _e138 = f32(select(0i, select(select(i32(_e126), i32(-2147483648), (_e126 < bitcast<f32>(3472883712u))), 2147483647i, (_e126 > bitcast<f32>(1325400063u))), (_e126 == _e126)));
-                if (_e138 > _e126) {
-                    phi_322_ = 1f;
+        if (_e95 == 1u) {
+            let _e125 = (param_5 * 0.5f);
+            if (_e125 > -8388608f) {
+                let _e137 = f32(select(0i, select(select(i32(_e125), i32(-2147483648), (_e125 < bitcast<f32>(3472883712u))), 2147483647i, (_e125 > bitcast<f32>(1325400063u))), (_e125 == _e125)));
+                if (_e137 > _e125) {
+                    phi_321_ = 1f;
                 } else {
-                    phi_322_ = 0f;
+                    phi_321_ = 0f;
                 }
-                let _e141 = phi_322_;
-                if (_e126 < 8388608f) {
-                    phi_327_ = (_e138 - _e141);
-                    phi_328_ = false;
+                let _e140 = phi_321_;
+                if (_e125 < 8388608f) {
+                    phi_326_ = (_e137 - _e140);
+                    phi_327_ = false;
                 } else {
-                    phi_327_ = f32();
-                    phi_328_ = true;
+                    phi_326_ = f32();
+                    phi_327_ = true;
                 }
-                let _e144 = phi_327_;
-                let _e146 = phi_328_;
-                phi_329_ = _e144;
-                phi_330_ = _e146;
+                let _e143 = phi_326_;
+                let _e145 = phi_327_;
+                phi_328_ = _e143;
+                phi_329_ = _e145;
             } else {
-                phi_329_ = f32();
-                phi_330_ = true;
+                phi_328_ = f32();
+                phi_329_ = true;
             }
-            let _e148 = phi_329_;
-            let _e150 = phi_330_;
-            if _e150 {
-                phi_334_ = _e126;
+            let _e147 = phi_328_;
+            let _e149 = phi_329_;
+            if _e149 {
+                phi_333_ = _e125;
             } else {
-                phi_334_ = _e148;
+                phi_333_ = _e147;
             }
-            let _e152 = phi_334_;
-            let _e154 = (param_5 - (2f * _e152));
-            if (_e154 > 1f) {
-                phi_342_ = (2f - _e154);
+            let _e151 = phi_333_;
+            let _e153 = (param_5 - (2f * _e151));
+            if (_e153 > 1f) {
+                phi_341_ = (2f - _e153);
             } else {
-                phi_342_ = _e154;
+                phi_341_ = _e153;
             }
-            let _e158 = phi_342_;
-            phi_343_ = _e158;
+            let _e157 = phi_341_;
+            phi_342_ = _e157;
         } else {
-            phi_343_ = param_5;
+            phi_342_ = param_5;
         }
-        let _e160 = phi_343_;
-        phi_344_ = _e160;
+        let _e159 = phi_342_;
+        phi_343_ = _e159;
     }
-    let _e162 = phi_344_;
-    if (_e162 > 0f) {
-        if (_e162 < 1f) {
-            phi_353_ = _e162;
+    let _e161 = phi_343_;
+    if (_e161 > 0f) {
+        if (_e161 < 1f) {
+            phi_352_ = _e161;
         } else {
-            phi_353_ = 1f;
+            phi_352_ = 1f;
         }
-        let _e166 = phi_353_;
-        phi_354_ = _e166;
+        let _e165 = phi_352_;
+        phi_353_ = _e165;
     } else {
-        phi_354_ = 0f;
+        phi_353_ = 0f;
     }
-    let _e168 = phi_354_;
-    let _e169 = (_e83 - 1u);
-    let _e171 = (_e168 * f32(_e83));
-    if _e91 {
-        let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
-        if (_e169 < _e178) {
-            phi_372_ = _e169;
+    let _e167 = phi_353_;
+    let _e168 = (_e82 - 1u);
+    let _e170 = (_e167 * f32(_e82));
+    if _e90 {
+        let _e177 = select(select(u32(_e170), 0u, (_e170 < bitcast<f32>(0u))), 4294967295u, (_e170 > bitcast<f32>(1333788671u)));
+        if (_e168 < _e177) {
+            phi_371_ = _e168;
         } else {
-            phi_372_ = _e178;
+            phi_371_ = _e177;
         }
-        let _e181 = phi_372_;
-        phi_411_ = texture_Axis(_e181, _e181, 0f);
+        let _e180 = phi_371_;
+        phi_410_ = texture_Axis(_e180, _e180, 0f);
     } else {
-        let _e183 = (_e171 + 0.5f);
-        let _e190 = select(select(u32(_e183), 0u, (_e183 < bitcast<f32>(0u))), 4294967295u, (_e183 > bitcast<f32>(1333788671u)));
-        if (_e83 < _e190) {
-            phi_386_ = _e83;
+        let _e182 = (_e170 + 0.5f);
+        let _e189 = select(select(u32(_e182), 0u, (_e182 < bitcast<f32>(0u))), 4294967295u, (_e182 > bitcast<f32>(1333788671u)));
+        if (_e82 < _e189) {
+            phi_385_ = _e82;
         } else {
-            phi_386_ = _e190;
+            phi_385_ = _e189;
         }
-        let _e193 = phi_386_;
-        if (_e96 == 0u) {
-            phi_393_ = _e169;
+        let _e192 = phi_385_;
+        if (_e95 == 0u) {
+            phi_392_ = _e168;
         } else {
-            phi_393_ = 0u;
+            phi_392_ = 0u;
         }
-        let _e198 = phi_393_;
-        if (_e96 == 0u) {
-            phi_398_ = 0u;
+        let _e197 = phi_392_;
+        if (_e95 == 0u) {
+            phi_397_ = 0u;
         } else {
-            phi_398_ = _e169;
+            phi_397_ = _e168;
         }
-        let _e201 = phi_398_;
-        if (_e193 == 0u) {
-            phi_404_ = _e198;
+        let _e200 = phi_397_;
+        if (_e192 == 0u) {
+            phi_403_ = _e197;
         } else {
-            phi_404_ = (_e193 - 1u);
+            phi_403_ = (_e192 - 1u);
         }
-        let _e205 = phi_404_;
-        if (_e193 > _e169) {
-            phi_409_ = _e201;
+        let _e204 = phi_403_;
+        if (_e192 > _e168) {
+            phi_408_ = _e200;
         } else {
-            phi_409_ = _e193;
+            phi_408_ = _e192;
         }
-        let _e208 = phi_409_;
-        phi_411_ = texture_Axis(_e205, _e208, (_e183 - f32(_e193)));
+        let _e207 = phi_408_;
+        phi_410_ = texture_Axis(_e204, _e207, (_e182 - f32(_e192)));
     }
-    let _e211 = phi_411_;
-    let _e213 = (*param_4).flags;
-    let _e216 = ((_e213 >> bitcast<u32>(6u)) & 3u);
-    if (_e216 == 0u) {
+    let _e210 = phi_410_;
+    let _e212 = (*param_4).flags;
+    let _e215 = ((_e212 >> bitcast<u32>(6u)) & 3u);
+    if (_e215 == 0u) {
         if (param_6 > -8388608f) {
-            let _e229 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
-            if (_e229 > param_6) {
-                phi_439_ = 1f;
+            let _e228 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
+            if (_e228 > param_6) {
+                phi_438_ = 1f;
             } else {
-                phi_439_ = 0f;
+                phi_438_ = 0f;
             }
-            let _e232 = phi_439_;
+            let _e231 = phi_438_;
             if (param_6 < 8388608f) {
-                phi_444_ = (_e229 - _e232);
-                phi_445_ = false;
+                phi_443_ = (_e228 - _e231);
+                phi_444_ = false;
             } else {
-                phi_444_ = f32();
-                phi_445_ = true;
+                phi_443_ = f32();
+                phi_444_ = true;
             }
-            let _e235 = phi_444_;
-            let _e237 = phi_445_;
-            phi_446_ = _e235;
-            phi_447_ = _e237;
+            let _e234 = phi_443_;
+            let _e236 = phi_444_;
+            phi_445_ = _e234;
+            phi_446_ = _e236;
         } else {
-            phi_446_ = f32();
-            phi_447_ = true;
+            phi_445_ = f32();
+            phi_446_ = true;
         }
-        let _e239 = phi_446_;
-        let _e241 = phi_447_;
-        if _e241 {
-            phi_451_ = param_6;
+        let _e238 = phi_445_;
+        let _e240 = phi_446_;
+        if _e240 {
+            phi_450_ = param_6;
         } else {
-            phi_451_ = _e239;
+            phi_450_ = _e238;
         }
-        let _e243 = phi_451_;
-        phi_499_ = (param_6 - _e243);
+        let _e242 = phi_450_;
+        phi_498_ = (param_6 - _e242);
     } else {
-        if (_e216 == 1u) {
-            let _e246 = (param_6 * 0.5f);
-            if (_e246 > -8388608f) {
-                let _e258 = f32(select(0i, select(select(i32(_e246), i32(-2147483648), (_e246 < bitcast<f32>(3472883712u))), 2147483647i, (_e246 > bitcast<f32>(1325400063u))), (_e246 == _e246)));
-                if (_e258 > _e246) {
-                    phi_477_ = 1f;
+        if (_e215 == 1u) {
+            let _e245 = (param_6 * 0.5f);
+            if (_e245 > -8388608f) {
+                let _e257 = f32(select(0i, select(select(i32(_e245), i32(-2147483648), (_e245 < bitcast<f32>(3472883712u))), 2147483647i, (_e245 > bitcast<f32>(1325400063u))), (_e245 == _e245)));
+                if (_e257 > _e245) {
+                    phi_476_ = 1f;
                 } else {
-                    phi_477_ = 0f;
+                    phi_476_ = 0f;
                 }
-                let _e261 = phi_477_;
-                if (_e246 < 8388608f) {
-                    phi_482_ = (_e258 - _e261);
-                    phi_483_ = false;
+                let _e260 = phi_476_;
+                if (_e245 < 8388608f) {
+                    phi_481_ = (_e257 - _e260);
+                    phi_482_ = false;
                 } else {
-                    phi_482_ = f32();
-                    phi_483_ = true;
+                    phi_481_ = f32();
+                    phi_482_ = true;
                 }
-                let _e264 = phi_482_;
-                let _e266 = phi_483_;
-                phi_484_ = _e264;
-                phi_485_ = _e266;
+                let _e263 = phi_481_;
+                let _e265 = phi_482_;
+                phi_483_ = _e263;
+                phi_484_ = _e265;
             } else {
-                phi_484_ = f32();
-                phi_485_ = true;
+                phi_483_ = f32();
+                phi_484_ = true;
             }
-            let _e268 = phi_484_;
-            let _e270 = phi_485_;
-            if _e270 {
-                phi_489_ = _e246;
+            let _e267 = phi_483_;
+            let _e269 = phi_484_;
+            if _e269 {
+                phi_488_ = _e245;
             } else {
-                phi_489_ = _e268;
+                phi_488_ = _e267;
             }
-            let _e272 = phi_489_;
-            let _e274 = (param_6 - (2f * _e272));
-            if (_e274 > 1f) {
-                phi_497_ = (2f - _e274);
+            let _e271 = phi_488_;
+            let _e273 = (param_6 - (2f * _e271));
+            if (_e273 > 1f) {
+                phi_496_ = (2f - _e273);
             } else {
-                phi_497_ = _e274;
+                phi_496_ = _e273;
             }
-            let _e278 = phi_497_;
-            phi_498_ = _e278;
+            let _e277 = phi_496_;
+            phi_497_ = _e277;
         } else {
-            phi_498_ = param_6;
+            phi_497_ = param_6;
         }
-        let _e280 = phi_498_;
-        phi_499_ = _e280;
+        let _e279 = phi_497_;
+        phi_498_ = _e279;
     }
-    let _e282 = phi_499_;
-    if (_e282 > 0f) {
-        if (_e282 < 1f) {
-            phi_508_ = _e282;
+    let _e281 = phi_498_;
+    if (_e281 > 0f) {
+        if (_e281 < 1f) {
+            phi_507_ = _e281;
         } else {
-            phi_508_ = 1f;
+            phi_507_ = 1f;
         }
-        let _e286 = phi_508_;
-        phi_509_ = _e286;
+        let _e285 = phi_507_;
+        phi_508_ = _e285;
     } else {
-        phi_509_ = 0f;
+        phi_508_ = 0f;
     }
-    let _e288 = phi_509_;
-    let _e289 = (_e87 - 1u);
-    let _e291 = (_e288 * f32(_e87));
-    if _e91 {
-        let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
-        if (_e289 < _e298) {
-            phi_527_ = _e289;
+    let _e287 = phi_508_;
+    let _e288 = (_e86 - 1u);
+    let _e290 = (_e287 * f32(_e86));
+    if _e90 {
+        let _e297 = select(select(u32(_e290), 0u, (_e290 < bitcast<f32>(0u))), 4294967295u, (_e290 > bitcast<f32>(1333788671u)));
+        if (_e288 < _e297) {
+            phi_526_ = _e288;
         } else {
-            phi_527_ = _e298;
+            phi_526_ = _e297;
         }
-        let _e301 = phi_527_;
-        phi_566_ = texture_Axis(_e301, _e301, 0f);
+        let _e300 = phi_526_;
+        phi_565_ = texture_Axis(_e300, _e300, 0f);
     } else {
-        let _e303 = (_e291 + 0.5f);
-        let _e310 = select(select(u32(_e303), 0u, (_e303 < bitcast<f32>(0u))), 4294967295u, (_e303 > bitcast<f32>(1333788671u)));
-        if (_e87 < _e310) {
-            phi_541_ = _e87;
+        let _e302 = (_e290 + 0.5f);
+        let _e309 = select(select(u32(_e302), 0u, (_e302 < bitcast<f32>(0u))), 4294967295u, (_e302 > bitcast<f32>(1333788671u)));
+        if (_e86 < _e309) {
+            phi_540_ = _e86;
         } else {
-            phi_541_ = _e310;
+            phi_540_ = _e309;
         }
-        let _e313 = phi_541_;
-        if (_e216 == 0u) {
-            phi_548_ = _e289;
+        let _e312 = phi_540_;
+        if (_e215 == 0u) {
+            phi_547_ = _e288;
         } else {
-            phi_548_ = 0u;
+            phi_547_ = 0u;
         }
-        let _e318 = phi_548_;
-        if (_e216 == 0u) {
-            phi_553_ = 0u;
+        let _e317 = phi_547_;
+        if (_e215 == 0u) {
+            phi_552_ = 0u;
         } else {
-            phi_553_ = _e289;
+            phi_552_ = _e288;
         }
-        let _e321 = phi_553_;
-        if (_e313 == 0u) {
-            phi_559_ = _e318;
+        let _e320 = phi_552_;
+        if (_e312 == 0u) {
+            phi_558_ = _e317;
         } else {
-            phi_559_ = (_e313 - 1u);
+            phi_558_ = (_e312 - 1u);
         }
-        let _e325 = phi_559_;
-        if (_e313 > _e289) {
-            phi_564_ = _e321;
+        let _e324 = phi_558_;
+        if (_e312 > _e288) {
+            phi_563_ = _e320;
         } else {
-            phi_564_ = _e313;
+            phi_563_ = _e312;
         }
-        let _e328 = phi_564_;
-        phi_566_ = texture_Axis(_e325, _e328, (_e303 - f32(_e313)));
+        let _e327 = phi_563_;
+        phi_565_ = texture_Axis(_e324, _e327, (_e302 - f32(_e312)));
     }
-    let _e331 = phi_566_;
-    let _e335 = (*param_4).offset;
-    let _e342 = (*param_4).offset;
-    let _e349 = (*param_4).offset;
-    let _e356 = (*param_4).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e335 + (_e331.low * _e83)) + _e211.low), ((_e342 + (_e331.low * _e83)) + _e211.high), ((_e349 + (_e331.high * _e83)) + _e211.low), ((_e356 + (_e331.high * _e83)) + _e211.high)), vec4<f32>(((1f - _e211.fraction) * (1f - _e331.fraction)), (_e211.fraction * (1f - _e331.fraction)), ((1f - _e211.fraction) * _e331.fraction), (_e211.fraction * _e331.fraction)));
+    let _e330 = phi_565_;
+    let _e334 = (*param_4).offset;
+    let _e341 = (*param_4).offset;
+    let _e348 = (*param_4).offset;
+    let _e355 = (*param_4).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e334 + (_e330.low * _e82)) + _e210.low), ((_e341 + (_e330.low * _e82)) + _e210.high), ((_e348 + (_e330.high * _e82)) + _e210.low), ((_e355 + (_e330.high * _e82)) + _e210.high)), vec4<f32>(((1f - _e210.fraction) * (1f - _e330.fraction)), (_e210.fraction * (1f - _e330.fraction)), ((1f - _e210.fraction) * _e330.fraction), (_e210.fraction * _e330.fraction)));
 }
 
 fn function_() {
@@ -609,433 +602,428 @@ fn function_() {
     var local_1: lt_bvh_traverse_Stack;
     var local_2: texture_TextureView;
     var local_3: array<u32, 32>;
-    var phi_715_: f32;
+    var phi_714_: f32;
+    var phi_747_: bool;
     var phi_748_: bool;
     var phi_749_: bool;
     var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_755_: bool;
+    var phi_754_: bool;
+    var phi_767_: bool;
     var phi_768_: bool;
     var phi_769_: bool;
     var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_775_: bool;
+    var phi_774_: bool;
+    var phi_787_: bool;
     var phi_788_: bool;
     var phi_789_: bool;
-    var phi_790_: bool;
+    var phi_793_: bool;
     var phi_794_: bool;
     var phi_795_: bool;
     var phi_796_: bool;
     var phi_797_: bool;
-    var phi_798_: bool;
-    var phi_802_: bool;
+    var phi_801_: bool;
+    var phi_824_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
     var phi_827_: bool;
     var phi_828_: bool;
     var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_834_: bool;
+    var phi_833_: bool;
+    var phi_846_: bool;
     var phi_847_: bool;
     var phi_848_: bool;
-    var phi_849_: bool;
-    var phi_853_: bool;
+    var phi_852_: bool;
+    var phi_869_: bool;
     var phi_870_: bool;
     var phi_871_: bool;
     var phi_872_: bool;
     var phi_873_: bool;
     var phi_874_: bool;
     var phi_875_: bool;
-    var phi_876_: bool;
-    var phi_880_: bool;
+    var phi_879_: bool;
+    var phi_899_: bool;
     var phi_900_: bool;
-    var phi_901_: bool;
-    var phi_909_: u32;
-    var phi_910_: f32;
-    var phi_911_: u32;
-    var phi_912_: f32;
-    var phi_917_: f32;
-    var phi_928_: u32;
-    var phi_938_: u32;
+    var phi_908_: u32;
+    var phi_909_: f32;
+    var phi_910_: u32;
+    var phi_911_: f32;
+    var phi_916_: f32;
+    var phi_927_: u32;
+    var phi_937_: u32;
+    var phi_943_: u32;
     var phi_944_: u32;
     var phi_945_: u32;
-    var phi_946_: u32;
+    var phi_956_: vec3<f32>;
     var phi_957_: vec3<f32>;
-    var phi_958_: vec3<f32>;
+    var phi_979_: vec3<f32>;
     var phi_980_: vec3<f32>;
-    var phi_981_: vec3<f32>;
-    var phi_1004_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
-    var phi_1072_: f32;
-    var phi_1079_: f32;
-    var phi_1086_: f32;
-    var phi_1093_: f32;
-    var phi_1100_: f32;
-    var phi_1107_: f32;
-    var phi_1124_: f32;
+    var phi_1002_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
+    var phi_1077_: f32;
+    var phi_1084_: f32;
+    var phi_1091_: f32;
+    var phi_1098_: f32;
+    var phi_1105_: f32;
+    var phi_1112_: f32;
     var phi_1129_: f32;
     var phi_1134_: f32;
     var phi_1139_: f32;
     var phi_1144_: f32;
-    var phi_1166_: bool;
-    var phi_1167_: bool;
-    var phi_1175_: u32;
-    var phi_1176_: u32;
-    var phi_1187_: vec3<f32>;
-    var phi_1188_: vec3<f32>;
-    var phi_1200_: u32;
-    var phi_1203_: u32;
-    var phi_1212_: u32;
+    var phi_1149_: f32;
+    var phi_1171_: bool;
+    var phi_1172_: bool;
+    var phi_1180_: u32;
+    var phi_1181_: u32;
+    var phi_1192_: vec3<f32>;
+    var phi_1193_: vec3<f32>;
+    var phi_1205_: u32;
+    var phi_1208_: u32;
+    var phi_1213_: u32;
     var phi_1215_: u32;
     var phi_1217_: u32;
     var phi_1219_: u32;
+    var phi_1291_: f32;
     var phi_1292_: f32;
-    var phi_1293_: f32;
-    var phi_1307_: u32;
+    var phi_1306_: u32;
+    var phi_1329_: f32;
     var phi_1330_: f32;
-    var phi_1331_: f32;
-    var phi_1345_: u32;
-    var phi_1368_: f32;
-    var phi_1369_: f32;
-    var phi_1383_: u32;
-    var phi_1530_: u32;
-    var phi_1531_: u32;
-    var phi_1535_: u32;
-    var phi_1536_: u32;
-    var phi_1537_: u32;
-    var phi_1538_: u32;
-    var phi_1539_: u32;
-    var phi_1540_: u32;
-    var phi_1558_: u32;
-    var phi_1559_: u32;
-    var phi_1560_: u32;
-    var phi_1561_: u32;
-    var phi_1562_: u32;
-    var phi_1563_: u32;
-    var phi_1564_: u32;
-    var phi_1565_: u32;
-    var phi_1213_: u32;
+    var phi_1344_: u32;
+    var phi_1366_: f32;
+    var phi_1367_: f32;
+    var phi_1381_: u32;
+    var phi_1404_: f32;
+    var phi_1405_: f32;
+    var phi_1419_: u32;
+    var phi_1611_: u32;
+    var phi_1612_: u32;
+    var phi_1617_: u32;
+    var phi_1618_: u32;
+    var phi_1619_: u32;
     var phi_1216_: u32;
     var phi_1218_: u32;
-    var phi_1220_: u32;
-    var phi_1566_: bool;
+    var phi_1620_: u32;
+    var phi_1638_: u32;
+    var phi_1639_: u32;
+    var phi_1206_: u32;
+    var phi_1209_: u32;
+    var phi_1648_: bool;
+    var phi_1649_: bool;
+    var phi_1650_: bool;
     var local_4: bool;
-    var phi_1571_: u32;
     var local_5: u32;
-    var phi_1610_: u32;
-    var phi_1611_: u32;
-    var phi_1617_: u32;
-    var phi_1646_: vec3<f32>;
-    var phi_1647_: vec3<f32>;
-    var phi_1676_: vec3<f32>;
-    var phi_1677_: vec3<f32>;
-    var phi_1706_: vec3<f32>;
-    var phi_1707_: vec3<f32>;
-    var phi_1725_: bool;
-    var phi_1726_: bool;
-    var phi_1730_: f32;
-    var phi_1731_: f32;
-    var phi_1732_: f32;
-    var phi_1733_: f32;
-    var phi_1741_: f32;
-    var phi_1751_: bool;
-    var phi_1752_: bool;
-    var phi_1756_: f32;
-    var phi_1757_: f32;
-    var phi_1758_: f32;
-    var phi_1759_: f32;
-    var phi_1767_: f32;
-    var phi_1777_: bool;
-    var phi_1778_: bool;
-    var phi_1782_: f32;
-    var phi_1783_: f32;
-    var phi_1784_: f32;
-    var phi_1785_: f32;
-    var phi_1793_: f32;
-    var phi_1808_: f32;
+    var phi_1659_: u32;
+    var local_6: u32;
+    var phi_1694_: u32;
+    var phi_1695_: u32;
+    var phi_1701_: u32;
+    var phi_1729_: vec3<f32>;
+    var phi_1730_: vec3<f32>;
+    var phi_1759_: vec3<f32>;
+    var phi_1760_: vec3<f32>;
+    var phi_1789_: vec3<f32>;
+    var phi_1790_: vec3<f32>;
+    var phi_1808_: bool;
     var phi_1809_: bool;
-    var phi_1810_: f32;
-    var phi_1811_: bool;
-    var phi_1812_: f32;
-    var phi_1813_: bool;
-    var phi_1831_: f32;
-    var phi_1832_: bool;
-    var phi_1833_: bool;
-    var phi_1834_: f32;
+    var phi_1813_: f32;
+    var phi_1814_: f32;
+    var phi_1815_: f32;
+    var phi_1816_: f32;
+    var phi_1824_: f32;
+    var phi_1834_: bool;
     var phi_1835_: bool;
-    var phi_1836_: bool;
-    var phi_1840_: bool;
+    var phi_1839_: f32;
+    var phi_1840_: f32;
     var phi_1841_: f32;
-    var phi_1842_: bool;
-    var phi_1870_: vec3<f32>;
-    var phi_1871_: vec3<f32>;
-    var phi_1896_: vec3<f32>;
-    var phi_1897_: vec3<f32>;
-    var phi_1922_: vec3<f32>;
-    var phi_1923_: vec3<f32>;
-    var phi_1979_: f32;
-    var phi_1988_: f32;
-    var phi_1997_: f32;
-    var phi_2006_: f32;
-    var phi_2013_: f32;
-    var phi_2020_: f32;
-    var phi_2033_: f32;
-    var phi_2042_: f32;
-    var phi_2051_: f32;
-    var phi_2060_: f32;
-    var phi_2067_: f32;
-    var phi_2074_: f32;
-    var phi_2091_: f32;
+    var phi_1842_: f32;
+    var phi_1850_: f32;
+    var phi_1860_: bool;
+    var phi_1861_: bool;
+    var phi_1865_: f32;
+    var phi_1866_: f32;
+    var phi_1867_: f32;
+    var phi_1868_: f32;
+    var phi_1876_: f32;
+    var phi_1891_: f32;
+    var phi_1892_: bool;
+    var phi_1893_: f32;
+    var phi_1894_: bool;
+    var phi_1895_: f32;
+    var phi_1896_: bool;
+    var phi_1914_: f32;
+    var phi_1915_: bool;
+    var phi_1916_: bool;
+    var phi_1917_: f32;
+    var phi_1918_: bool;
+    var phi_1919_: bool;
+    var phi_1923_: bool;
+    var phi_1924_: f32;
+    var phi_1925_: bool;
+    var phi_1953_: vec3<f32>;
+    var phi_1954_: vec3<f32>;
+    var phi_1979_: vec3<f32>;
+    var phi_1980_: vec3<f32>;
+    var phi_2005_: vec3<f32>;
+    var phi_2006_: vec3<f32>;
+    var phi_2062_: f32;
+    var phi_2071_: f32;
+    var phi_2080_: f32;
+    var phi_2089_: f32;
     var phi_2096_: f32;
-    var phi_2101_: f32;
-    var phi_2109_: f32;
-    var phi_2114_: f32;
-    var phi_2119_: f32;
-    var phi_2131_: f32;
-    var phi_2136_: f32;
-    var phi_2141_: f32;
-    var phi_2146_: f32;
-    var phi_2151_: lt_bvh_triangle_Intersection;
-    var phi_2152_: bool;
-    var phi_2153_: lt_bvh_triangle_Intersection;
-    var phi_2154_: bool;
-    var phi_2158_: lt_bvh_triangle_Intersection;
-    var phi_2159_: bool;
-    var phi_2160_: lt_bvh_triangle_Intersection;
-    var phi_2161_: bool;
-    var phi_2162_: bool;
-    var phi_2166_: bool;
-    var phi_2170_: lt_bvh_triangle_Intersection;
-    var phi_2384_: f32;
-    var phi_2387_: bool;
-    var phi_2388_: bool;
-    var phi_2392_: bool;
-    var phi_2393_: bool;
-    var phi_2394_: bool;
-    var phi_2395_: bool;
-    var phi_2396_: bool;
-    var phi_2397_: bool;
-    var phi_2398_: bool;
-    var phi_2399_: bool;
-    var phi_2400_: bool;
-    var phi_2401_: bool;
-    var phi_2402_: bool;
-    var phi_2403_: bool;
-    var phi_2404_: bool;
-    var phi_2405_: bool;
-    var phi_2409_: bool;
-    var phi_2410_: bool;
-    var phi_2411_: bool;
-    var phi_2415_: bool;
-    var phi_2416_: bool;
-    var phi_1572_: u32;
-    var phi_2417_: bool;
-    var phi_2418_: bool;
-    var phi_2419_: bool;
-    var local_6: bool;
-    var phi_2423_: bool;
-    var phi_2424_: bool;
-    var phi_1201_: u32;
-    var phi_1204_: u32;
-    var phi_2425_: bool;
-    var phi_2426_: bool;
-    var phi_2427_: bool;
-    var local_7: bool;
-    var phi_2431_: bool;
-    var phi_2432_: bool;
-    var phi_2436_: bool;
-    var phi_2440_: bool;
-    var phi_2444_: bool;
-    var phi_2445_: bool;
-    var phi_2449_: bool;
-    var phi_2465_: bool;
-    var phi_2466_: bool;
-    var phi_2467_: bool;
-    var phi_2468_: bool;
-    var phi_2472_: bool;
+    var phi_2103_: f32;
+    var phi_2116_: f32;
+    var phi_2125_: f32;
+    var phi_2134_: f32;
+    var phi_2143_: f32;
+    var phi_2150_: f32;
+    var phi_2157_: f32;
+    var phi_2174_: f32;
+    var phi_2179_: f32;
+    var phi_2184_: f32;
+    var phi_2192_: f32;
+    var phi_2197_: f32;
+    var phi_2202_: f32;
+    var phi_2214_: f32;
+    var phi_2219_: f32;
+    var phi_2224_: f32;
+    var phi_2229_: f32;
+    var phi_2234_: lt_bvh_triangle_Intersection;
+    var phi_2235_: bool;
+    var phi_2236_: lt_bvh_triangle_Intersection;
+    var phi_2237_: bool;
+    var phi_2241_: lt_bvh_triangle_Intersection;
+    var phi_2242_: bool;
+    var phi_2243_: lt_bvh_triangle_Intersection;
+    var phi_2244_: bool;
+    var phi_2245_: bool;
+    var phi_2249_: bool;
+    var phi_2253_: lt_bvh_triangle_Intersection;
+    var phi_2467_: f32;
+    var phi_2470_: bool;
+    var phi_2471_: bool;
+    var phi_2475_: bool;
+    var phi_2476_: bool;
+    var phi_2477_: bool;
+    var phi_2478_: bool;
+    var phi_2479_: bool;
+    var phi_2480_: bool;
+    var phi_2481_: bool;
+    var phi_2482_: bool;
+    var phi_2483_: bool;
+    var phi_2484_: bool;
     var phi_2485_: bool;
     var phi_2486_: bool;
     var phi_2487_: bool;
     var phi_2488_: bool;
     var phi_2492_: bool;
+    var phi_2493_: bool;
+    var phi_2494_: bool;
+    var phi_2502_: bool;
+    var phi_2503_: bool;
+    var phi_2504_: bool;
     var phi_2505_: bool;
     var phi_2506_: bool;
-    var phi_2507_: bool;
+    var local_7: bool;
+    var phi_2510_: bool;
     var phi_2511_: bool;
     var phi_2512_: bool;
     var phi_2513_: bool;
     var phi_2514_: bool;
-    var phi_2515_: bool;
-    var phi_2519_: bool;
-    var phi_2589_: f32;
-    var phi_2596_: f32;
-    var phi_2603_: f32;
-    var phi_2610_: f32;
-    var phi_2617_: f32;
-    var phi_2624_: f32;
-    var phi_2641_: f32;
-    var phi_2646_: f32;
-    var phi_2651_: f32;
-    var phi_2656_: f32;
-    var phi_2661_: f32;
-    var phi_2687_: bool;
-    var phi_2688_: bool;
-    var phi_2696_: u32;
-    var phi_2697_: u32;
-    var phi_2708_: vec3<f32>;
-    var phi_2709_: vec3<f32>;
-    var phi_2722_: u32;
-    var phi_2727_: u32;
-    var phi_2732_: u32;
-    var phi_2846_: bool;
-    var phi_2847_: bool;
-    var phi_2878_: u32;
-    var phi_2880_: u32;
-    var phi_2883_: bool;
-    var phi_2963_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2990_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3017_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3023_: u32;
-    var phi_3026_: u32;
-    var phi_3040_: u32;
-    var phi_3050_: u32;
-    var phi_3060_: u32;
-    var phi_3078_: u32;
-    var phi_3088_: u32;
-    var phi_3098_: u32;
-    var phi_3134_: u32;
-    var phi_3147_: u32;
-    var phi_3152_: u32;
-    var phi_3153_: u32;
-    var phi_3154_: u32;
-    var phi_3024_: u32;
-    var phi_3027_: u32;
     var local_8: u32;
-    var local_9: u32;
+    var phi_2522_: bool;
+    var phi_2523_: bool;
+    var phi_2524_: bool;
+    var phi_2525_: bool;
+    var local_9: bool;
+    var phi_2529_: bool;
+    var phi_2533_: bool;
+    var phi_2537_: bool;
+    var phi_2538_: bool;
+    var phi_2554_: bool;
+    var phi_2555_: bool;
+    var phi_2556_: bool;
+    var phi_2557_: bool;
+    var phi_2561_: bool;
+    var phi_2574_: bool;
+    var phi_2575_: bool;
+    var phi_2576_: bool;
+    var phi_2577_: bool;
+    var phi_2581_: bool;
+    var phi_2594_: bool;
+    var phi_2595_: bool;
+    var phi_2596_: bool;
+    var phi_2600_: bool;
+    var phi_2601_: bool;
+    var phi_2602_: bool;
+    var phi_2603_: bool;
+    var phi_2604_: bool;
+    var phi_2608_: bool;
+    var phi_2678_: f32;
+    var phi_2685_: f32;
+    var phi_2692_: f32;
+    var phi_2699_: f32;
+    var phi_2706_: f32;
+    var phi_2713_: f32;
+    var phi_2730_: f32;
+    var phi_2735_: f32;
+    var phi_2740_: f32;
+    var phi_2745_: f32;
+    var phi_2750_: f32;
+    var phi_2776_: bool;
+    var phi_2777_: bool;
+    var phi_2785_: u32;
+    var phi_2786_: u32;
+    var phi_2797_: vec3<f32>;
+    var phi_2798_: vec3<f32>;
+    var phi_2811_: u32;
+    var phi_2816_: u32;
+    var phi_2821_: u32;
+    var phi_2935_: bool;
+    var phi_2936_: bool;
+    var phi_2967_: u32;
+    var phi_2969_: u32;
+    var phi_2972_: bool;
+    var phi_3052_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3079_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3106_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3112_: u32;
+    var phi_3115_: u32;
+    var phi_3129_: u32;
+    var phi_3139_: u32;
+    var phi_3149_: u32;
+    var phi_3167_: u32;
+    var phi_3177_: u32;
+    var phi_3187_: u32;
+    var phi_3223_: u32;
+    var phi_3236_: u32;
+    var phi_3241_: u32;
+    var phi_3242_: u32;
+    var phi_3243_: u32;
+    var phi_3113_: u32;
+    var phi_3116_: u32;
     var local_10: u32;
-    var phi_3212_: u32;
-    var phi_3215_: bool;
-    var phi_3259_: vec3<f32>;
-    var phi_3260_: vec3<f32>;
-    var phi_3289_: vec3<f32>;
-    var phi_3290_: vec3<f32>;
-    var phi_3319_: vec3<f32>;
-    var phi_3320_: vec3<f32>;
-    var phi_3338_: bool;
-    var phi_3339_: bool;
-    var phi_3343_: f32;
-    var phi_3344_: f32;
-    var phi_3345_: f32;
-    var phi_3346_: f32;
-    var phi_3354_: f32;
-    var phi_3364_: bool;
-    var phi_3365_: bool;
-    var phi_3369_: f32;
-    var phi_3370_: f32;
-    var phi_3371_: f32;
-    var phi_3372_: f32;
-    var phi_3380_: f32;
-    var phi_3390_: bool;
-    var phi_3391_: bool;
-    var phi_3395_: f32;
-    var phi_3396_: f32;
-    var phi_3397_: f32;
-    var phi_3398_: f32;
-    var phi_3406_: f32;
-    var phi_3421_: f32;
-    var phi_3422_: bool;
-    var phi_3423_: f32;
-    var phi_3424_: bool;
-    var phi_3425_: f32;
-    var phi_3426_: bool;
-    var phi_3444_: f32;
-    var phi_3445_: bool;
-    var phi_3446_: bool;
-    var phi_3447_: f32;
-    var phi_3448_: bool;
-    var phi_3449_: bool;
+    var local_11: u32;
+    var local_12: u32;
+    var phi_3301_: u32;
+    var phi_3304_: bool;
+    var phi_3348_: vec3<f32>;
+    var phi_3349_: vec3<f32>;
+    var phi_3378_: vec3<f32>;
+    var phi_3379_: vec3<f32>;
+    var phi_3408_: vec3<f32>;
+    var phi_3409_: vec3<f32>;
+    var phi_3427_: bool;
+    var phi_3428_: bool;
+    var phi_3432_: f32;
+    var phi_3433_: f32;
+    var phi_3434_: f32;
+    var phi_3435_: f32;
+    var phi_3443_: f32;
     var phi_3453_: bool;
-    var phi_3454_: f32;
-    var phi_3455_: bool;
-    var phi_3483_: vec3<f32>;
-    var phi_3484_: vec3<f32>;
-    var phi_3509_: vec3<f32>;
-    var phi_3510_: vec3<f32>;
-    var phi_3535_: vec3<f32>;
-    var phi_3536_: vec3<f32>;
-    var phi_3592_: f32;
-    var phi_3601_: f32;
-    var phi_3610_: f32;
-    var phi_3619_: f32;
-    var phi_3626_: f32;
-    var phi_3633_: f32;
-    var phi_3646_: f32;
-    var phi_3655_: f32;
-    var phi_3664_: f32;
-    var phi_3673_: f32;
-    var phi_3680_: f32;
-    var phi_3687_: f32;
-    var phi_3704_: f32;
-    var phi_3709_: f32;
-    var phi_3714_: f32;
+    var phi_3454_: bool;
+    var phi_3458_: f32;
+    var phi_3459_: f32;
+    var phi_3460_: f32;
+    var phi_3461_: f32;
+    var phi_3469_: f32;
+    var phi_3479_: bool;
+    var phi_3480_: bool;
+    var phi_3484_: f32;
+    var phi_3485_: f32;
+    var phi_3486_: f32;
+    var phi_3487_: f32;
+    var phi_3495_: f32;
+    var phi_3510_: f32;
+    var phi_3511_: bool;
+    var phi_3512_: f32;
+    var phi_3513_: bool;
+    var phi_3514_: f32;
+    var phi_3515_: bool;
+    var phi_3533_: f32;
+    var phi_3534_: bool;
+    var phi_3535_: bool;
+    var phi_3536_: f32;
+    var phi_3537_: bool;
+    var phi_3538_: bool;
+    var phi_3542_: bool;
+    var phi_3543_: f32;
+    var phi_3544_: bool;
+    var phi_3572_: vec3<f32>;
+    var phi_3573_: vec3<f32>;
+    var phi_3598_: vec3<f32>;
+    var phi_3599_: vec3<f32>;
+    var phi_3624_: vec3<f32>;
+    var phi_3625_: vec3<f32>;
+    var phi_3681_: f32;
+    var phi_3690_: f32;
+    var phi_3699_: f32;
+    var phi_3708_: f32;
+    var phi_3715_: f32;
     var phi_3722_: f32;
-    var phi_3727_: f32;
-    var phi_3732_: f32;
+    var phi_3735_: f32;
     var phi_3744_: f32;
-    var phi_3749_: f32;
-    var phi_3754_: f32;
-    var phi_3759_: f32;
-    var phi_3764_: lt_bvh_triangle_Intersection;
-    var phi_3765_: bool;
-    var phi_3766_: lt_bvh_triangle_Intersection;
-    var phi_3767_: bool;
-    var phi_3771_: lt_bvh_triangle_Intersection;
-    var phi_3772_: bool;
-    var phi_3773_: lt_bvh_triangle_Intersection;
-    var phi_3774_: bool;
-    var phi_3775_: bool;
-    var phi_3779_: bool;
-    var phi_3783_: lt_bvh_triangle_Intersection;
-    var phi_3997_: f32;
-    var phi_4000_: bool;
-    var phi_4001_: bool;
-    var phi_4002_: bool;
-    var phi_4006_: bool;
-    var phi_4007_: bool;
-    var phi_4008_: bool;
-    var phi_4009_: bool;
-    var phi_4010_: bool;
-    var phi_4011_: bool;
-    var phi_4012_: bool;
-    var phi_4013_: bool;
-    var phi_4014_: bool;
-    var phi_4015_: bool;
-    var phi_3213_: u32;
-    var phi_3216_: bool;
-    var phi_4019_: bool;
-    var phi_4020_: bool;
-    var local_11: bool;
-    var phi_4062_: bool;
-    var phi_4063_: bool;
-    var phi_4094_: u32;
-    var phi_4095_: u32;
-    var phi_2881_: u32;
-    var phi_2884_: bool;
+    var phi_3753_: f32;
+    var phi_3762_: f32;
+    var phi_3769_: f32;
+    var phi_3776_: f32;
+    var phi_3793_: f32;
+    var phi_3798_: f32;
+    var phi_3803_: f32;
+    var phi_3811_: f32;
+    var phi_3816_: f32;
+    var phi_3821_: f32;
+    var phi_3833_: f32;
+    var phi_3838_: f32;
+    var phi_3843_: f32;
+    var phi_3848_: f32;
+    var phi_3853_: lt_bvh_triangle_Intersection;
+    var phi_3854_: bool;
+    var phi_3855_: lt_bvh_triangle_Intersection;
+    var phi_3856_: bool;
+    var phi_3860_: lt_bvh_triangle_Intersection;
+    var phi_3861_: bool;
+    var phi_3862_: lt_bvh_triangle_Intersection;
+    var phi_3863_: bool;
+    var phi_3864_: bool;
+    var phi_3868_: bool;
+    var phi_3872_: lt_bvh_triangle_Intersection;
+    var phi_4086_: f32;
+    var phi_4089_: bool;
+    var phi_4090_: bool;
+    var phi_4091_: bool;
+    var phi_4095_: bool;
     var phi_4096_: bool;
     var phi_4097_: bool;
     var phi_4098_: bool;
-    var local_12: bool;
+    var phi_4099_: bool;
+    var phi_4100_: bool;
+    var phi_4101_: bool;
     var phi_4102_: bool;
-    var phi_4106_: bool;
-    var phi_4107_: bool;
+    var phi_4103_: bool;
+    var phi_4104_: bool;
+    var phi_3302_: u32;
+    var phi_3305_: bool;
     var phi_4108_: bool;
     var phi_4109_: bool;
-    var phi_4113_: bool;
-    var phi_4114_: bool;
-    var phi_4115_: bool;
-    var phi_4119_: f32;
-    var local_13: u32;
+    var local_13: bool;
+    var phi_4151_: bool;
+    var phi_4152_: bool;
+    var phi_4183_: u32;
+    var phi_4184_: u32;
+    var phi_2970_: u32;
+    var phi_2973_: bool;
+    var phi_4185_: bool;
+    var phi_4186_: bool;
+    var phi_4187_: bool;
     var local_14: bool;
-    var local_15: bool;
+    var phi_4191_: bool;
+    var phi_4195_: bool;
+    var phi_4196_: bool;
+    var phi_4197_: bool;
+    var phi_4198_: bool;
+    var phi_4202_: bool;
+    var phi_4203_: bool;
+    var phi_4204_: bool;
+    var phi_4208_: f32;
+    var local_15: u32;
     var local_16: u32;
     var local_17: u32;
     var local_18: bool;
@@ -1046,2761 +1034,2772 @@ fn function_() {
     var local_23: bool;
     var local_24: bool;
     var local_25: bool;
+    var local_26: bool;
+    var local_27: bool;
 
-    let _e82 = id_1;
-    let _e89 = arrayLength((&nodes.member));
-    let _e92 = arrayLength((&triangles.member));
-    let _e98 = arrayLength((&list.member));
-    let _e101 = arrayLength((&rows.member));
-    let _e105 = arrayLength((&vertices.member));
-    let _e108 = arrayLength((&materials.member));
-    let _e111 = arrayLength((&alpha_texels.member));
-    let _e115 = ((_e82.y * 2097152u) + _e82.x);
-    if (3u < _e98) {
+    let _e81 = id_1;
+    let _e88 = arrayLength((&nodes.member));
+    let _e91 = arrayLength((&triangles.member));
+    let _e97 = arrayLength((&list.member));
+    let _e100 = arrayLength((&rows.member));
+    let _e104 = arrayLength((&vertices.member));
+    let _e107 = arrayLength((&materials.member));
+    let _e110 = arrayLength((&alpha_texels.member));
+    let _e114 = ((_e81.y * 2097152u) + _e81.x);
+    if (3u < _e97) {
     } else {
         return;
     }
-    let _e118 = list.member[3u];
-    if (_e115 < _e118) {
-        let _e120 = (_e115 + 4u);
-        if (_e120 < _e98) {
+    let _e117 = list.member[3u];
+    if (_e114 < _e117) {
+        let _e119 = (_e114 + 4u);
+        if (_e119 < _e97) {
         } else {
             return;
         }
-        let _e124 = list.member[(0u + _e120)];
-        let _e125 = space.member;
-        if (_e124 < arrayLength((&samples.member))) {
+        let _e123 = list.member[(0u + _e119)];
+        let _e124 = space.member;
+        if (_e123 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e131 = samples.member[(0u + _e124)].position;
-        let _e133 = samples.member[(0u + _e124)].normal;
-        let _e135 = samples.member[(0u + _e124)].magnitude;
-        let _e137 = ((8f / 8388608f) * _e135);
-        let _e139 = (_e133.x * _e137);
-        let _e141 = (_e133.y * _e137);
-        let _e143 = (_e133.z * _e137);
-        let _e145 = (_e131.x + _e139);
-        let _e147 = (_e131.y + _e141);
-        let _e149 = (_e131.z + _e143);
-        let _e153 = p.member.light.place;
-        if (_e153.w == 0f) {
-            phi_715_ = 300000000000000000000000000000000000000f;
+        let _e130 = samples.member[(0u + _e123)].position;
+        let _e132 = samples.member[(0u + _e123)].normal;
+        let _e134 = samples.member[(0u + _e123)].magnitude;
+        let _e136 = ((8f / 8388608f) * _e134);
+        let _e138 = (_e132.x * _e136);
+        let _e140 = (_e132.y * _e136);
+        let _e142 = (_e132.z * _e136);
+        let _e144 = (_e130.x + _e138);
+        let _e146 = (_e130.y + _e140);
+        let _e148 = (_e130.z + _e142);
+        let _e152 = p.member.light.place;
+        if (_e152.w == 0f) {
+            phi_714_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_715_ = 1f;
+            phi_714_ = 1f;
         }
-        let _e157 = phi_715_;
-        let _e165 = (_e153.x - (_e145 * _e153.w));
-        let _e166 = (_e153.y - (_e147 * _e153.w));
-        let _e167 = (_e153.z - (_e149 * _e153.w));
-        let _e168 = vec3<f32>(_e165, _e166, _e167);
+        let _e156 = phi_714_;
+        let _e164 = (_e152.x - (_e144 * _e152.w));
+        let _e165 = (_e152.y - (_e146 * _e152.w));
+        let _e166 = (_e152.z - (_e148 * _e152.w));
+        let _e167 = vec3<f32>(_e164, _e165, _e166);
+        let _e168 = abs(_e164);
         let _e169 = abs(_e165);
         let _e170 = abs(_e166);
-        let _e171 = abs(_e167);
-        if (abs(_e145) < 1000000000000000f) {
-            if (abs(_e147) < 1000000000000000f) {
-                phi_748_ = (abs(_e149) < 1000000000000000f);
-                phi_749_ = false;
+        if (abs(_e144) < 1000000000000000f) {
+            if (abs(_e146) < 1000000000000000f) {
+                phi_747_ = (abs(_e148) < 1000000000000000f);
+                phi_748_ = false;
             } else {
-                phi_748_ = bool();
-                phi_749_ = true;
+                phi_747_ = bool();
+                phi_748_ = true;
             }
-            let _e179 = phi_748_;
-            let _e181 = phi_749_;
-            phi_750_ = _e179;
-            phi_751_ = _e181;
+            let _e178 = phi_747_;
+            let _e180 = phi_748_;
+            phi_749_ = _e178;
+            phi_750_ = _e180;
         } else {
-            phi_750_ = bool();
-            phi_751_ = true;
+            phi_749_ = bool();
+            phi_750_ = true;
         }
-        let _e183 = phi_750_;
-        let _e185 = phi_751_;
-        if _e185 {
-            phi_755_ = false;
+        let _e182 = phi_749_;
+        let _e184 = phi_750_;
+        if _e184 {
+            phi_754_ = false;
         } else {
-            phi_755_ = _e183;
+            phi_754_ = _e182;
         }
-        let _e187 = phi_755_;
-        if _e187 {
-            if (_e169 < 1000000000000000f) {
-                if (_e170 < 1000000000000000f) {
-                    phi_768_ = (_e171 < 1000000000000000f);
-                    phi_769_ = false;
+        let _e186 = phi_754_;
+        if _e186 {
+            if (_e168 < 1000000000000000f) {
+                if (_e169 < 1000000000000000f) {
+                    phi_767_ = (_e170 < 1000000000000000f);
+                    phi_768_ = false;
                 } else {
-                    phi_768_ = bool();
-                    phi_769_ = true;
+                    phi_767_ = bool();
+                    phi_768_ = true;
                 }
-                let _e192 = phi_768_;
-                let _e194 = phi_769_;
-                phi_770_ = _e192;
-                phi_771_ = _e194;
+                let _e191 = phi_767_;
+                let _e193 = phi_768_;
+                phi_769_ = _e191;
+                phi_770_ = _e193;
             } else {
-                phi_770_ = bool();
-                phi_771_ = true;
+                phi_769_ = bool();
+                phi_770_ = true;
             }
-            let _e196 = phi_770_;
-            let _e198 = phi_771_;
-            if _e198 {
-                phi_775_ = false;
+            let _e195 = phi_769_;
+            let _e197 = phi_770_;
+            if _e197 {
+                phi_774_ = false;
             } else {
-                phi_775_ = _e196;
+                phi_774_ = _e195;
             }
-            let _e200 = phi_775_;
-            if _e200 {
-                if (_e169 > 0f) {
-                    phi_789_ = bool();
-                    phi_790_ = true;
+            let _e199 = phi_774_;
+            if _e199 {
+                if (_e168 > 0f) {
+                    phi_788_ = bool();
+                    phi_789_ = true;
                 } else {
-                    let _e202 = (_e170 > 0f);
-                    if _e202 {
-                        phi_788_ = bool();
+                    let _e201 = (_e169 > 0f);
+                    if _e201 {
+                        phi_787_ = bool();
                     } else {
-                        phi_788_ = (_e171 > 0f);
+                        phi_787_ = (_e170 > 0f);
                     }
-                    let _e205 = phi_788_;
-                    phi_789_ = _e205;
-                    phi_790_ = _e202;
+                    let _e204 = phi_787_;
+                    phi_788_ = _e204;
+                    phi_789_ = _e201;
                 }
-                let _e207 = phi_789_;
-                let _e209 = phi_790_;
-                if _e209 {
-                    phi_794_ = true;
+                let _e206 = phi_788_;
+                let _e208 = phi_789_;
+                if _e208 {
+                    phi_793_ = true;
                 } else {
-                    phi_794_ = _e207;
+                    phi_793_ = _e206;
                 }
-                let _e211 = phi_794_;
-                phi_795_ = _e211;
-                phi_796_ = false;
+                let _e210 = phi_793_;
+                phi_794_ = _e210;
+                phi_795_ = false;
             } else {
-                phi_795_ = bool();
-                phi_796_ = true;
+                phi_794_ = bool();
+                phi_795_ = true;
             }
-            let _e213 = phi_795_;
-            let _e215 = phi_796_;
-            phi_797_ = _e213;
-            phi_798_ = _e215;
+            let _e212 = phi_794_;
+            let _e214 = phi_795_;
+            phi_796_ = _e212;
+            phi_797_ = _e214;
         } else {
-            phi_797_ = bool();
-            phi_798_ = true;
+            phi_796_ = bool();
+            phi_797_ = true;
         }
-        let _e217 = phi_797_;
-        let _e219 = phi_798_;
-        if _e219 {
-            phi_802_ = false;
+        let _e216 = phi_796_;
+        let _e218 = phi_797_;
+        if _e218 {
+            phi_801_ = false;
         } else {
-            phi_802_ = _e217;
+            phi_801_ = _e216;
         }
-        let _e221 = phi_802_;
-        if _e221 {
-            if (_e125.low.x <= _e145) {
-                if (_e145 <= _e125.high.x) {
-                    if (_e125.low.y <= _e147) {
-                        phi_825_ = (_e147 <= _e125.high.y);
-                        phi_826_ = false;
+        let _e220 = phi_801_;
+        if _e220 {
+            if (_e124.low.x <= _e144) {
+                if (_e144 <= _e124.high.x) {
+                    if (_e124.low.y <= _e146) {
+                        phi_824_ = (_e146 <= _e124.high.y);
+                        phi_825_ = false;
                     } else {
-                        phi_825_ = bool();
-                        phi_826_ = true;
+                        phi_824_ = bool();
+                        phi_825_ = true;
                     }
-                    let _e239 = phi_825_;
-                    let _e241 = phi_826_;
-                    phi_827_ = _e239;
-                    phi_828_ = _e241;
+                    let _e238 = phi_824_;
+                    let _e240 = phi_825_;
+                    phi_826_ = _e238;
+                    phi_827_ = _e240;
                 } else {
-                    phi_827_ = bool();
-                    phi_828_ = true;
+                    phi_826_ = bool();
+                    phi_827_ = true;
                 }
-                let _e243 = phi_827_;
-                let _e245 = phi_828_;
-                phi_829_ = _e243;
-                phi_830_ = _e245;
+                let _e242 = phi_826_;
+                let _e244 = phi_827_;
+                phi_828_ = _e242;
+                phi_829_ = _e244;
             } else {
-                phi_829_ = bool();
-                phi_830_ = true;
+                phi_828_ = bool();
+                phi_829_ = true;
             }
-            let _e247 = phi_829_;
-            let _e249 = phi_830_;
-            if _e249 {
-                phi_834_ = false;
+            let _e246 = phi_828_;
+            let _e248 = phi_829_;
+            if _e248 {
+                phi_833_ = false;
             } else {
-                phi_834_ = _e247;
+                phi_833_ = _e246;
             }
-            let _e251 = phi_834_;
-            if (abs(_e165) > 0.000000000000000000000000000001f) {
-                phi_848_ = bool();
-                phi_849_ = true;
+            let _e250 = phi_833_;
+            if (abs(_e164) > 0.000000000000000000000000000001f) {
+                phi_847_ = bool();
+                phi_848_ = true;
             } else {
-                let _e256 = (abs(_e166) > 0.000000000000000000000000000001f);
-                if _e256 {
-                    phi_847_ = bool();
+                let _e255 = (abs(_e165) > 0.000000000000000000000000000001f);
+                if _e255 {
+                    phi_846_ = bool();
                 } else {
-                    phi_847_ = (abs(_e167) > 0.000000000000000000000000000001f);
+                    phi_846_ = (abs(_e166) > 0.000000000000000000000000000001f);
                 }
-                let _e259 = phi_847_;
-                phi_848_ = _e259;
-                phi_849_ = _e256;
+                let _e258 = phi_846_;
+                phi_847_ = _e258;
+                phi_848_ = _e255;
             }
-            let _e261 = phi_848_;
-            let _e263 = phi_849_;
-            if _e263 {
-                phi_853_ = true;
+            let _e260 = phi_847_;
+            let _e262 = phi_848_;
+            if _e262 {
+                phi_852_ = true;
             } else {
-                phi_853_ = _e261;
+                phi_852_ = _e260;
             }
-            let _e265 = phi_853_;
-            if _e251 {
-                if (_e125.low.z <= _e149) {
-                    if (_e149 <= _e125.high.z) {
-                        if (_e125.is_parallel == 0u) {
-                            phi_870_ = _e265;
+            let _e264 = phi_852_;
+            if _e250 {
+                if (_e124.low.z <= _e148) {
+                    if (_e148 <= _e124.high.z) {
+                        if (_e124.is_parallel == 0u) {
+                            phi_869_ = _e264;
                         } else {
-                            phi_870_ = true;
+                            phi_869_ = true;
                         }
-                        let _e271 = phi_870_;
-                        phi_871_ = _e271;
-                        phi_872_ = false;
+                        let _e270 = phi_869_;
+                        phi_870_ = _e270;
+                        phi_871_ = false;
                     } else {
-                        phi_871_ = bool();
-                        phi_872_ = true;
+                        phi_870_ = bool();
+                        phi_871_ = true;
                     }
-                    let _e273 = phi_871_;
-                    let _e275 = phi_872_;
-                    phi_873_ = _e273;
-                    phi_874_ = _e275;
+                    let _e272 = phi_870_;
+                    let _e274 = phi_871_;
+                    phi_872_ = _e272;
+                    phi_873_ = _e274;
                 } else {
-                    phi_873_ = bool();
-                    phi_874_ = true;
+                    phi_872_ = bool();
+                    phi_873_ = true;
                 }
-                let _e277 = phi_873_;
-                let _e279 = phi_874_;
-                phi_875_ = _e277;
-                phi_876_ = _e279;
+                let _e276 = phi_872_;
+                let _e278 = phi_873_;
+                phi_874_ = _e276;
+                phi_875_ = _e278;
             } else {
-                phi_875_ = bool();
-                phi_876_ = true;
+                phi_874_ = bool();
+                phi_875_ = true;
             }
-            let _e281 = phi_875_;
-            let _e283 = phi_876_;
-            if _e283 {
-                phi_880_ = false;
+            let _e280 = phi_874_;
+            let _e282 = phi_875_;
+            if _e282 {
+                phi_879_ = false;
             } else {
-                phi_880_ = _e281;
+                phi_879_ = _e280;
             }
-            let _e285 = phi_880_;
-            if _e285 {
-                if (_e125.is_parallel == 0u) {
+            let _e284 = phi_879_;
+            if _e284 {
+                if (_e124.is_parallel == 0u) {
+                    let _e287 = abs(_e164);
                     let _e288 = abs(_e165);
                     let _e289 = abs(_e166);
-                    let _e290 = abs(_e167);
-                    if (_e288 >= _e289) {
-                        if (_e288 >= _e290) {
-                            phi_900_ = false;
+                    if (_e287 >= _e288) {
+                        if (_e287 >= _e289) {
+                            phi_899_ = false;
                         } else {
-                            phi_900_ = true;
+                            phi_899_ = true;
                         }
-                        let _e294 = phi_900_;
-                        phi_901_ = _e294;
+                        let _e293 = phi_899_;
+                        phi_900_ = _e293;
                     } else {
-                        phi_901_ = true;
+                        phi_900_ = true;
                     }
-                    let _e296 = phi_901_;
-                    if _e296 {
-                        if (_e289 >= _e290) {
-                            phi_909_ = 1u;
-                            phi_910_ = _e166;
+                    let _e295 = phi_900_;
+                    if _e295 {
+                        if (_e288 >= _e289) {
+                            phi_908_ = 1u;
+                            phi_909_ = _e165;
                         } else {
-                            phi_909_ = 2u;
-                            phi_910_ = _e167;
+                            phi_908_ = 2u;
+                            phi_909_ = _e166;
                         }
-                        let _e299 = phi_909_;
-                        let _e301 = phi_910_;
-                        phi_911_ = _e299;
-                        phi_912_ = _e301;
+                        let _e298 = phi_908_;
+                        let _e300 = phi_909_;
+                        phi_910_ = _e298;
+                        phi_911_ = _e300;
                     } else {
-                        phi_911_ = 0u;
-                        phi_912_ = _e165;
+                        phi_910_ = 0u;
+                        phi_911_ = _e164;
                     }
-                    let _e303 = phi_911_;
-                    let _e305 = phi_912_;
-                    if (_e305 < 0f) {
-                        phi_917_ = -1f;
+                    let _e302 = phi_910_;
+                    let _e304 = phi_911_;
+                    if (_e304 < 0f) {
+                        phi_916_ = -1f;
                     } else {
-                        phi_917_ = 1f;
+                        phi_916_ = 1f;
                     }
-                    let _e308 = phi_917_;
-                    let _e309 = (_e308 < 0f);
-                    if (_e303 == 0u) {
-                        if _e309 {
-                            phi_928_ = _e125.roots.y;
+                    let _e307 = phi_916_;
+                    let _e308 = (_e307 < 0f);
+                    if (_e302 == 0u) {
+                        if _e308 {
+                            phi_927_ = _e124.roots.y;
                         } else {
-                            phi_928_ = _e125.roots.x;
+                            phi_927_ = _e124.roots.x;
                         }
-                        let _e316 = phi_928_;
-                        phi_946_ = _e316;
+                        let _e315 = phi_927_;
+                        phi_945_ = _e315;
                     } else {
-                        if (_e303 == 1u) {
-                            if _e309 {
-                                phi_938_ = _e125.roots.w;
+                        if (_e302 == 1u) {
+                            if _e308 {
+                                phi_937_ = _e124.roots.w;
                             } else {
-                                phi_938_ = _e125.roots.z;
+                                phi_937_ = _e124.roots.z;
                             }
-                            let _e323 = phi_938_;
-                            phi_945_ = _e323;
+                            let _e322 = phi_937_;
+                            phi_944_ = _e322;
                         } else {
-                            if _e309 {
-                                phi_944_ = _e125.roots_z.y;
+                            if _e308 {
+                                phi_943_ = _e124.roots_z.y;
                             } else {
-                                phi_944_ = _e125.roots_z.x;
+                                phi_943_ = _e124.roots_z.x;
                             }
-                            let _e329 = phi_944_;
-                            phi_945_ = _e329;
+                            let _e328 = phi_943_;
+                            phi_944_ = _e328;
                         }
-                        let _e331 = phi_945_;
-                        phi_946_ = _e331;
+                        let _e330 = phi_944_;
+                        phi_945_ = _e330;
                     }
-                    let _e333 = phi_946_;
-                    if (_e303 == 0u) {
-                        phi_958_ = vec3<f32>(_e166, _e167, _e165);
+                    let _e332 = phi_945_;
+                    if (_e302 == 0u) {
+                        phi_957_ = vec3<f32>(_e165, _e166, _e164);
                     } else {
-                        if (_e303 == 1u) {
-                            phi_957_ = vec3<f32>(_e167, _e165, _e166);
+                        if (_e302 == 1u) {
+                            phi_956_ = vec3<f32>(_e166, _e164, _e165);
                         } else {
-                            phi_957_ = _e168;
+                            phi_956_ = _e167;
                         }
-                        let _e339 = phi_957_;
-                        phi_958_ = _e339;
+                        let _e338 = phi_956_;
+                        phi_957_ = _e338;
                     }
-                    let _e341 = phi_958_;
-                    phi_1004_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e341.x / _e341.z), (_e341.y / _e341.z), (_e308 / _e341.z)), _e333);
+                    let _e340 = phi_957_;
+                    phi_1002_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e340.x / _e340.z), (_e340.y / _e340.z), (_e307 / _e340.z)), _e332);
                 } else {
-                    if (_e125.axis == 0u) {
-                        phi_981_ = vec3<f32>(_e147, _e149, _e145);
+                    if (_e124.axis == 0u) {
+                        phi_980_ = vec3<f32>(_e146, _e148, _e144);
                     } else {
-                        if (_e125.axis == 1u) {
-                            phi_980_ = vec3<f32>(_e149, _e145, _e147);
+                        if (_e124.axis == 1u) {
+                            phi_979_ = vec3<f32>(_e148, _e144, _e146);
                         } else {
-                            phi_980_ = (_e131 + vec3<f32>(_e139, _e141, _e143));
+                            phi_979_ = (_e130 + vec3<f32>(_e138, _e140, _e142));
                         }
-                        let _e358 = phi_980_;
-                        phi_981_ = _e358;
+                        let _e357 = phi_979_;
+                        phi_980_ = _e357;
                     }
-                    let _e360 = phi_981_;
-                    let _e372 = (_e360.z - _e125.middle.z);
-                    phi_1004_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e360.x - _e125.middle.x) - (_e125.shear.x * _e372)), ((_e360.y - _e125.middle.y) - (_e125.shear.y * _e372)), (_e125.sign * _e372)), _e125.roots.x);
+                    let _e359 = phi_980_;
+                    let _e374 = (_e359.z - _e124.middle.z);
+                    phi_1002_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e359.x - _e124.middle.x) - (_e124.shear.x * _e374)), ((_e359.y - _e124.middle.y) - (_e124.shear.y * _e374)), (_e124.sign * _e374)), _e124.roots.x);
                 }
-                let _e385 = phi_1004_;
+                let _e385 = phi_1002_;
                 if (_e385.unnamed_1 == 4294967295u) {
-                    phi_2444_ = false;
-                    phi_2445_ = true;
+                    phi_2538_ = false;
                 } else {
-                    if (0u < _e89) {
+                    if (0u < _e88) {
                     } else {
                         return;
                     }
-                    let _e393 = nodes.member[0u].frame[0u];
-                    let _e397 = nodes.member[0u].frame[1u];
-                    let _e401 = nodes.member[0u].frame[2u];
-                    let _e405 = nodes.member[0u].frame[0u];
-                    let _e409 = nodes.member[0u].frame[1u];
-                    let _e413 = nodes.member[0u].frame[2u];
-                    let _e417 = nodes.member[0u].frame[3u];
-                    let _e451 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165), abs(_e166));
-                    let _e452 = core_intrinsics_maximum_number_nsz_f32_(_e451, abs(_e167));
-                    let _e453 = (_e452 * 0.0000000000009094947f);
-                    if (abs(_e165) < _e453) {
-                        phi_1072_ = _e453;
+                    let _e402 = nodes.member[0u].frame[0u];
+                    let _e406 = nodes.member[0u].frame[1u];
+                    let _e410 = nodes.member[0u].frame[2u];
+                    let _e414 = nodes.member[0u].frame[0u];
+                    let _e418 = nodes.member[0u].frame[1u];
+                    let _e422 = nodes.member[0u].frame[2u];
+                    let _e426 = nodes.member[0u].frame[3u];
+                    let _e460 = core_intrinsics_maximum_number_nsz_f32_(abs(_e164), abs(_e165));
+                    let _e461 = core_intrinsics_maximum_number_nsz_f32_(_e460, abs(_e166));
+                    let _e462 = (_e461 * 0.0000000000009094947f);
+                    if (abs(_e164) < _e462) {
+                        phi_1077_ = _e462;
                     } else {
-                        phi_1072_ = abs(_e165);
+                        phi_1077_ = abs(_e164);
                     }
-                    let _e458 = phi_1072_;
+                    let _e467 = phi_1077_;
+                    if (_e164 < 0f) {
+                        phi_1084_ = (-1f / _e467);
+                    } else {
+                        phi_1084_ = (1f / _e467);
+                    }
+                    let _e472 = phi_1084_;
+                    if (abs(_e165) < _e462) {
+                        phi_1091_ = _e462;
+                    } else {
+                        phi_1091_ = abs(_e165);
+                    }
+                    let _e477 = phi_1091_;
                     if (_e165 < 0f) {
-                        phi_1079_ = (-1f / _e458);
+                        phi_1098_ = (-1f / _e477);
                     } else {
-                        phi_1079_ = (1f / _e458);
+                        phi_1098_ = (1f / _e477);
                     }
-                    let _e463 = phi_1079_;
-                    if (abs(_e166) < _e453) {
-                        phi_1086_ = _e453;
+                    let _e482 = phi_1098_;
+                    if (abs(_e166) < _e462) {
+                        phi_1105_ = _e462;
                     } else {
-                        phi_1086_ = abs(_e166);
+                        phi_1105_ = abs(_e166);
                     }
-                    let _e468 = phi_1086_;
+                    let _e487 = phi_1105_;
                     if (_e166 < 0f) {
-                        phi_1093_ = (-1f / _e468);
+                        phi_1112_ = (-1f / _e487);
                     } else {
-                        phi_1093_ = (1f / _e468);
+                        phi_1112_ = (1f / _e487);
                     }
-                    let _e473 = phi_1093_;
-                    if (abs(_e167) < _e453) {
-                        phi_1100_ = _e453;
+                    let _e492 = phi_1112_;
+                    let _e496 = abs((bitcast<f32>(_e402) - _e144));
+                    let _e497 = abs((bitcast<f32>(_e406) - _e146));
+                    let _e498 = abs((bitcast<f32>(_e410) - _e148));
+                    let _e502 = abs(((bitcast<f32>(_e414) + (bitcast<f32>((((_e426 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e144));
+                    let _e503 = abs(((bitcast<f32>(_e418) + (bitcast<f32>((((_e426 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146));
+                    let _e504 = abs(((bitcast<f32>(_e422) + (bitcast<f32>((((_e426 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e148));
+                    if (_e496 > _e502) {
+                        phi_1129_ = _e496;
                     } else {
-                        phi_1100_ = abs(_e167);
+                        phi_1129_ = _e502;
                     }
-                    let _e478 = phi_1100_;
-                    if (_e167 < 0f) {
-                        phi_1107_ = (-1f / _e478);
+                    let _e507 = phi_1129_;
+                    if (_e497 > _e503) {
+                        phi_1134_ = _e497;
                     } else {
-                        phi_1107_ = (1f / _e478);
+                        phi_1134_ = _e503;
                     }
-                    let _e483 = phi_1107_;
-                    let _e487 = abs((bitcast<f32>(_e393) - _e145));
-                    let _e488 = abs((bitcast<f32>(_e397) - _e147));
-                    let _e489 = abs((bitcast<f32>(_e401) - _e149));
-                    let _e493 = abs(((bitcast<f32>(_e405) + (bitcast<f32>((((_e417 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145));
-                    let _e494 = abs(((bitcast<f32>(_e409) + (bitcast<f32>((((_e417 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e147));
-                    let _e495 = abs(((bitcast<f32>(_e413) + (bitcast<f32>((((_e417 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e149));
-                    if (_e487 > _e493) {
-                        phi_1124_ = _e487;
-                    } else {
-                        phi_1124_ = _e493;
-                    }
-                    let _e498 = phi_1124_;
-                    if (_e488 > _e494) {
-                        phi_1129_ = _e488;
-                    } else {
-                        phi_1129_ = _e494;
-                    }
-                    let _e501 = phi_1129_;
-                    if (_e489 > _e495) {
-                        phi_1134_ = _e489;
-                    } else {
-                        phi_1134_ = _e495;
-                    }
-                    let _e504 = phi_1134_;
-                    if (_e498 > _e501) {
+                    let _e510 = phi_1134_;
+                    if (_e498 > _e504) {
                         phi_1139_ = _e498;
                     } else {
-                        phi_1139_ = _e501;
+                        phi_1139_ = _e504;
                     }
-                    let _e507 = phi_1139_;
-                    if (_e507 > _e504) {
+                    let _e513 = phi_1139_;
+                    if (_e507 > _e510) {
                         phi_1144_ = _e507;
                     } else {
-                        phi_1144_ = _e504;
+                        phi_1144_ = _e510;
                     }
-                    let _e510 = phi_1144_;
-                    let _e517 = (_e510 * 0.0000009536743f);
-                    let _e518 = (abs(_e463) * _e517);
-                    let _e519 = (abs(_e473) * _e517);
-                    let _e520 = (abs(_e483) * _e517);
-                    let _e521 = abs(_e165);
-                    let _e522 = abs(_e166);
-                    let _e523 = abs(_e167);
-                    if (_e521 >= _e522) {
-                        if (_e521 >= _e523) {
-                            phi_1166_ = false;
-                        } else {
-                            phi_1166_ = true;
-                        }
-                        let _e527 = phi_1166_;
-                        phi_1167_ = _e527;
+                    let _e516 = phi_1144_;
+                    if (_e516 > _e513) {
+                        phi_1149_ = _e516;
                     } else {
-                        phi_1167_ = true;
+                        phi_1149_ = _e513;
                     }
-                    let _e529 = phi_1167_;
-                    if _e529 {
-                        if (_e522 >= _e523) {
-                            phi_1175_ = 1u;
+                    let _e519 = phi_1149_;
+                    let _e526 = (_e519 * 0.0000009536743f);
+                    let _e527 = (abs(_e472) * _e526);
+                    let _e528 = (abs(_e482) * _e526);
+                    let _e529 = (abs(_e492) * _e526);
+                    let _e530 = abs(_e164);
+                    let _e531 = abs(_e165);
+                    let _e532 = abs(_e166);
+                    if (_e530 >= _e531) {
+                        if (_e530 >= _e532) {
+                            phi_1171_ = false;
                         } else {
-                            phi_1175_ = 2u;
+                            phi_1171_ = true;
                         }
-                        let _e532 = phi_1175_;
-                        phi_1176_ = _e532;
+                        let _e536 = phi_1171_;
+                        phi_1172_ = _e536;
                     } else {
-                        phi_1176_ = 0u;
+                        phi_1172_ = true;
                     }
-                    let _e534 = phi_1176_;
-                    if (_e534 == 0u) {
-                        phi_1188_ = vec3<f32>(_e166, _e167, _e165);
-                    } else {
-                        if (_e534 == 1u) {
-                            phi_1187_ = vec3<f32>(_e167, _e165, _e166);
+                    let _e538 = phi_1172_;
+                    if _e538 {
+                        if (_e531 >= _e532) {
+                            phi_1180_ = 1u;
                         } else {
-                            phi_1187_ = _e168;
+                            phi_1180_ = 2u;
                         }
-                        let _e540 = phi_1187_;
-                        phi_1188_ = _e540;
+                        let _e541 = phi_1180_;
+                        phi_1181_ = _e541;
+                    } else {
+                        phi_1181_ = 0u;
                     }
-                    let _e542 = phi_1188_;
-                    let _e545 = (_e542.x / _e542.z);
-                    let _e548 = (_e542.y / _e542.z);
+                    let _e543 = phi_1181_;
+                    if (_e543 == 0u) {
+                        phi_1193_ = vec3<f32>(_e165, _e166, _e164);
+                    } else {
+                        if (_e543 == 1u) {
+                            phi_1192_ = vec3<f32>(_e166, _e164, _e165);
+                        } else {
+                            phi_1192_ = _e167;
+                        }
+                        let _e549 = phi_1192_;
+                        phi_1193_ = _e549;
+                    }
+                    let _e551 = phi_1193_;
+                    let _e554 = (_e551.x / _e551.z);
+                    let _e557 = (_e551.y / _e551.z);
                     local_3 = array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    phi_1200_ = ((_e385.unnamed_1 << bitcast<u32>(8i)) | 1u);
-                    phi_1203_ = 0u;
+                    phi_1205_ = ((_e385.unnamed_1 << bitcast<u32>(8i)) | 1u);
+                    phi_1208_ = 0u;
                     loop {
-                        let _e555 = phi_1200_;
-                        let _e557 = phi_1203_;
-                        let _e558 = (_e555 == 0u);
-                        local_7 = _e558;
-                        if _e558 {
-                            phi_1201_ = u32();
-                            phi_1204_ = u32();
-                            phi_2425_ = false;
-                            phi_2426_ = false;
-                            phi_2427_ = false;
-                        } else {
-                            phi_1212_ = _e555;
-                            phi_1215_ = 0u;
-                            phi_1217_ = 0u;
-                            phi_1219_ = _e557;
-                            loop {
-                                let _e560 = phi_1212_;
-                                let _e562 = phi_1215_;
-                                let _e564 = phi_1217_;
-                                let _e566 = phi_1219_;
-                                local_13 = _e564;
-                                local_5 = _e562;
-                                local_16 = _e560;
-                                local_17 = _e566;
-                                let _e567 = (_e560 == 0u);
-                                local_4 = _e567;
-                                if _e567 {
-                                    phi_1213_ = u32();
-                                    phi_1216_ = u32();
-                                    phi_1218_ = u32();
-                                    phi_1220_ = u32();
-                                    phi_1566_ = false;
+                        let _e564 = phi_1205_;
+                        let _e566 = phi_1208_;
+                        phi_1213_ = _e564;
+                        phi_1215_ = 0u;
+                        phi_1217_ = 0u;
+                        phi_1219_ = _e566;
+                        loop {
+                            let _e568 = phi_1213_;
+                            let _e570 = phi_1215_;
+                            let _e572 = phi_1217_;
+                            let _e574 = phi_1219_;
+                            let _e581 = (((_e568 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e568), 32u, (_e568 == 0u))) * 5u);
+                            if (_e581 < _e100) {
+                            } else {
+                                return;
+                            }
+                            let _e585 = rows.member[(0u + _e581)];
+                            let _e586 = (_e581 + 1u);
+                            if (_e586 < _e100) {
+                            } else {
+                                return;
+                            }
+                            let _e590 = rows.member[(0u + _e586)];
+                            let _e591 = (_e581 + 2u);
+                            if (_e591 < _e100) {
+                            } else {
+                                return;
+                            }
+                            let _e595 = rows.member[(0u + _e591)];
+                            let _e596 = (_e581 + 3u);
+                            if (_e596 < _e100) {
+                            } else {
+                                return;
+                            }
+                            let _e600 = rows.member[(0u + _e596)];
+                            let _e601 = (_e581 + 4u);
+                            if (_e601 < _e100) {
+                            } else {
+                                return;
+                            }
+                            let _e605 = rows.member[(0u + _e601)];
+                            let _e606 = lt_bvh_Node(_e585, _e590, _e595, _e600, _e605);
+                            let _e608 = (_e568 & (_e568 - 1u));
+                            let _e620 = (_e385.unnamed.positive_exponent - bitcast<f32>(_e606.frame.x));
+                            let _e623 = bitcast<f32>((((_e606.z.z >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e620 > 0f) {
+                                if (_e620 < (255f * _e623)) {
+                                    phi_1291_ = (_e620 / _e623);
                                 } else {
-                                    let _e568 = (_e564 == 0u);
-                                    if _e568 {
-                                        let _e575 = (((_e560 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e560), 32u, (_e560 == 0u))) * 4u);
-                                        if (_e575 < _e101) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e579 = rows.member[(0u + _e575)];
-                                        let _e580 = (_e575 + 1u);
-                                        if (_e580 < _e101) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e584 = rows.member[(0u + _e580)];
-                                        let _e585 = (_e575 + 2u);
-                                        if (_e585 < _e101) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e589 = rows.member[(0u + _e585)];
-                                        let _e590 = (_e575 + 3u);
-                                        if (_e590 < _e101) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e594 = rows.member[(0u + _e590)];
-                                        let _e595 = lt_bvh_LightNode(_e579, _e584, _e589, _e594);
-                                        let _e597 = (_e560 & (_e560 - 1u));
-                                        let _e609 = (_e385.unnamed.positive_exponent - bitcast<f32>(_e595.frame.x));
-                                        let _e612 = bitcast<f32>((((_e595.frame.w >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                        if (_e609 > 0f) {
-                                            if (_e609 < (255f * _e612)) {
-                                                phi_1292_ = (_e609 / _e612);
+                                    phi_1291_ = 255f;
+                                }
+                                let _e629 = phi_1291_;
+                                phi_1292_ = _e629;
+                            } else {
+                                phi_1292_ = 0f;
+                            }
+                            let _e631 = phi_1292_;
+                            let _e638 = select(select(u32(_e631), 0u, (_e631 < bitcast<f32>(0u))), 4294967295u, (_e631 > bitcast<f32>(1333788671u)));
+                            if (f32(_e638) < _e631) {
+                                phi_1306_ = (_e638 + 1u);
+                            } else {
+                                phi_1306_ = _e638;
+                            }
+                            let _e643 = phi_1306_;
+                            let _e644 = (_e638 * 16843009u);
+                            let _e645 = (_e643 * 16843009u);
+                            let _e655 = (_e385.unnamed.negative_exponent - bitcast<f32>(_e606.frame.y));
+                            let _e658 = bitcast<f32>((((_e606.z.z >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e655 > 0f) {
+                                if (_e655 < (255f * _e658)) {
+                                    phi_1329_ = (_e655 / _e658);
+                                } else {
+                                    phi_1329_ = 255f;
+                                }
+                                let _e664 = phi_1329_;
+                                phi_1330_ = _e664;
+                            } else {
+                                phi_1330_ = 0f;
+                            }
+                            let _e666 = phi_1330_;
+                            let _e673 = select(select(u32(_e666), 0u, (_e666 < bitcast<f32>(0u))), 4294967295u, (_e666 > bitcast<f32>(1333788671u)));
+                            if (f32(_e673) < _e666) {
+                                phi_1344_ = (_e673 + 1u);
+                            } else {
+                                phi_1344_ = _e673;
+                            }
+                            let _e678 = phi_1344_;
+                            let _e679 = (_e673 * 16843009u);
+                            let _e680 = (_e678 * 16843009u);
+                            let _e689 = (((_e124.diagonal.x * _e385.unnamed.positive_exponent) + (_e124.diagonal.y * _e385.unnamed.negative_exponent)) - bitcast<f32>(_e606.frame.z));
+                            let _e692 = bitcast<f32>((((_e606.z.z >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e689 > 0f) {
+                                if (_e689 < (255f * _e692)) {
+                                    phi_1366_ = (_e689 / _e692);
+                                } else {
+                                    phi_1366_ = 255f;
+                                }
+                                let _e698 = phi_1366_;
+                                phi_1367_ = _e698;
+                            } else {
+                                phi_1367_ = 0f;
+                            }
+                            let _e700 = phi_1367_;
+                            let _e707 = select(select(u32(_e700), 0u, (_e700 < bitcast<f32>(0u))), 4294967295u, (_e700 > bitcast<f32>(1333788671u)));
+                            if (f32(_e707) < _e700) {
+                                phi_1381_ = (_e707 + 1u);
+                            } else {
+                                phi_1381_ = _e707;
+                            }
+                            let _e712 = phi_1381_;
+                            let _e713 = (_e707 * 16843009u);
+                            let _e714 = (_e712 * 16843009u);
+                            let _e724 = (_e385.unnamed.min_variance - bitcast<f32>(_e606.frame.w));
+                            let _e727 = bitcast<f32>((((_e606.z.z >> bitcast<u32>(((3u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e724 > 0f) {
+                                if (_e724 < (255f * _e727)) {
+                                    phi_1404_ = (_e724 / _e727);
+                                } else {
+                                    phi_1404_ = 255f;
+                                }
+                                let _e733 = phi_1404_;
+                                phi_1405_ = _e733;
+                            } else {
+                                phi_1405_ = 0f;
+                            }
+                            let _e735 = phi_1405_;
+                            let _e742 = select(select(u32(_e735), 0u, (_e735 < bitcast<f32>(0u))), 4294967295u, (_e735 > bitcast<f32>(1333788671u)));
+                            if (f32(_e742) < _e735) {
+                                phi_1419_ = (_e742 + 1u);
+                            } else {
+                                phi_1419_ = _e742;
+                            }
+                            let _e747 = phi_1419_;
+                            let _e748 = (_e747 * 16843009u);
+                            let _e929 = (((((((((((_e644 & ~(_e606.links.x)) | (~((_e606.links.x ^ _e644)) & ((_e644 | 2155905152u) - (_e606.links.x & 2139062143u)))) & ((_e606.links.z & ~(_e645)) | (~((_e645 ^ _e606.links.z)) & ((_e606.links.z | 2155905152u) - (_e645 & 2139062143u))))) & (((_e679 & ~(_e606.x.x)) | (~((_e606.x.x ^ _e679)) & ((_e679 | 2155905152u) - (_e606.x.x & 2139062143u)))) & ((_e606.x.z & ~(_e680)) | (~((_e680 ^ _e606.x.z)) & ((_e606.x.z | 2155905152u) - (_e680 & 2139062143u)))))) & (((_e713 & ~(_e606.y.x)) | (~((_e606.y.x ^ _e713)) & ((_e713 | 2155905152u) - (_e606.y.x & 2139062143u)))) & ((_e606.y.z & ~(_e714)) | (~((_e714 ^ _e606.y.z)) & ((_e606.y.z | 2155905152u) - (_e714 & 2139062143u)))))) & ((_e606.z.x & ~(_e748)) | (~((_e748 ^ _e606.z.x)) & ((_e606.z.x | 2155905152u) - (_e748 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e644 & ~(_e606.links.y)) | (~((_e606.links.y ^ _e644)) & ((_e644 | 2155905152u) - (_e606.links.y & 2139062143u)))) & ((_e606.links.w & ~(_e645)) | (~((_e645 ^ _e606.links.w)) & ((_e606.links.w | 2155905152u) - (_e645 & 2139062143u))))) & (((_e679 & ~(_e606.x.y)) | (~((_e606.x.y ^ _e679)) & ((_e679 | 2155905152u) - (_e606.x.y & 2139062143u)))) & ((_e606.x.w & ~(_e680)) | (~((_e680 ^ _e606.x.w)) & ((_e606.x.w | 2155905152u) - (_e680 & 2139062143u)))))) & (((_e713 & ~(_e606.y.y)) | (~((_e606.y.y ^ _e713)) & ((_e713 | 2155905152u) - (_e606.y.y & 2139062143u)))) & ((_e606.y.w & ~(_e714)) | (~((_e714 ^ _e606.y.w)) & ((_e606.y.w | 2155905152u) - (_e714 & 2139062143u)))))) & ((_e606.z.y & ~(_e748)) | (~((_e748 ^ _e606.z.y)) & ((_e606.z.y | 2155905152u) - (_e748 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                            if ((_e606.z.w & 2147483648u) != 0u) {
+                                phi_1619_ = _e608;
+                                phi_1216_ = (_e606.z.w & 2147483647u);
+                                phi_1218_ = _e929;
+                                phi_1620_ = _e574;
+                            } else {
+                                if (_e929 == 0u) {
+                                    phi_1617_ = _e608;
+                                    phi_1618_ = _e574;
+                                } else {
+                                    if ((_e608 & 255u) == 0u) {
+                                        phi_1612_ = _e574;
+                                    } else {
+                                        if (_e574 < 32u) {
+                                            if (_e574 < 32u) {
                                             } else {
-                                                phi_1292_ = 255f;
+                                                return;
                                             }
-                                            let _e618 = phi_1292_;
-                                            phi_1293_ = _e618;
+                                            local_3[(0u + _e574)] = _e608;
+                                            phi_1611_ = (_e574 + 1u);
                                         } else {
-                                            phi_1293_ = 0f;
+                                            phi_1611_ = _e574;
                                         }
-                                        let _e620 = phi_1293_;
-                                        let _e627 = select(select(u32(_e620), 0u, (_e620 < bitcast<f32>(0u))), 4294967295u, (_e620 > bitcast<f32>(1333788671u)));
-                                        if (f32(_e627) < _e620) {
-                                            phi_1307_ = (_e627 + 1u);
+                                        let _e946 = phi_1611_;
+                                        phi_1612_ = _e946;
+                                    }
+                                    let _e948 = phi_1612_;
+                                    phi_1617_ = (((_e606.z.w & 2147483647u) << bitcast<u32>(8i)) | _e929);
+                                    phi_1618_ = _e948;
+                                }
+                                let _e956 = phi_1617_;
+                                let _e958 = phi_1618_;
+                                phi_1619_ = _e956;
+                                phi_1216_ = _e570;
+                                phi_1218_ = _e572;
+                                phi_1620_ = _e958;
+                            }
+                            let _e960 = phi_1619_;
+                            let _e962 = phi_1216_;
+                            let _e964 = phi_1218_;
+                            let _e966 = phi_1620_;
+                            local_5 = _e964;
+                            local_17 = _e964;
+                            local_6 = _e962;
+                            if ((_e960 & 255u) == 0u) {
+                                if (_e966 > 0u) {
+                                    let _e970 = (_e966 - 1u);
+                                    if (_e970 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e974 = local_3[(0u + _e970)];
+                                    phi_1638_ = _e974;
+                                    phi_1639_ = _e970;
+                                } else {
+                                    phi_1638_ = 0u;
+                                    phi_1639_ = _e966;
+                                }
+                                let _e976 = phi_1638_;
+                                let _e978 = phi_1639_;
+                                phi_1206_ = _e976;
+                                phi_1209_ = _e978;
+                            } else {
+                                phi_1206_ = _e960;
+                                phi_1209_ = _e966;
+                            }
+                            let _e980 = phi_1206_;
+                            let _e982 = phi_1209_;
+                            local_15 = _e980;
+                            local_16 = _e982;
+                            local_8 = _e980;
+                            if (_e964 == 0u) {
+                                let _e984 = (_e980 == 0u);
+                                if _e984 {
+                                    phi_1648_ = false;
+                                } else {
+                                    phi_1648_ = true;
+                                }
+                                let _e986 = phi_1648_;
+                                phi_1649_ = _e986;
+                                phi_1650_ = _e984;
+                            } else {
+                                phi_1649_ = false;
+                                phi_1650_ = false;
+                            }
+                            let _e988 = phi_1649_;
+                            let _e990 = phi_1650_;
+                            local_4 = _e990;
+                            continue;
+                            continuing {
+                                phi_1213_ = _e980;
+                                phi_1215_ = _e962;
+                                phi_1217_ = _e964;
+                                phi_1219_ = _e982;
+                                break if !(_e988);
+                            }
+                        }
+                        let _e993 = local_4;
+                        if _e993 {
+                        }
+                        let _e995 = local_5;
+                        if (_e995 == 0u) {
+                            phi_2512_ = true;
+                            phi_2513_ = false;
+                            phi_2514_ = false;
+                        } else {
+                            let _e3465 = local_17;
+                            phi_1659_ = _e3465;
+                            loop {
+                                let _e998 = phi_1659_;
+                                let _e1001 = select(firstTrailingBit(_e998), 32u, (_e998 == 0u));
+                                let _e1005 = local_6;
+                                let _e1006 = (_e1005 + (_e1001 >> bitcast<u32>(2i)));
+                                if (_e1006 < _e100) {
+                                } else {
+                                    return;
+                                }
+                                let _e1011 = rows.member[(0u + _e1006)][0u];
+                                let _e1015 = rows.member[(0u + _e1006)][1u];
+                                let _e1019 = rows.member[(0u + _e1006)][2u];
+                                let _e1023 = rows.member[(0u + _e1006)][3u];
+                                if ((_e1001 & 2u) == 0u) {
+                                    phi_1694_ = _e1015;
+                                    phi_1695_ = _e1011;
+                                } else {
+                                    phi_1694_ = _e1023;
+                                    phi_1695_ = _e1019;
+                                }
+                                let _e1027 = phi_1694_;
+                                let _e1029 = phi_1695_;
+                                if ((_e1001 & 1u) == 0u) {
+                                    phi_1701_ = _e1029;
+                                } else {
+                                    phi_1701_ = _e1027;
+                                }
+                                let _e1033 = phi_1701_;
+                                let _e1035 = (_e998 & (_e998 - 1u));
+                                if (_e1033 < _e91) {
+                                } else {
+                                    return;
+                                }
+                                let _e1040 = triangles.member[(0u + _e1033)].v0_;
+                                let _e1042 = (_e1040.x - _e144);
+                                let _e1044 = (_e1040.y - _e146);
+                                let _e1046 = (_e1040.z - _e148);
+                                if (_e543 == 0u) {
+                                    phi_1730_ = vec3<f32>(_e1044, _e1046, _e1042);
+                                } else {
+                                    if (_e543 == 1u) {
+                                        phi_1729_ = vec3<f32>(_e1046, _e1042, _e1044);
+                                    } else {
+                                        phi_1729_ = (_e1040 - vec3<f32>(_e144, _e146, _e148));
+                                    }
+                                    let _e1054 = phi_1729_;
+                                    phi_1730_ = _e1054;
+                                }
+                                let _e1056 = phi_1730_;
+                                let _e1060 = (_e1056.x - (_e554 * _e1056.z));
+                                let _e1064 = (_e1056.y - (_e557 * _e1056.z));
+                                let _e1066 = triangles.member[(0u + _e1033)].v1_;
+                                let _e1068 = (_e1066.x - _e144);
+                                let _e1070 = (_e1066.y - _e146);
+                                let _e1072 = (_e1066.z - _e148);
+                                if (_e543 == 0u) {
+                                    phi_1760_ = vec3<f32>(_e1070, _e1072, _e1068);
+                                } else {
+                                    if (_e543 == 1u) {
+                                        phi_1759_ = vec3<f32>(_e1072, _e1068, _e1070);
+                                    } else {
+                                        phi_1759_ = (_e1066 - vec3<f32>(_e144, _e146, _e148));
+                                    }
+                                    let _e1080 = phi_1759_;
+                                    phi_1760_ = _e1080;
+                                }
+                                let _e1082 = phi_1760_;
+                                let _e1086 = (_e1082.x - (_e554 * _e1082.z));
+                                let _e1090 = (_e1082.y - (_e557 * _e1082.z));
+                                let _e1092 = triangles.member[(0u + _e1033)].v2_;
+                                let _e1094 = (_e1092.x - _e144);
+                                let _e1096 = (_e1092.y - _e146);
+                                let _e1098 = (_e1092.z - _e148);
+                                if (_e543 == 0u) {
+                                    phi_1790_ = vec3<f32>(_e1096, _e1098, _e1094);
+                                } else {
+                                    if (_e543 == 1u) {
+                                        phi_1789_ = vec3<f32>(_e1098, _e1094, _e1096);
+                                    } else {
+                                        phi_1789_ = (_e1092 - vec3<f32>(_e144, _e146, _e148));
+                                    }
+                                    let _e1106 = phi_1789_;
+                                    phi_1790_ = _e1106;
+                                }
+                                let _e1108 = phi_1790_;
+                                let _e1112 = (_e1108.x - (_e554 * _e1108.z));
+                                let _e1116 = (_e1108.y - (_e557 * _e1108.z));
+                                if (_e1086 < _e1112) {
+                                    phi_1809_ = true;
+                                } else {
+                                    if (_e1086 == _e1112) {
+                                        phi_1808_ = (_e1090 < _e1116);
+                                    } else {
+                                        phi_1808_ = false;
+                                    }
+                                    let _e1121 = phi_1808_;
+                                    phi_1809_ = _e1121;
+                                }
+                                let _e1123 = phi_1809_;
+                                if _e1123 {
+                                    phi_1813_ = _e1116;
+                                    phi_1814_ = _e1112;
+                                    phi_1815_ = _e1090;
+                                    phi_1816_ = _e1086;
+                                } else {
+                                    phi_1813_ = _e1090;
+                                    phi_1814_ = _e1086;
+                                    phi_1815_ = _e1116;
+                                    phi_1816_ = _e1112;
+                                }
+                                let _e1125 = phi_1813_;
+                                let _e1127 = phi_1814_;
+                                let _e1129 = phi_1815_;
+                                let _e1131 = phi_1816_;
+                                let _e1134 = ((_e1131 * _e1125) - (_e1129 * _e1127));
+                                if _e1123 {
+                                    phi_1824_ = -(_e1134);
+                                } else {
+                                    phi_1824_ = _e1134;
+                                }
+                                let _e1137 = phi_1824_;
+                                if (_e1112 < _e1060) {
+                                    phi_1835_ = true;
+                                } else {
+                                    if (_e1112 == _e1060) {
+                                        phi_1834_ = (_e1116 < _e1064);
+                                    } else {
+                                        phi_1834_ = false;
+                                    }
+                                    let _e1142 = phi_1834_;
+                                    phi_1835_ = _e1142;
+                                }
+                                let _e1144 = phi_1835_;
+                                if _e1144 {
+                                    phi_1839_ = _e1064;
+                                    phi_1840_ = _e1060;
+                                    phi_1841_ = _e1116;
+                                    phi_1842_ = _e1112;
+                                } else {
+                                    phi_1839_ = _e1116;
+                                    phi_1840_ = _e1112;
+                                    phi_1841_ = _e1064;
+                                    phi_1842_ = _e1060;
+                                }
+                                let _e1146 = phi_1839_;
+                                let _e1148 = phi_1840_;
+                                let _e1150 = phi_1841_;
+                                let _e1152 = phi_1842_;
+                                let _e1155 = ((_e1152 * _e1146) - (_e1150 * _e1148));
+                                if _e1144 {
+                                    phi_1850_ = -(_e1155);
+                                } else {
+                                    phi_1850_ = _e1155;
+                                }
+                                let _e1158 = phi_1850_;
+                                if (_e1060 < _e1086) {
+                                    phi_1861_ = true;
+                                } else {
+                                    if (_e1060 == _e1086) {
+                                        phi_1860_ = (_e1064 < _e1090);
+                                    } else {
+                                        phi_1860_ = false;
+                                    }
+                                    let _e1163 = phi_1860_;
+                                    phi_1861_ = _e1163;
+                                }
+                                let _e1165 = phi_1861_;
+                                if _e1165 {
+                                    phi_1865_ = _e1090;
+                                    phi_1866_ = _e1086;
+                                    phi_1867_ = _e1064;
+                                    phi_1868_ = _e1060;
+                                } else {
+                                    phi_1865_ = _e1064;
+                                    phi_1866_ = _e1060;
+                                    phi_1867_ = _e1090;
+                                    phi_1868_ = _e1086;
+                                }
+                                let _e1167 = phi_1865_;
+                                let _e1169 = phi_1866_;
+                                let _e1171 = phi_1867_;
+                                let _e1173 = phi_1868_;
+                                let _e1176 = ((_e1173 * _e1167) - (_e1171 * _e1169));
+                                if _e1165 {
+                                    phi_1876_ = -(_e1176);
+                                } else {
+                                    phi_1876_ = _e1176;
+                                }
+                                let _e1179 = phi_1876_;
+                                if (_e1137 >= 0f) {
+                                    if (_e1158 >= 0f) {
+                                        if (_e1179 >= 0f) {
+                                            phi_1891_ = ((_e1137 + _e1158) + _e1179);
+                                            phi_1892_ = false;
                                         } else {
-                                            phi_1307_ = _e627;
+                                            phi_1891_ = f32();
+                                            phi_1892_ = true;
                                         }
-                                        let _e632 = phi_1307_;
-                                        let _e633 = (_e627 * 16843009u);
-                                        let _e634 = (_e632 * 16843009u);
-                                        let _e644 = (_e385.unnamed.negative_exponent - bitcast<f32>(_e595.frame.y));
-                                        let _e647 = bitcast<f32>((((_e595.frame.w >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                        if (_e644 > 0f) {
-                                            if (_e644 < (255f * _e647)) {
-                                                phi_1330_ = (_e644 / _e647);
-                                            } else {
-                                                phi_1330_ = 255f;
+                                        let _e1186 = phi_1891_;
+                                        let _e1188 = phi_1892_;
+                                        phi_1893_ = _e1186;
+                                        phi_1894_ = _e1188;
+                                    } else {
+                                        phi_1893_ = f32();
+                                        phi_1894_ = true;
+                                    }
+                                    let _e1190 = phi_1893_;
+                                    let _e1192 = phi_1894_;
+                                    phi_1895_ = _e1190;
+                                    phi_1896_ = _e1192;
+                                } else {
+                                    phi_1895_ = f32();
+                                    phi_1896_ = true;
+                                }
+                                let _e1194 = phi_1895_;
+                                let _e1196 = phi_1896_;
+                                if _e1196 {
+                                    if (_e1137 <= 0f) {
+                                        if (_e1158 <= 0f) {
+                                            let _e1199 = (_e1179 <= 0f);
+                                            if _e1199 {
                                             }
-                                            let _e653 = phi_1330_;
-                                            phi_1331_ = _e653;
+                                            phi_1914_ = ((_e1137 + _e1158) + _e1179);
+                                            phi_1915_ = false;
+                                            phi_1916_ = _e1199;
                                         } else {
-                                            phi_1331_ = 0f;
+                                            phi_1914_ = f32();
+                                            phi_1915_ = true;
+                                            phi_1916_ = false;
                                         }
-                                        let _e655 = phi_1331_;
-                                        let _e662 = select(select(u32(_e655), 0u, (_e655 < bitcast<f32>(0u))), 4294967295u, (_e655 > bitcast<f32>(1333788671u)));
-                                        if (f32(_e662) < _e655) {
-                                            phi_1345_ = (_e662 + 1u);
+                                        let _e1203 = phi_1914_;
+                                        let _e1205 = phi_1915_;
+                                        let _e1207 = phi_1916_;
+                                        phi_1917_ = _e1203;
+                                        phi_1918_ = _e1205;
+                                        phi_1919_ = _e1207;
+                                    } else {
+                                        phi_1917_ = f32();
+                                        phi_1918_ = true;
+                                        phi_1919_ = false;
+                                    }
+                                    let _e1209 = phi_1917_;
+                                    let _e1211 = phi_1918_;
+                                    let _e1213 = phi_1919_;
+                                    if _e1211 {
+                                        phi_1923_ = false;
+                                    } else {
+                                        phi_1923_ = _e1213;
+                                    }
+                                    let _e1215 = phi_1923_;
+                                    phi_1924_ = _e1209;
+                                    phi_1925_ = _e1215;
+                                } else {
+                                    phi_1924_ = _e1194;
+                                    phi_1925_ = true;
+                                }
+                                let _e1217 = phi_1924_;
+                                let _e1219 = phi_1925_;
+                                if _e1219 {
+                                    let _e1220 = (_e1217 == 0f);
+                                    if _e1220 {
+                                        phi_2241_ = lt_bvh_triangle_Intersection();
+                                        phi_2242_ = false;
+                                    } else {
+                                        let _e1222 = triangles.member[(0u + _e1033)].v0_;
+                                        let _e1224 = (_e1222.x - _e144);
+                                        let _e1226 = (_e1222.y - _e146);
+                                        let _e1228 = (_e1222.z - _e148);
+                                        if (_e543 == 0u) {
+                                            phi_1954_ = vec3<f32>(_e1226, _e1228, _e1224);
                                         } else {
-                                            phi_1345_ = _e662;
-                                        }
-                                        let _e667 = phi_1345_;
-                                        let _e668 = (_e662 * 16843009u);
-                                        let _e669 = (_e667 * 16843009u);
-                                        let _e679 = (_e385.unnamed.min_variance - bitcast<f32>(_e595.frame.z));
-                                        let _e682 = bitcast<f32>((((_e595.frame.w >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                                        if (_e679 > 0f) {
-                                            if (_e679 < (255f * _e682)) {
-                                                phi_1368_ = (_e679 / _e682);
+                                            if (_e543 == 1u) {
+                                                phi_1953_ = vec3<f32>(_e1228, _e1224, _e1226);
                                             } else {
-                                                phi_1368_ = 255f;
+                                                phi_1953_ = (_e1222 - vec3<f32>(_e144, _e146, _e148));
                                             }
-                                            let _e688 = phi_1368_;
-                                            phi_1369_ = _e688;
-                                        } else {
-                                            phi_1369_ = 0f;
+                                            let _e1236 = phi_1953_;
+                                            phi_1954_ = _e1236;
                                         }
-                                        let _e690 = phi_1369_;
-                                        let _e697 = select(select(u32(_e690), 0u, (_e690 < bitcast<f32>(0u))), 4294967295u, (_e690 > bitcast<f32>(1333788671u)));
-                                        if (f32(_e697) < _e690) {
-                                            phi_1383_ = (_e697 + 1u);
+                                        let _e1238 = phi_1954_;
+                                        let _e1240 = triangles.member[(0u + _e1033)].v1_;
+                                        let _e1242 = triangles.member[(0u + _e1033)].v0_;
+                                        let _e1245 = (_e1240.x - _e1242.x);
+                                        let _e1248 = (_e1240.y - _e1242.y);
+                                        let _e1251 = (_e1240.z - _e1242.z);
+                                        if (_e543 == 0u) {
+                                            phi_1980_ = vec3<f32>(_e1248, _e1251, _e1245);
                                         } else {
-                                            phi_1383_ = _e697;
-                                        }
-                                        let _e702 = phi_1383_;
-                                        let _e703 = (_e702 * 16843009u);
-                                        let _e836 = (((((((((((_e633 & ~(_e595.x.x)) | (~((_e595.x.x ^ _e633)) & ((_e633 | 2155905152u) - (_e595.x.x & 2139062143u)))) & ((_e595.x.z & ~(_e634)) | (~((_e634 ^ _e595.x.z)) & ((_e595.x.z | 2155905152u) - (_e634 & 2139062143u))))) & ((_e668 & ~(_e595.y.x)) | (~((_e595.y.x ^ _e668)) & ((_e668 | 2155905152u) - (_e595.y.x & 2139062143u))))) & ((_e595.y.z & ~(_e669)) | (~((_e669 ^ _e595.y.z)) & ((_e595.y.z | 2155905152u) - (_e669 & 2139062143u))))) & ((_e595.rest.x & ~(_e703)) | (~((_e703 ^ _e595.rest.x)) & ((_e595.rest.x | 2155905152u) - (_e703 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e633 & ~(_e595.x.y)) | (~((_e595.x.y ^ _e633)) & ((_e633 | 2155905152u) - (_e595.x.y & 2139062143u)))) & ((_e595.x.w & ~(_e634)) | (~((_e634 ^ _e595.x.w)) & ((_e595.x.w | 2155905152u) - (_e634 & 2139062143u))))) & ((_e668 & ~(_e595.y.y)) | (~((_e595.y.y ^ _e668)) & ((_e668 | 2155905152u) - (_e595.y.y & 2139062143u))))) & ((_e595.y.w & ~(_e669)) | (~((_e669 ^ _e595.y.w)) & ((_e595.y.w | 2155905152u) - (_e669 & 2139062143u))))) & ((_e595.rest.y & ~(_e703)) | (~((_e703 ^ _e595.rest.y)) & ((_e595.rest.y | 2155905152u) - (_e703 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                                        if ((_e595.frame.w & 16777216u) != 0u) {
-                                            phi_1537_ = _e597;
-                                            phi_1538_ = _e595.rest.z;
-                                            phi_1539_ = _e836;
-                                            phi_1540_ = _e566;
-                                        } else {
-                                            if (_e836 == 0u) {
-                                                phi_1535_ = _e597;
-                                                phi_1536_ = _e566;
+                                            if (_e543 == 1u) {
+                                                phi_1979_ = vec3<f32>(_e1251, _e1245, _e1248);
                                             } else {
-                                                if ((_e597 & 255u) == 0u) {
-                                                    phi_1531_ = _e566;
+                                                phi_1979_ = (_e1240 - _e1242);
+                                            }
+                                            let _e1258 = phi_1979_;
+                                            phi_1980_ = _e1258;
+                                        }
+                                        let _e1260 = phi_1980_;
+                                        let _e1262 = triangles.member[(0u + _e1033)].v2_;
+                                        let _e1264 = triangles.member[(0u + _e1033)].v0_;
+                                        let _e1267 = (_e1262.x - _e1264.x);
+                                        let _e1270 = (_e1262.y - _e1264.y);
+                                        let _e1273 = (_e1262.z - _e1264.z);
+                                        if (_e543 == 0u) {
+                                            phi_2006_ = vec3<f32>(_e1270, _e1273, _e1267);
+                                        } else {
+                                            if (_e543 == 1u) {
+                                                phi_2005_ = vec3<f32>(_e1273, _e1267, _e1270);
+                                            } else {
+                                                phi_2005_ = (_e1262 - _e1264);
+                                            }
+                                            let _e1280 = phi_2005_;
+                                            phi_2006_ = _e1280;
+                                        }
+                                        let _e1282 = phi_2006_;
+                                        let _e1289 = ((_e1260.y * _e1282.z) - (_e1260.z * _e1282.y));
+                                        let _e1296 = ((_e1260.z * _e1282.x) - (_e1260.x * _e1282.z));
+                                        let _e1303 = ((_e1260.x * _e1282.y) - (_e1260.y * _e1282.x));
+                                        let _e1317 = (((1f / _e551.z) * (((_e1289 * _e1238.x) + (_e1296 * _e1238.y)) + (_e1303 * _e1238.z))) / (((_e1289 * _e554) + (_e1296 * _e557)) + _e1303));
+                                        if (_e1317 > 0f) {
+                                            if (_e1317 < _e156) {
+                                                let _e1321 = triangles.member[(0u + _e1033)].v0_;
+                                                let _e1323 = triangles.member[(0u + _e1033)].v1_;
+                                                if (_e1321.x < _e1323.x) {
+                                                    phi_2062_ = _e1321.x;
                                                 } else {
-                                                    if (_e566 < 32u) {
-                                                        if (_e566 < 32u) {
-                                                        } else {
-                                                            return;
-                                                        }
-                                                        local_3[(0u + _e566)] = _e597;
-                                                        phi_1530_ = (_e566 + 1u);
-                                                    } else {
-                                                        phi_1530_ = _e566;
-                                                    }
-                                                    let _e852 = phi_1530_;
-                                                    phi_1531_ = _e852;
+                                                    phi_2062_ = _e1323.x;
                                                 }
-                                                let _e854 = phi_1531_;
-                                                phi_1535_ = ((_e595.rest.z << bitcast<u32>(8i)) | _e836);
-                                                phi_1536_ = _e854;
+                                                let _e1330 = phi_2062_;
+                                                if (_e1321.y < _e1323.y) {
+                                                    phi_2071_ = _e1321.y;
+                                                } else {
+                                                    phi_2071_ = _e1323.y;
+                                                }
+                                                let _e1337 = phi_2071_;
+                                                if (_e1321.z < _e1323.z) {
+                                                    phi_2080_ = _e1321.z;
+                                                } else {
+                                                    phi_2080_ = _e1323.z;
+                                                }
+                                                let _e1344 = phi_2080_;
+                                                let _e1346 = triangles.member[(0u + _e1033)].v2_;
+                                                if (_e1330 < _e1346.x) {
+                                                    phi_2089_ = _e1330;
+                                                } else {
+                                                    phi_2089_ = _e1346.x;
+                                                }
+                                                let _e1351 = phi_2089_;
+                                                if (_e1337 < _e1346.y) {
+                                                    phi_2096_ = _e1337;
+                                                } else {
+                                                    phi_2096_ = _e1346.y;
+                                                }
+                                                let _e1356 = phi_2096_;
+                                                if (_e1344 < _e1346.z) {
+                                                    phi_2103_ = _e1344;
+                                                } else {
+                                                    phi_2103_ = _e1346.z;
+                                                }
+                                                let _e1361 = phi_2103_;
+                                                let _e1363 = triangles.member[(0u + _e1033)].v0_;
+                                                let _e1365 = triangles.member[(0u + _e1033)].v1_;
+                                                if (_e1363.x > _e1365.x) {
+                                                    phi_2116_ = _e1363.x;
+                                                } else {
+                                                    phi_2116_ = _e1365.x;
+                                                }
+                                                let _e1372 = phi_2116_;
+                                                if (_e1363.y > _e1365.y) {
+                                                    phi_2125_ = _e1363.y;
+                                                } else {
+                                                    phi_2125_ = _e1365.y;
+                                                }
+                                                let _e1379 = phi_2125_;
+                                                if (_e1363.z > _e1365.z) {
+                                                    phi_2134_ = _e1363.z;
+                                                } else {
+                                                    phi_2134_ = _e1365.z;
+                                                }
+                                                let _e1386 = phi_2134_;
+                                                let _e1388 = triangles.member[(0u + _e1033)].v2_;
+                                                if (_e1372 > _e1388.x) {
+                                                    phi_2143_ = _e1372;
+                                                } else {
+                                                    phi_2143_ = _e1388.x;
+                                                }
+                                                let _e1393 = phi_2143_;
+                                                if (_e1379 > _e1388.y) {
+                                                    phi_2150_ = _e1379;
+                                                } else {
+                                                    phi_2150_ = _e1388.y;
+                                                }
+                                                let _e1398 = phi_2150_;
+                                                if (_e1386 > _e1388.z) {
+                                                    phi_2157_ = _e1386;
+                                                } else {
+                                                    phi_2157_ = _e1388.z;
+                                                }
+                                                let _e1403 = phi_2157_;
+                                                let _e1407 = ((_e1351 - _e144) * _e472);
+                                                let _e1408 = ((_e1356 - _e146) * _e482);
+                                                let _e1409 = ((_e1361 - _e148) * _e492);
+                                                let _e1413 = ((_e1393 - _e144) * _e472);
+                                                let _e1414 = ((_e1398 - _e146) * _e482);
+                                                let _e1415 = ((_e1403 - _e148) * _e492);
+                                                if (_e1407 < _e1413) {
+                                                    phi_2174_ = _e1407;
+                                                } else {
+                                                    phi_2174_ = _e1413;
+                                                }
+                                                let _e1418 = phi_2174_;
+                                                if (_e1408 < _e1414) {
+                                                    phi_2179_ = _e1408;
+                                                } else {
+                                                    phi_2179_ = _e1414;
+                                                }
+                                                let _e1421 = phi_2179_;
+                                                if (_e1409 < _e1415) {
+                                                    phi_2184_ = _e1409;
+                                                } else {
+                                                    phi_2184_ = _e1415;
+                                                }
+                                                let _e1424 = phi_2184_;
+                                                if (_e1407 > _e1413) {
+                                                    phi_2192_ = _e1407;
+                                                } else {
+                                                    phi_2192_ = _e1413;
+                                                }
+                                                let _e1430 = phi_2192_;
+                                                if (_e1408 > _e1414) {
+                                                    phi_2197_ = _e1408;
+                                                } else {
+                                                    phi_2197_ = _e1414;
+                                                }
+                                                let _e1433 = phi_2197_;
+                                                if (_e1409 > _e1415) {
+                                                    phi_2202_ = _e1409;
+                                                } else {
+                                                    phi_2202_ = _e1415;
+                                                }
+                                                let _e1436 = phi_2202_;
+                                                let _e1440 = core_intrinsics_maximum_number_nsz_f32_((_e1418 - _e527), (_e1421 - _e528));
+                                                let _e1441 = core_intrinsics_maximum_number_nsz_f32_(_e1440, (_e1424 - _e529));
+                                                let _e1442 = core_intrinsics_minimum_number_nsz_f32_((_e1430 + _e527), (_e1433 + _e528));
+                                                let _e1443 = core_intrinsics_minimum_number_nsz_f32_(_e1442, (_e1436 + _e529));
+                                                if (_e1441 > -300000000000000000000000000000000000000f) {
+                                                    phi_2214_ = _e1441;
+                                                } else {
+                                                    phi_2214_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1446 = phi_2214_;
+                                                if (_e1443 < 300000000000000000000000000000000000000f) {
+                                                    phi_2219_ = _e1443;
+                                                } else {
+                                                    phi_2219_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1449 = phi_2219_;
+                                                if (_e1317 < _e1446) {
+                                                    phi_2224_ = _e1446;
+                                                } else {
+                                                    phi_2224_ = _e1317;
+                                                }
+                                                let _e1452 = phi_2224_;
+                                                if (_e1452 > _e1449) {
+                                                    phi_2229_ = _e1449;
+                                                } else {
+                                                    phi_2229_ = _e1452;
+                                                }
+                                                let _e1455 = phi_2229_;
+                                                phi_2234_ = lt_bvh_triangle_Intersection(_e1455, (_e1158 / _e1217), (_e1179 / _e1217), (_e1446 <= _e1449));
+                                                phi_2235_ = false;
+                                            } else {
+                                                phi_2234_ = lt_bvh_triangle_Intersection();
+                                                phi_2235_ = true;
                                             }
-                                            let _e861 = phi_1535_;
-                                            let _e863 = phi_1536_;
-                                            phi_1537_ = _e861;
-                                            phi_1538_ = _e562;
-                                            phi_1539_ = _e564;
-                                            phi_1540_ = _e863;
+                                            let _e1461 = phi_2234_;
+                                            let _e1463 = phi_2235_;
+                                            phi_2236_ = _e1461;
+                                            phi_2237_ = _e1463;
+                                        } else {
+                                            phi_2236_ = lt_bvh_triangle_Intersection();
+                                            phi_2237_ = true;
                                         }
-                                        let _e865 = phi_1537_;
-                                        let _e867 = phi_1538_;
-                                        let _e869 = phi_1539_;
-                                        let _e871 = phi_1540_;
-                                        if ((_e865 & 255u) == 0u) {
-                                            if (_e871 > 0u) {
-                                                let _e875 = (_e871 - 1u);
-                                                if (_e875 < 32u) {
+                                        let _e1465 = phi_2236_;
+                                        let _e1467 = phi_2237_;
+                                        if _e1467 {
+                                        }
+                                        phi_2241_ = _e1465;
+                                        phi_2242_ = _e1467;
+                                    }
+                                    let _e1469 = phi_2241_;
+                                    let _e1471 = phi_2242_;
+                                    phi_2243_ = _e1469;
+                                    phi_2244_ = _e1220;
+                                    phi_2245_ = _e1471;
+                                } else {
+                                    phi_2243_ = lt_bvh_triangle_Intersection();
+                                    phi_2244_ = true;
+                                    phi_2245_ = false;
+                                }
+                                let _e1473 = phi_2243_;
+                                let _e1475 = phi_2244_;
+                                let _e1477 = phi_2245_;
+                                if _e1475 {
+                                    phi_2249_ = true;
+                                } else {
+                                    phi_2249_ = _e1477;
+                                }
+                                let _e1479 = phi_2249_;
+                                if _e1479 {
+                                    phi_2253_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2253_ = _e1473;
+                                }
+                                let _e1481 = phi_2253_;
+                                if _e1481.is_hit {
+                                    if (_e1481.t > 0f) {
+                                        if (_e1481.t < _e156) {
+                                            let _e1488 = triangles.member[(0u + _e1033)].i0_;
+                                            let _e1490 = ((_e1488 & 2147483648u) == 0u);
+                                            if _e1490 {
+                                                phi_2476_ = false;
+                                                phi_2477_ = false;
+                                            } else {
+                                                if (_e1033 < _e91) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e879 = local_3[(0u + _e875)];
-                                                phi_1558_ = _e879;
-                                                phi_1559_ = _e875;
-                                            } else {
-                                                phi_1558_ = 0u;
-                                                phi_1559_ = _e871;
-                                            }
-                                            let _e881 = phi_1558_;
-                                            let _e883 = phi_1559_;
-                                            phi_1560_ = _e881;
-                                            phi_1561_ = _e883;
-                                        } else {
-                                            phi_1560_ = _e865;
-                                            phi_1561_ = _e871;
-                                        }
-                                        let _e885 = phi_1560_;
-                                        let _e887 = phi_1561_;
-                                        phi_1562_ = _e885;
-                                        phi_1563_ = _e867;
-                                        phi_1564_ = _e869;
-                                        phi_1565_ = _e887;
-                                    } else {
-                                        phi_1562_ = u32();
-                                        phi_1563_ = u32();
-                                        phi_1564_ = u32();
-                                        phi_1565_ = u32();
-                                    }
-                                    let _e889 = phi_1562_;
-                                    let _e891 = phi_1563_;
-                                    let _e893 = phi_1564_;
-                                    let _e895 = phi_1565_;
-                                    phi_1213_ = _e889;
-                                    phi_1216_ = _e891;
-                                    phi_1218_ = _e893;
-                                    phi_1220_ = _e895;
-                                    phi_1566_ = _e568;
-                                }
-                                let _e897 = phi_1213_;
-                                let _e899 = phi_1216_;
-                                let _e901 = phi_1218_;
-                                let _e903 = phi_1220_;
-                                let _e905 = phi_1566_;
-                                continue;
-                                continuing {
-                                    phi_1212_ = _e897;
-                                    phi_1215_ = _e899;
-                                    phi_1217_ = _e901;
-                                    phi_1219_ = _e903;
-                                    break if !(_e905);
-                                }
-                            }
-                            let _e908 = local_4;
-                            if _e908 {
-                            }
-                            let _e3376 = local_13;
-                            phi_1571_ = _e3376;
-                            loop {
-                                let _e910 = phi_1571_;
-                                let _e911 = (_e910 == 0u);
-                                local_6 = _e911;
-                                local_18 = _e911;
-                                if _e911 {
-                                    phi_1572_ = u32();
-                                    phi_2417_ = false;
-                                    phi_2418_ = false;
-                                    phi_2419_ = false;
-                                } else {
-                                    let _e914 = select(firstTrailingBit(_e910), 32u, (_e910 == 0u));
-                                    let _e918 = local_5;
-                                    let _e919 = (_e918 + (_e914 >> bitcast<u32>(2i)));
-                                    if (_e919 < _e101) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e924 = rows.member[(0u + _e919)][0u];
-                                    let _e928 = rows.member[(0u + _e919)][1u];
-                                    let _e932 = rows.member[(0u + _e919)][2u];
-                                    let _e936 = rows.member[(0u + _e919)][3u];
-                                    if ((_e914 & 2u) == 0u) {
-                                        phi_1610_ = _e928;
-                                        phi_1611_ = _e924;
-                                    } else {
-                                        phi_1610_ = _e936;
-                                        phi_1611_ = _e932;
-                                    }
-                                    let _e940 = phi_1610_;
-                                    let _e942 = phi_1611_;
-                                    if ((_e914 & 1u) == 0u) {
-                                        phi_1617_ = _e942;
-                                    } else {
-                                        phi_1617_ = _e940;
-                                    }
-                                    let _e946 = phi_1617_;
-                                    if (_e946 < _e92) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e953 = triangles.member[(0u + _e946)].v0_;
-                                    let _e955 = (_e953.x - _e145);
-                                    let _e957 = (_e953.y - _e147);
-                                    let _e959 = (_e953.z - _e149);
-                                    if (_e534 == 0u) {
-                                        phi_1647_ = vec3<f32>(_e957, _e959, _e955);
-                                    } else {
-                                        if (_e534 == 1u) {
-                                            phi_1646_ = vec3<f32>(_e959, _e955, _e957);
-                                        } else {
-                                            phi_1646_ = (_e953 - vec3<f32>(_e145, _e147, _e149));
-                                        }
-                                        let _e967 = phi_1646_;
-                                        phi_1647_ = _e967;
-                                    }
-                                    let _e969 = phi_1647_;
-                                    let _e973 = (_e969.x - (_e545 * _e969.z));
-                                    let _e977 = (_e969.y - (_e548 * _e969.z));
-                                    let _e979 = triangles.member[(0u + _e946)].v1_;
-                                    let _e981 = (_e979.x - _e145);
-                                    let _e983 = (_e979.y - _e147);
-                                    let _e985 = (_e979.z - _e149);
-                                    if (_e534 == 0u) {
-                                        phi_1677_ = vec3<f32>(_e983, _e985, _e981);
-                                    } else {
-                                        if (_e534 == 1u) {
-                                            phi_1676_ = vec3<f32>(_e985, _e981, _e983);
-                                        } else {
-                                            phi_1676_ = (_e979 - vec3<f32>(_e145, _e147, _e149));
-                                        }
-                                        let _e993 = phi_1676_;
-                                        phi_1677_ = _e993;
-                                    }
-                                    let _e995 = phi_1677_;
-                                    let _e999 = (_e995.x - (_e545 * _e995.z));
-                                    let _e1003 = (_e995.y - (_e548 * _e995.z));
-                                    let _e1005 = triangles.member[(0u + _e946)].v2_;
-                                    let _e1007 = (_e1005.x - _e145);
-                                    let _e1009 = (_e1005.y - _e147);
-                                    let _e1011 = (_e1005.z - _e149);
-                                    if (_e534 == 0u) {
-                                        phi_1707_ = vec3<f32>(_e1009, _e1011, _e1007);
-                                    } else {
-                                        if (_e534 == 1u) {
-                                            phi_1706_ = vec3<f32>(_e1011, _e1007, _e1009);
-                                        } else {
-                                            phi_1706_ = (_e1005 - vec3<f32>(_e145, _e147, _e149));
-                                        }
-                                        let _e1019 = phi_1706_;
-                                        phi_1707_ = _e1019;
-                                    }
-                                    let _e1021 = phi_1707_;
-                                    let _e1025 = (_e1021.x - (_e545 * _e1021.z));
-                                    let _e1029 = (_e1021.y - (_e548 * _e1021.z));
-                                    if (_e999 < _e1025) {
-                                        phi_1726_ = true;
-                                    } else {
-                                        if (_e999 == _e1025) {
-                                            phi_1725_ = (_e1003 < _e1029);
-                                        } else {
-                                            phi_1725_ = false;
-                                        }
-                                        let _e1034 = phi_1725_;
-                                        phi_1726_ = _e1034;
-                                    }
-                                    let _e1036 = phi_1726_;
-                                    if _e1036 {
-                                        phi_1730_ = _e1029;
-                                        phi_1731_ = _e1025;
-                                        phi_1732_ = _e1003;
-                                        phi_1733_ = _e999;
-                                    } else {
-                                        phi_1730_ = _e1003;
-                                        phi_1731_ = _e999;
-                                        phi_1732_ = _e1029;
-                                        phi_1733_ = _e1025;
-                                    }
-                                    let _e1038 = phi_1730_;
-                                    let _e1040 = phi_1731_;
-                                    let _e1042 = phi_1732_;
-                                    let _e1044 = phi_1733_;
-                                    let _e1047 = ((_e1044 * _e1038) - (_e1042 * _e1040));
-                                    if _e1036 {
-                                        phi_1741_ = -(_e1047);
-                                    } else {
-                                        phi_1741_ = _e1047;
-                                    }
-                                    let _e1050 = phi_1741_;
-                                    if (_e1025 < _e973) {
-                                        phi_1752_ = true;
-                                    } else {
-                                        if (_e1025 == _e973) {
-                                            phi_1751_ = (_e1029 < _e977);
-                                        } else {
-                                            phi_1751_ = false;
-                                        }
-                                        let _e1055 = phi_1751_;
-                                        phi_1752_ = _e1055;
-                                    }
-                                    let _e1057 = phi_1752_;
-                                    if _e1057 {
-                                        phi_1756_ = _e977;
-                                        phi_1757_ = _e973;
-                                        phi_1758_ = _e1029;
-                                        phi_1759_ = _e1025;
-                                    } else {
-                                        phi_1756_ = _e1029;
-                                        phi_1757_ = _e1025;
-                                        phi_1758_ = _e977;
-                                        phi_1759_ = _e973;
-                                    }
-                                    let _e1059 = phi_1756_;
-                                    let _e1061 = phi_1757_;
-                                    let _e1063 = phi_1758_;
-                                    let _e1065 = phi_1759_;
-                                    let _e1068 = ((_e1065 * _e1059) - (_e1063 * _e1061));
-                                    if _e1057 {
-                                        phi_1767_ = -(_e1068);
-                                    } else {
-                                        phi_1767_ = _e1068;
-                                    }
-                                    let _e1071 = phi_1767_;
-                                    if (_e973 < _e999) {
-                                        phi_1778_ = true;
-                                    } else {
-                                        if (_e973 == _e999) {
-                                            phi_1777_ = (_e977 < _e1003);
-                                        } else {
-                                            phi_1777_ = false;
-                                        }
-                                        let _e1076 = phi_1777_;
-                                        phi_1778_ = _e1076;
-                                    }
-                                    let _e1078 = phi_1778_;
-                                    if _e1078 {
-                                        phi_1782_ = _e1003;
-                                        phi_1783_ = _e999;
-                                        phi_1784_ = _e977;
-                                        phi_1785_ = _e973;
-                                    } else {
-                                        phi_1782_ = _e977;
-                                        phi_1783_ = _e973;
-                                        phi_1784_ = _e1003;
-                                        phi_1785_ = _e999;
-                                    }
-                                    let _e1080 = phi_1782_;
-                                    let _e1082 = phi_1783_;
-                                    let _e1084 = phi_1784_;
-                                    let _e1086 = phi_1785_;
-                                    let _e1089 = ((_e1086 * _e1080) - (_e1084 * _e1082));
-                                    if _e1078 {
-                                        phi_1793_ = -(_e1089);
-                                    } else {
-                                        phi_1793_ = _e1089;
-                                    }
-                                    let _e1092 = phi_1793_;
-                                    if (_e1050 >= 0f) {
-                                        if (_e1071 >= 0f) {
-                                            if (_e1092 >= 0f) {
-                                                phi_1808_ = ((_e1050 + _e1071) + _e1092);
-                                                phi_1809_ = false;
-                                            } else {
-                                                phi_1808_ = f32();
-                                                phi_1809_ = true;
-                                            }
-                                            let _e1099 = phi_1808_;
-                                            let _e1101 = phi_1809_;
-                                            phi_1810_ = _e1099;
-                                            phi_1811_ = _e1101;
-                                        } else {
-                                            phi_1810_ = f32();
-                                            phi_1811_ = true;
-                                        }
-                                        let _e1103 = phi_1810_;
-                                        let _e1105 = phi_1811_;
-                                        phi_1812_ = _e1103;
-                                        phi_1813_ = _e1105;
-                                    } else {
-                                        phi_1812_ = f32();
-                                        phi_1813_ = true;
-                                    }
-                                    let _e1107 = phi_1812_;
-                                    let _e1109 = phi_1813_;
-                                    if _e1109 {
-                                        if (_e1050 <= 0f) {
-                                            if (_e1071 <= 0f) {
-                                                let _e1112 = (_e1092 <= 0f);
-                                                if _e1112 {
-                                                }
-                                                phi_1831_ = ((_e1050 + _e1071) + _e1092);
-                                                phi_1832_ = false;
-                                                phi_1833_ = _e1112;
-                                            } else {
-                                                phi_1831_ = f32();
-                                                phi_1832_ = true;
-                                                phi_1833_ = false;
-                                            }
-                                            let _e1116 = phi_1831_;
-                                            let _e1118 = phi_1832_;
-                                            let _e1120 = phi_1833_;
-                                            phi_1834_ = _e1116;
-                                            phi_1835_ = _e1118;
-                                            phi_1836_ = _e1120;
-                                        } else {
-                                            phi_1834_ = f32();
-                                            phi_1835_ = true;
-                                            phi_1836_ = false;
-                                        }
-                                        let _e1122 = phi_1834_;
-                                        let _e1124 = phi_1835_;
-                                        let _e1126 = phi_1836_;
-                                        if _e1124 {
-                                            phi_1840_ = false;
-                                        } else {
-                                            phi_1840_ = _e1126;
-                                        }
-                                        let _e1128 = phi_1840_;
-                                        phi_1841_ = _e1122;
-                                        phi_1842_ = _e1128;
-                                    } else {
-                                        phi_1841_ = _e1107;
-                                        phi_1842_ = true;
-                                    }
-                                    let _e1130 = phi_1841_;
-                                    let _e1132 = phi_1842_;
-                                    if _e1132 {
-                                        let _e1133 = (_e1130 == 0f);
-                                        if _e1133 {
-                                            phi_2158_ = lt_bvh_triangle_Intersection();
-                                            phi_2159_ = false;
-                                        } else {
-                                            let _e1135 = triangles.member[(0u + _e946)].v0_;
-                                            let _e1137 = (_e1135.x - _e145);
-                                            let _e1139 = (_e1135.y - _e147);
-                                            let _e1141 = (_e1135.z - _e149);
-                                            if (_e534 == 0u) {
-                                                phi_1871_ = vec3<f32>(_e1139, _e1141, _e1137);
-                                            } else {
-                                                if (_e534 == 1u) {
-                                                    phi_1870_ = vec3<f32>(_e1141, _e1137, _e1139);
+                                                let _e1497 = triangles.member[(0u + _e1033)].i0_;
+                                                let _e1498 = (_e1497 & 2147483647u);
+                                                let _e1500 = triangles.member[(0u + _e1033)].i1_;
+                                                let _e1502 = triangles.member[(0u + _e1033)].i2_;
+                                                if (_e1498 < _e104) {
                                                 } else {
-                                                    phi_1870_ = (_e1135 - vec3<f32>(_e145, _e147, _e149));
+                                                    return;
                                                 }
-                                                let _e1149 = phi_1870_;
-                                                phi_1871_ = _e1149;
-                                            }
-                                            let _e1151 = phi_1871_;
-                                            let _e1153 = triangles.member[(0u + _e946)].v1_;
-                                            let _e1155 = triangles.member[(0u + _e946)].v0_;
-                                            let _e1158 = (_e1153.x - _e1155.x);
-                                            let _e1161 = (_e1153.y - _e1155.y);
-                                            let _e1164 = (_e1153.z - _e1155.z);
-                                            if (_e534 == 0u) {
-                                                phi_1897_ = vec3<f32>(_e1161, _e1164, _e1158);
-                                            } else {
-                                                if (_e534 == 1u) {
-                                                    phi_1896_ = vec3<f32>(_e1164, _e1158, _e1161);
+                                                let _e1506 = vertices.member[(0u + _e1498)];
+                                                if (_e1500 < _e104) {
                                                 } else {
-                                                    phi_1896_ = (_e1153 - _e1155);
+                                                    return;
                                                 }
-                                                let _e1171 = phi_1896_;
-                                                phi_1897_ = _e1171;
-                                            }
-                                            let _e1173 = phi_1897_;
-                                            let _e1175 = triangles.member[(0u + _e946)].v2_;
-                                            let _e1177 = triangles.member[(0u + _e946)].v0_;
-                                            let _e1180 = (_e1175.x - _e1177.x);
-                                            let _e1183 = (_e1175.y - _e1177.y);
-                                            let _e1186 = (_e1175.z - _e1177.z);
-                                            if (_e534 == 0u) {
-                                                phi_1923_ = vec3<f32>(_e1183, _e1186, _e1180);
-                                            } else {
-                                                if (_e534 == 1u) {
-                                                    phi_1922_ = vec3<f32>(_e1186, _e1180, _e1183);
+                                                let _e1510 = vertices.member[(0u + _e1500)];
+                                                if (_e1502 < _e104) {
                                                 } else {
-                                                    phi_1922_ = (_e1175 - _e1177);
+                                                    return;
                                                 }
-                                                let _e1193 = phi_1922_;
-                                                phi_1923_ = _e1193;
-                                            }
-                                            let _e1195 = phi_1923_;
-                                            let _e1202 = ((_e1173.y * _e1195.z) - (_e1173.z * _e1195.y));
-                                            let _e1209 = ((_e1173.z * _e1195.x) - (_e1173.x * _e1195.z));
-                                            let _e1216 = ((_e1173.x * _e1195.y) - (_e1173.y * _e1195.x));
-                                            let _e1230 = (((1f / _e542.z) * (((_e1202 * _e1151.x) + (_e1209 * _e1151.y)) + (_e1216 * _e1151.z))) / (((_e1202 * _e545) + (_e1209 * _e548)) + _e1216));
-                                            if (_e1230 > 0f) {
-                                                if (_e1230 < _e157) {
-                                                    let _e1234 = triangles.member[(0u + _e946)].v0_;
-                                                    let _e1236 = triangles.member[(0u + _e946)].v1_;
-                                                    if (_e1234.x < _e1236.x) {
-                                                        phi_1979_ = _e1234.x;
-                                                    } else {
-                                                        phi_1979_ = _e1236.x;
-                                                    }
-                                                    let _e1243 = phi_1979_;
-                                                    if (_e1234.y < _e1236.y) {
-                                                        phi_1988_ = _e1234.y;
-                                                    } else {
-                                                        phi_1988_ = _e1236.y;
-                                                    }
-                                                    let _e1250 = phi_1988_;
-                                                    if (_e1234.z < _e1236.z) {
-                                                        phi_1997_ = _e1234.z;
-                                                    } else {
-                                                        phi_1997_ = _e1236.z;
-                                                    }
-                                                    let _e1257 = phi_1997_;
-                                                    let _e1259 = triangles.member[(0u + _e946)].v2_;
-                                                    if (_e1243 < _e1259.x) {
-                                                        phi_2006_ = _e1243;
-                                                    } else {
-                                                        phi_2006_ = _e1259.x;
-                                                    }
-                                                    let _e1264 = phi_2006_;
-                                                    if (_e1250 < _e1259.y) {
-                                                        phi_2013_ = _e1250;
-                                                    } else {
-                                                        phi_2013_ = _e1259.y;
-                                                    }
-                                                    let _e1269 = phi_2013_;
-                                                    if (_e1257 < _e1259.z) {
-                                                        phi_2020_ = _e1257;
-                                                    } else {
-                                                        phi_2020_ = _e1259.z;
-                                                    }
-                                                    let _e1274 = phi_2020_;
-                                                    let _e1276 = triangles.member[(0u + _e946)].v0_;
-                                                    let _e1278 = triangles.member[(0u + _e946)].v1_;
-                                                    if (_e1276.x > _e1278.x) {
-                                                        phi_2033_ = _e1276.x;
-                                                    } else {
-                                                        phi_2033_ = _e1278.x;
-                                                    }
-                                                    let _e1285 = phi_2033_;
-                                                    if (_e1276.y > _e1278.y) {
-                                                        phi_2042_ = _e1276.y;
-                                                    } else {
-                                                        phi_2042_ = _e1278.y;
-                                                    }
-                                                    let _e1292 = phi_2042_;
-                                                    if (_e1276.z > _e1278.z) {
-                                                        phi_2051_ = _e1276.z;
-                                                    } else {
-                                                        phi_2051_ = _e1278.z;
-                                                    }
-                                                    let _e1299 = phi_2051_;
-                                                    let _e1301 = triangles.member[(0u + _e946)].v2_;
-                                                    if (_e1285 > _e1301.x) {
-                                                        phi_2060_ = _e1285;
-                                                    } else {
-                                                        phi_2060_ = _e1301.x;
-                                                    }
-                                                    let _e1306 = phi_2060_;
-                                                    if (_e1292 > _e1301.y) {
-                                                        phi_2067_ = _e1292;
-                                                    } else {
-                                                        phi_2067_ = _e1301.y;
-                                                    }
-                                                    let _e1311 = phi_2067_;
-                                                    if (_e1299 > _e1301.z) {
-                                                        phi_2074_ = _e1299;
-                                                    } else {
-                                                        phi_2074_ = _e1301.z;
-                                                    }
-                                                    let _e1316 = phi_2074_;
-                                                    let _e1320 = ((_e1264 - _e145) * _e463);
-                                                    let _e1321 = ((_e1269 - _e147) * _e473);
-                                                    let _e1322 = ((_e1274 - _e149) * _e483);
-                                                    let _e1326 = ((_e1306 - _e145) * _e463);
-                                                    let _e1327 = ((_e1311 - _e147) * _e473);
-                                                    let _e1328 = ((_e1316 - _e149) * _e483);
-                                                    if (_e1320 < _e1326) {
-                                                        phi_2091_ = _e1320;
-                                                    } else {
-                                                        phi_2091_ = _e1326;
-                                                    }
-                                                    let _e1331 = phi_2091_;
-                                                    if (_e1321 < _e1327) {
-                                                        phi_2096_ = _e1321;
-                                                    } else {
-                                                        phi_2096_ = _e1327;
-                                                    }
-                                                    let _e1334 = phi_2096_;
-                                                    if (_e1322 < _e1328) {
-                                                        phi_2101_ = _e1322;
-                                                    } else {
-                                                        phi_2101_ = _e1328;
-                                                    }
-                                                    let _e1337 = phi_2101_;
-                                                    if (_e1320 > _e1326) {
-                                                        phi_2109_ = _e1320;
-                                                    } else {
-                                                        phi_2109_ = _e1326;
-                                                    }
-                                                    let _e1343 = phi_2109_;
-                                                    if (_e1321 > _e1327) {
-                                                        phi_2114_ = _e1321;
-                                                    } else {
-                                                        phi_2114_ = _e1327;
-                                                    }
-                                                    let _e1346 = phi_2114_;
-                                                    if (_e1322 > _e1328) {
-                                                        phi_2119_ = _e1322;
-                                                    } else {
-                                                        phi_2119_ = _e1328;
-                                                    }
-                                                    let _e1349 = phi_2119_;
-                                                    let _e1353 = core_intrinsics_maximum_number_nsz_f32_((_e1331 - _e518), (_e1334 - _e519));
-                                                    let _e1354 = core_intrinsics_maximum_number_nsz_f32_(_e1353, (_e1337 - _e520));
-                                                    let _e1355 = core_intrinsics_minimum_number_nsz_f32_((_e1343 + _e518), (_e1346 + _e519));
-                                                    let _e1356 = core_intrinsics_minimum_number_nsz_f32_(_e1355, (_e1349 + _e520));
-                                                    if (_e1354 > -300000000000000000000000000000000000000f) {
-                                                        phi_2131_ = _e1354;
-                                                    } else {
-                                                        phi_2131_ = -300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1359 = phi_2131_;
-                                                    if (_e1356 < 300000000000000000000000000000000000000f) {
-                                                        phi_2136_ = _e1356;
-                                                    } else {
-                                                        phi_2136_ = 300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1362 = phi_2136_;
-                                                    if (_e1230 < _e1359) {
-                                                        phi_2141_ = _e1359;
-                                                    } else {
-                                                        phi_2141_ = _e1230;
-                                                    }
-                                                    let _e1365 = phi_2141_;
-                                                    if (_e1365 > _e1362) {
-                                                        phi_2146_ = _e1362;
-                                                    } else {
-                                                        phi_2146_ = _e1365;
-                                                    }
-                                                    let _e1368 = phi_2146_;
-                                                    phi_2151_ = lt_bvh_triangle_Intersection(_e1368, (_e1071 / _e1130), (_e1092 / _e1130), (_e1359 <= _e1362));
-                                                    phi_2152_ = false;
+                                                let _e1514 = vertices.member[(0u + _e1502)];
+                                                let _e1515 = array<abi_Vertex, 3>(_e1506, _e1510, _e1514);
+                                                if (_e1515[0].material < _e107) {
                                                 } else {
-                                                    phi_2151_ = lt_bvh_triangle_Intersection();
-                                                    phi_2152_ = true;
+                                                    return;
                                                 }
-                                                let _e1374 = phi_2151_;
-                                                let _e1376 = phi_2152_;
-                                                phi_2153_ = _e1374;
-                                                phi_2154_ = _e1376;
-                                            } else {
-                                                phi_2153_ = lt_bvh_triangle_Intersection();
-                                                phi_2154_ = true;
-                                            }
-                                            let _e1378 = phi_2153_;
-                                            let _e1380 = phi_2154_;
-                                            if _e1380 {
-                                            }
-                                            phi_2158_ = _e1378;
-                                            phi_2159_ = _e1380;
-                                        }
-                                        let _e1382 = phi_2158_;
-                                        let _e1384 = phi_2159_;
-                                        phi_2160_ = _e1382;
-                                        phi_2161_ = _e1133;
-                                        phi_2162_ = _e1384;
-                                    } else {
-                                        phi_2160_ = lt_bvh_triangle_Intersection();
-                                        phi_2161_ = true;
-                                        phi_2162_ = false;
-                                    }
-                                    let _e1386 = phi_2160_;
-                                    let _e1388 = phi_2161_;
-                                    let _e1390 = phi_2162_;
-                                    if _e1388 {
-                                        phi_2166_ = true;
-                                    } else {
-                                        phi_2166_ = _e1390;
-                                    }
-                                    let _e1392 = phi_2166_;
-                                    if _e1392 {
-                                        phi_2170_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                    } else {
-                                        phi_2170_ = _e1386;
-                                    }
-                                    let _e1394 = phi_2170_;
-                                    if _e1394.is_hit {
-                                        if (_e1394.t > 0f) {
-                                            if (_e1394.t < _e157) {
-                                                let _e1401 = triangles.member[(0u + _e946)].i0_;
-                                                let _e1403 = ((_e1401 & 2147483648u) == 0u);
-                                                if _e1403 {
-                                                    phi_2393_ = false;
-                                                    phi_2394_ = false;
-                                                } else {
-                                                    if (_e946 < _e92) {
+                                                let _e1521 = materials.member[(0u + _e1515[0].material)];
+                                                if ((_e1521.flags & 1u) == 1u) {
+                                                    let _e1526 = ((1f - _e1481.u) - _e1481.v);
+                                                    if (_e1521.cutoff <= 0f) {
+                                                        phi_2470_ = true;
                                                     } else {
-                                                        return;
-                                                    }
-                                                    let _e1410 = triangles.member[(0u + _e946)].i0_;
-                                                    let _e1411 = (_e1410 & 2147483647u);
-                                                    let _e1413 = triangles.member[(0u + _e946)].i1_;
-                                                    let _e1415 = triangles.member[(0u + _e946)].i2_;
-                                                    if (_e1411 < _e105) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1419 = vertices.member[(0u + _e1411)];
-                                                    if (_e1413 < _e105) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1423 = vertices.member[(0u + _e1413)];
-                                                    if (_e1415 < _e105) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1427 = vertices.member[(0u + _e1415)];
-                                                    let _e1428 = array<abi_Vertex, 3>(_e1419, _e1423, _e1427);
-                                                    if (_e1428[0].material < _e108) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1434 = materials.member[(0u + _e1428[0].material)];
-                                                    if ((_e1434.flags & 1u) == 1u) {
-                                                        let _e1439 = ((1f - _e1394.u) - _e1394.v);
-                                                        if (_e1434.cutoff <= 0f) {
-                                                            phi_2387_ = true;
+                                                        let _e1553 = (_e1521.base_color.w * ((((f32((_e1515[0].color >> bitcast<u32>(24i))) * _e1526) + (f32((_e1515[1].color >> bitcast<u32>(24i))) * _e1481.u)) + (f32((_e1515[2].color >> bitcast<u32>(24i))) * _e1481.v)) * (1f / 255f)));
+                                                        if (_e1521.alpha_size == 0u) {
+                                                            phi_2467_ = _e1553;
                                                         } else {
-                                                            let _e1466 = (_e1434.base_color.w * ((((f32((_e1428[0].color >> bitcast<u32>(24i))) * _e1439) + (f32((_e1428[1].color >> bitcast<u32>(24i))) * _e1394.u)) + (f32((_e1428[2].color >> bitcast<u32>(24i))) * _e1394.v)) * (1f / 255f)));
-                                                            if (_e1434.alpha_size == 0u) {
-                                                                phi_2384_ = _e1466;
+                                                            local_2.offset = _e1521.alpha_offset;
+                                                            local_2.size = _e1521.alpha_size;
+                                                            local_2.flags = _e1521.flags;
+                                                            let _e1584 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1515[0].u * _e1526) + (_e1515[1].u * _e1481.u)) + (_e1515[2].u * _e1481.v)), (((_e1515[0].v * _e1526) + (_e1515[1].v * _e1481.u)) + (_e1515[2].v * _e1481.v)));
+                                                            let _e1588 = (_e1584.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1588 < _e110) {
                                                             } else {
-                                                                local_2.offset = _e1434.alpha_offset;
-                                                                local_2.size = _e1434.alpha_size;
-                                                                local_2.flags = _e1434.flags;
-                                                                let _e1497 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1428[0].u * _e1439) + (_e1428[1].u * _e1394.u)) + (_e1428[2].u * _e1394.v)), (((_e1428[0].v * _e1439) + (_e1428[1].v * _e1394.u)) + (_e1428[2].v * _e1394.v)));
-                                                                let _e1501 = (_e1497.indices[0] >> bitcast<u32>(2i));
-                                                                if (_e1501 < _e111) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1505 = alpha_texels.member[(0u + _e1501)];
-                                                                let _e1521 = (_e1497.indices[1] >> bitcast<u32>(2i));
-                                                                if (_e1521 < _e111) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1525 = alpha_texels.member[(0u + _e1521)];
-                                                                let _e1542 = (_e1497.indices[2] >> bitcast<u32>(2i));
-                                                                if (_e1542 < _e111) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1546 = alpha_texels.member[(0u + _e1542)];
-                                                                let _e1563 = (_e1497.indices[3] >> bitcast<u32>(2i));
-                                                                if (_e1563 < _e111) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1567 = alpha_texels.member[(0u + _e1563)];
-                                                                phi_2384_ = (_e1466 * (((((f32(((_e1505 >> bitcast<u32>((((_e1497.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1497.weights.x) + ((f32(((_e1525 >> bitcast<u32>((((_e1497.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1497.weights.y)) + ((f32(((_e1546 >> bitcast<u32>((((_e1497.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1497.weights.z)) + ((f32(((_e1567 >> bitcast<u32>((((_e1497.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1497.weights.w)));
+                                                                return;
                                                             }
-                                                            let _e1583 = phi_2384_;
-                                                            phi_2387_ = (_e1583 >= _e1434.cutoff);
+                                                            let _e1592 = alpha_texels.member[(0u + _e1588)];
+                                                            let _e1608 = (_e1584.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1608 < _e110) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1612 = alpha_texels.member[(0u + _e1608)];
+                                                            let _e1629 = (_e1584.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1629 < _e110) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1633 = alpha_texels.member[(0u + _e1629)];
+                                                            let _e1650 = (_e1584.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1650 < _e110) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1654 = alpha_texels.member[(0u + _e1650)];
+                                                            phi_2467_ = (_e1553 * (((((f32(((_e1592 >> bitcast<u32>((((_e1584.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1584.weights.x) + ((f32(((_e1612 >> bitcast<u32>((((_e1584.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1584.weights.y)) + ((f32(((_e1633 >> bitcast<u32>((((_e1584.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1584.weights.z)) + ((f32(((_e1654 >> bitcast<u32>((((_e1584.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1584.weights.w)));
                                                         }
-                                                        let _e1587 = phi_2387_;
-                                                        phi_2388_ = _e1587;
-                                                    } else {
-                                                        phi_2388_ = false;
+                                                        let _e1670 = phi_2467_;
+                                                        phi_2470_ = (_e1670 >= _e1521.cutoff);
                                                     }
-                                                    let _e1589 = phi_2388_;
-                                                    if _e1589 {
-                                                        phi_2392_ = false;
-                                                    } else {
-                                                        phi_2392_ = true;
-                                                    }
-                                                    let _e1591 = phi_2392_;
-                                                    phi_2393_ = _e1591;
-                                                    phi_2394_ = _e1589;
+                                                    let _e1674 = phi_2470_;
+                                                    phi_2471_ = _e1674;
+                                                } else {
+                                                    phi_2471_ = false;
                                                 }
-                                                let _e1593 = phi_2393_;
-                                                let _e1595 = phi_2394_;
-                                                phi_2395_ = _e1593;
-                                                phi_2396_ = _e1403;
-                                                phi_2397_ = _e1595;
-                                            } else {
-                                                phi_2395_ = true;
-                                                phi_2396_ = false;
-                                                phi_2397_ = false;
+                                                let _e1676 = phi_2471_;
+                                                if _e1676 {
+                                                    phi_2475_ = false;
+                                                } else {
+                                                    phi_2475_ = true;
+                                                }
+                                                let _e1678 = phi_2475_;
+                                                phi_2476_ = _e1678;
+                                                phi_2477_ = _e1676;
                                             }
-                                            let _e1597 = phi_2395_;
-                                            let _e1599 = phi_2396_;
-                                            let _e1601 = phi_2397_;
-                                            phi_2398_ = false;
-                                            phi_2399_ = _e1597;
-                                            phi_2400_ = _e1599;
-                                            phi_2401_ = _e1601;
+                                            let _e1680 = phi_2476_;
+                                            let _e1682 = phi_2477_;
+                                            phi_2478_ = _e1680;
+                                            phi_2479_ = _e1490;
+                                            phi_2480_ = _e1682;
                                         } else {
-                                            phi_2398_ = true;
-                                            phi_2399_ = false;
-                                            phi_2400_ = false;
-                                            phi_2401_ = false;
+                                            phi_2478_ = true;
+                                            phi_2479_ = false;
+                                            phi_2480_ = false;
                                         }
-                                        let _e1603 = phi_2398_;
-                                        let _e1605 = phi_2399_;
-                                        let _e1607 = phi_2400_;
-                                        let _e1609 = phi_2401_;
-                                        phi_2402_ = _e1603;
-                                        phi_2403_ = _e1605;
-                                        phi_2404_ = _e1607;
-                                        phi_2405_ = _e1609;
+                                        let _e1684 = phi_2478_;
+                                        let _e1686 = phi_2479_;
+                                        let _e1688 = phi_2480_;
+                                        phi_2481_ = false;
+                                        phi_2482_ = _e1684;
+                                        phi_2483_ = _e1686;
+                                        phi_2484_ = _e1688;
                                     } else {
-                                        phi_2402_ = true;
-                                        phi_2403_ = false;
-                                        phi_2404_ = false;
-                                        phi_2405_ = false;
+                                        phi_2481_ = true;
+                                        phi_2482_ = false;
+                                        phi_2483_ = false;
+                                        phi_2484_ = false;
                                     }
-                                    let _e1611 = phi_2402_;
-                                    let _e1613 = phi_2403_;
-                                    let _e1615 = phi_2404_;
-                                    let _e1617 = phi_2405_;
-                                    if _e1611 {
-                                        phi_2409_ = true;
-                                        phi_2410_ = false;
-                                        phi_2411_ = false;
-                                    } else {
-                                        phi_2409_ = _e1613;
-                                        phi_2410_ = _e1615;
-                                        phi_2411_ = _e1617;
-                                    }
-                                    let _e1619 = phi_2409_;
-                                    let _e1621 = phi_2410_;
-                                    let _e1623 = phi_2411_;
-                                    if _e1619 {
-                                        phi_2415_ = false;
-                                        phi_2416_ = false;
-                                    } else {
-                                        phi_2415_ = _e1621;
-                                        phi_2416_ = _e1623;
-                                    }
-                                    let _e1625 = phi_2415_;
-                                    let _e1627 = phi_2416_;
-                                    phi_1572_ = (_e910 & (_e910 - 1u));
-                                    phi_2417_ = _e1619;
-                                    phi_2418_ = _e1625;
-                                    phi_2419_ = _e1627;
+                                    let _e1690 = phi_2481_;
+                                    let _e1692 = phi_2482_;
+                                    let _e1694 = phi_2483_;
+                                    let _e1696 = phi_2484_;
+                                    phi_2485_ = _e1690;
+                                    phi_2486_ = _e1692;
+                                    phi_2487_ = _e1694;
+                                    phi_2488_ = _e1696;
+                                } else {
+                                    phi_2485_ = true;
+                                    phi_2486_ = false;
+                                    phi_2487_ = false;
+                                    phi_2488_ = false;
                                 }
-                                let _e1629 = phi_1572_;
-                                let _e1631 = phi_2417_;
-                                let _e1633 = phi_2418_;
-                                let _e1635 = phi_2419_;
-                                local_14 = _e1633;
-                                local_15 = _e1635;
+                                let _e1698 = phi_2485_;
+                                let _e1700 = phi_2486_;
+                                let _e1702 = phi_2487_;
+                                let _e1704 = phi_2488_;
+                                if _e1698 {
+                                    phi_2492_ = true;
+                                    phi_2493_ = false;
+                                    phi_2494_ = false;
+                                } else {
+                                    phi_2492_ = _e1700;
+                                    phi_2493_ = _e1702;
+                                    phi_2494_ = _e1704;
+                                }
+                                let _e1706 = phi_2492_;
+                                let _e1708 = phi_2493_;
+                                let _e1710 = phi_2494_;
+                                if _e1706 {
+                                    let _e1711 = (_e1035 == 0u);
+                                    if _e1711 {
+                                        phi_2502_ = false;
+                                    } else {
+                                        phi_2502_ = true;
+                                    }
+                                    let _e1713 = phi_2502_;
+                                    phi_2503_ = _e1713;
+                                    phi_2504_ = _e1711;
+                                    phi_2505_ = false;
+                                    phi_2506_ = false;
+                                } else {
+                                    phi_2503_ = false;
+                                    phi_2504_ = false;
+                                    phi_2505_ = _e1708;
+                                    phi_2506_ = _e1710;
+                                }
+                                let _e1715 = phi_2503_;
+                                let _e1717 = phi_2504_;
+                                let _e1719 = phi_2505_;
+                                let _e1721 = phi_2506_;
+                                local_7 = _e1717;
+                                local_18 = _e1719;
+                                local_19 = _e1721;
+                                local_20 = _e1717;
                                 continue;
                                 continuing {
-                                    phi_1571_ = _e1629;
-                                    break if !(_e1631);
+                                    phi_1659_ = _e1035;
+                                    break if !(_e1715);
                                 }
                             }
-                            let _e1638 = local_6;
-                            if _e1638 {
-                                phi_2423_ = false;
-                                phi_2424_ = false;
+                            let _e1724 = local_7;
+                            if _e1724 {
+                                phi_2510_ = false;
+                                phi_2511_ = false;
                             } else {
-                                let _e3491 = local_14;
-                                phi_2423_ = _e3491;
-                                let _e3494 = local_15;
-                                phi_2424_ = _e3494;
+                                let _e3579 = local_18;
+                                phi_2510_ = _e3579;
+                                let _e3582 = local_19;
+                                phi_2511_ = _e3582;
                             }
-                            let _e1640 = phi_2423_;
-                            let _e1642 = phi_2424_;
-                            let _e3497 = local_16;
-                            phi_1201_ = _e3497;
-                            let _e3500 = local_17;
-                            phi_1204_ = _e3500;
-                            let _e3503 = local_18;
-                            phi_2425_ = _e3503;
-                            phi_2426_ = _e1640;
-                            phi_2427_ = _e1642;
+                            let _e1726 = phi_2510_;
+                            let _e1728 = phi_2511_;
+                            let _e3585 = local_20;
+                            phi_2512_ = _e3585;
+                            phi_2513_ = _e1726;
+                            phi_2514_ = _e1728;
                         }
-                        let _e1644 = phi_1201_;
-                        let _e1646 = phi_1204_;
-                        let _e1648 = phi_2425_;
-                        let _e1650 = phi_2426_;
-                        let _e1652 = phi_2427_;
-                        local_19 = _e1650;
-                        local_20 = _e1652;
+                        let _e1730 = phi_2512_;
+                        let _e1732 = phi_2513_;
+                        let _e1734 = phi_2514_;
+                        if _e1730 {
+                            let _e1736 = local_8;
+                            if (_e1736 == 0u) {
+                                phi_2522_ = false;
+                            } else {
+                                phi_2522_ = true;
+                            }
+                            let _e1739 = phi_2522_;
+                            phi_2523_ = _e1739;
+                            phi_2524_ = false;
+                            phi_2525_ = false;
+                        } else {
+                            phi_2523_ = false;
+                            phi_2524_ = _e1732;
+                            phi_2525_ = _e1734;
+                        }
+                        let _e1741 = phi_2523_;
+                        let _e1743 = phi_2524_;
+                        let _e1745 = phi_2525_;
+                        local_9 = _e1743;
+                        local_21 = _e1745;
+                        local_22 = _e1743;
                         continue;
                         continuing {
-                            phi_1200_ = _e1644;
-                            phi_1203_ = _e1646;
-                            break if !(_e1648);
+                            let _e3426 = local_15;
+                            phi_1205_ = _e3426;
+                            let _e3429 = local_16;
+                            phi_1208_ = _e3429;
+                            break if !(_e1741);
                         }
                     }
-                    let _e1655 = local_7;
-                    if _e1655 {
-                        phi_2431_ = false;
-                        phi_2432_ = false;
+                    let _e1748 = local_9;
+                    if _e1748 {
+                        phi_2529_ = false;
                     } else {
-                        let _e3509 = local_19;
-                        phi_2431_ = _e3509;
-                        let _e3512 = local_20;
-                        phi_2432_ = _e3512;
+                        let _e3596 = local_21;
+                        phi_2529_ = _e3596;
                     }
-                    let _e1657 = phi_2431_;
-                    let _e1659 = phi_2432_;
-                    if _e1657 {
-                        phi_2436_ = false;
+                    let _e1750 = phi_2529_;
+                    if _e1750 {
+                        phi_2533_ = true;
                     } else {
-                        phi_2436_ = _e1659;
+                        let _e3599 = local_22;
+                        phi_2533_ = _e3599;
                     }
-                    let _e1661 = phi_2436_;
-                    if _e1661 {
-                        phi_2440_ = true;
+                    let _e1752 = phi_2533_;
+                    if _e1752 {
+                        phi_2537_ = true;
                     } else {
-                        phi_2440_ = _e1657;
+                        phi_2537_ = false;
                     }
-                    let _e1663 = phi_2440_;
-                    if _e1663 {
-                    }
-                    phi_2444_ = true;
-                    phi_2445_ = _e1663;
+                    let _e1754 = phi_2537_;
+                    phi_2538_ = _e1754;
                 }
-                let _e1665 = phi_2444_;
-                let _e1667 = phi_2445_;
-                if _e1667 {
-                    phi_2449_ = _e1665;
-                } else {
-                    phi_2449_ = false;
-                }
-                let _e1669 = phi_2449_;
-                phi_4114_ = _e1669;
+                let _e1756 = phi_2538_;
+                phi_4203_ = _e1756;
             } else {
-                let _e1670 = abs(_e165);
-                let _e1671 = abs(_e166);
-                let _e1672 = abs(_e167);
-                if (abs(_e145) < 1000000000000000f) {
-                    if (abs(_e147) < 1000000000000000f) {
-                        phi_2465_ = (abs(_e149) < 1000000000000000f);
-                        phi_2466_ = false;
+                let _e1757 = abs(_e164);
+                let _e1758 = abs(_e165);
+                let _e1759 = abs(_e166);
+                if (abs(_e144) < 1000000000000000f) {
+                    if (abs(_e146) < 1000000000000000f) {
+                        phi_2554_ = (abs(_e148) < 1000000000000000f);
+                        phi_2555_ = false;
                     } else {
-                        phi_2465_ = bool();
-                        phi_2466_ = true;
+                        phi_2554_ = bool();
+                        phi_2555_ = true;
                     }
-                    let _e1680 = phi_2465_;
-                    let _e1682 = phi_2466_;
-                    phi_2467_ = _e1680;
-                    phi_2468_ = _e1682;
+                    let _e1767 = phi_2554_;
+                    let _e1769 = phi_2555_;
+                    phi_2556_ = _e1767;
+                    phi_2557_ = _e1769;
                 } else {
-                    phi_2467_ = bool();
-                    phi_2468_ = true;
+                    phi_2556_ = bool();
+                    phi_2557_ = true;
                 }
-                let _e1684 = phi_2467_;
-                let _e1686 = phi_2468_;
-                if _e1686 {
-                    phi_2472_ = false;
+                let _e1771 = phi_2556_;
+                let _e1773 = phi_2557_;
+                if _e1773 {
+                    phi_2561_ = false;
                 } else {
-                    phi_2472_ = _e1684;
+                    phi_2561_ = _e1771;
                 }
-                let _e1688 = phi_2472_;
-                if _e1688 {
-                    if (_e1670 < 1000000000000000f) {
-                        if (_e1671 < 1000000000000000f) {
-                            phi_2485_ = (_e1672 < 1000000000000000f);
-                            phi_2486_ = false;
+                let _e1775 = phi_2561_;
+                if _e1775 {
+                    if (_e1757 < 1000000000000000f) {
+                        if (_e1758 < 1000000000000000f) {
+                            phi_2574_ = (_e1759 < 1000000000000000f);
+                            phi_2575_ = false;
                         } else {
-                            phi_2485_ = bool();
-                            phi_2486_ = true;
+                            phi_2574_ = bool();
+                            phi_2575_ = true;
                         }
-                        let _e1693 = phi_2485_;
-                        let _e1695 = phi_2486_;
-                        phi_2487_ = _e1693;
-                        phi_2488_ = _e1695;
+                        let _e1780 = phi_2574_;
+                        let _e1782 = phi_2575_;
+                        phi_2576_ = _e1780;
+                        phi_2577_ = _e1782;
                     } else {
-                        phi_2487_ = bool();
-                        phi_2488_ = true;
+                        phi_2576_ = bool();
+                        phi_2577_ = true;
                     }
-                    let _e1697 = phi_2487_;
-                    let _e1699 = phi_2488_;
-                    if _e1699 {
-                        phi_2492_ = false;
+                    let _e1784 = phi_2576_;
+                    let _e1786 = phi_2577_;
+                    if _e1786 {
+                        phi_2581_ = false;
                     } else {
-                        phi_2492_ = _e1697;
+                        phi_2581_ = _e1784;
                     }
-                    let _e1701 = phi_2492_;
-                    if _e1701 {
-                        if (_e1670 > 0f) {
-                            phi_2506_ = bool();
-                            phi_2507_ = true;
+                    let _e1788 = phi_2581_;
+                    if _e1788 {
+                        if (_e1757 > 0f) {
+                            phi_2595_ = bool();
+                            phi_2596_ = true;
                         } else {
-                            let _e1703 = (_e1671 > 0f);
-                            if _e1703 {
-                                phi_2505_ = bool();
+                            let _e1790 = (_e1758 > 0f);
+                            if _e1790 {
+                                phi_2594_ = bool();
                             } else {
-                                phi_2505_ = (_e1672 > 0f);
+                                phi_2594_ = (_e1759 > 0f);
                             }
-                            let _e1706 = phi_2505_;
-                            phi_2506_ = _e1706;
-                            phi_2507_ = _e1703;
+                            let _e1793 = phi_2594_;
+                            phi_2595_ = _e1793;
+                            phi_2596_ = _e1790;
                         }
-                        let _e1708 = phi_2506_;
-                        let _e1710 = phi_2507_;
-                        if _e1710 {
-                            phi_2511_ = true;
+                        let _e1795 = phi_2595_;
+                        let _e1797 = phi_2596_;
+                        if _e1797 {
+                            phi_2600_ = true;
                         } else {
-                            phi_2511_ = _e1708;
+                            phi_2600_ = _e1795;
                         }
-                        let _e1712 = phi_2511_;
-                        phi_2512_ = _e1712;
-                        phi_2513_ = false;
+                        let _e1799 = phi_2600_;
+                        phi_2601_ = _e1799;
+                        phi_2602_ = false;
                     } else {
-                        phi_2512_ = bool();
-                        phi_2513_ = true;
+                        phi_2601_ = bool();
+                        phi_2602_ = true;
                     }
-                    let _e1714 = phi_2512_;
-                    let _e1716 = phi_2513_;
-                    phi_2514_ = _e1714;
-                    phi_2515_ = _e1716;
+                    let _e1801 = phi_2601_;
+                    let _e1803 = phi_2602_;
+                    phi_2603_ = _e1801;
+                    phi_2604_ = _e1803;
                 } else {
-                    phi_2514_ = bool();
-                    phi_2515_ = true;
+                    phi_2603_ = bool();
+                    phi_2604_ = true;
                 }
-                let _e1718 = phi_2514_;
-                let _e1720 = phi_2515_;
-                if _e1720 {
-                    phi_2519_ = false;
+                let _e1805 = phi_2603_;
+                let _e1807 = phi_2604_;
+                if _e1807 {
+                    phi_2608_ = false;
                 } else {
-                    phi_2519_ = _e1718;
+                    phi_2608_ = _e1805;
                 }
-                let _e1722 = phi_2519_;
-                if _e1722 {
-                    let _e1723 = (0u >= _e89);
-                    if _e1723 {
-                        phi_4107_ = bool();
+                let _e1809 = phi_2608_;
+                if _e1809 {
+                    let _e1810 = (0u >= _e88);
+                    if _e1810 {
+                        phi_4196_ = bool();
                     } else {
-                        if (0u < _e89) {
+                        if (0u < _e88) {
                         } else {
                             return;
                         }
-                        let _e1729 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1733 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1737 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1741 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1745 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1749 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1753 = nodes.member[(0u + 0u)].frame[3u];
-                        let _e1787 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165), abs(_e166));
-                        let _e1788 = core_intrinsics_maximum_number_nsz_f32_(_e1787, abs(_e167));
-                        let _e1789 = (_e1788 * 0.0000000000009094947f);
-                        if (abs(_e165) < _e1789) {
-                            phi_2589_ = _e1789;
+                        let _e1816 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1820 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1824 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1828 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1832 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1836 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1840 = nodes.member[(0u + 0u)].frame[3u];
+                        let _e1874 = core_intrinsics_maximum_number_nsz_f32_(abs(_e164), abs(_e165));
+                        let _e1875 = core_intrinsics_maximum_number_nsz_f32_(_e1874, abs(_e166));
+                        let _e1876 = (_e1875 * 0.0000000000009094947f);
+                        if (abs(_e164) < _e1876) {
+                            phi_2678_ = _e1876;
                         } else {
-                            phi_2589_ = abs(_e165);
+                            phi_2678_ = abs(_e164);
                         }
-                        let _e1794 = phi_2589_;
+                        let _e1881 = phi_2678_;
+                        if (_e164 < 0f) {
+                            phi_2685_ = (-1f / _e1881);
+                        } else {
+                            phi_2685_ = (1f / _e1881);
+                        }
+                        let _e1886 = phi_2685_;
+                        if (abs(_e165) < _e1876) {
+                            phi_2692_ = _e1876;
+                        } else {
+                            phi_2692_ = abs(_e165);
+                        }
+                        let _e1891 = phi_2692_;
                         if (_e165 < 0f) {
-                            phi_2596_ = (-1f / _e1794);
+                            phi_2699_ = (-1f / _e1891);
                         } else {
-                            phi_2596_ = (1f / _e1794);
+                            phi_2699_ = (1f / _e1891);
                         }
-                        let _e1799 = phi_2596_;
-                        if (abs(_e166) < _e1789) {
-                            phi_2603_ = _e1789;
+                        let _e1896 = phi_2699_;
+                        if (abs(_e166) < _e1876) {
+                            phi_2706_ = _e1876;
                         } else {
-                            phi_2603_ = abs(_e166);
+                            phi_2706_ = abs(_e166);
                         }
-                        let _e1804 = phi_2603_;
+                        let _e1901 = phi_2706_;
                         if (_e166 < 0f) {
-                            phi_2610_ = (-1f / _e1804);
+                            phi_2713_ = (-1f / _e1901);
                         } else {
-                            phi_2610_ = (1f / _e1804);
+                            phi_2713_ = (1f / _e1901);
                         }
-                        let _e1809 = phi_2610_;
-                        if (abs(_e167) < _e1789) {
-                            phi_2617_ = _e1789;
+                        let _e1906 = phi_2713_;
+                        let _e1910 = abs((bitcast<f32>(_e1816) - _e144));
+                        let _e1911 = abs((bitcast<f32>(_e1820) - _e146));
+                        let _e1912 = abs((bitcast<f32>(_e1824) - _e148));
+                        let _e1916 = abs(((bitcast<f32>(_e1828) + (bitcast<f32>((((_e1840 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e144));
+                        let _e1917 = abs(((bitcast<f32>(_e1832) + (bitcast<f32>((((_e1840 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146));
+                        let _e1918 = abs(((bitcast<f32>(_e1836) + (bitcast<f32>((((_e1840 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e148));
+                        if (_e1910 > _e1916) {
+                            phi_2730_ = _e1910;
                         } else {
-                            phi_2617_ = abs(_e167);
+                            phi_2730_ = _e1916;
                         }
-                        let _e1814 = phi_2617_;
-                        if (_e167 < 0f) {
-                            phi_2624_ = (-1f / _e1814);
+                        let _e1921 = phi_2730_;
+                        if (_e1911 > _e1917) {
+                            phi_2735_ = _e1911;
                         } else {
-                            phi_2624_ = (1f / _e1814);
+                            phi_2735_ = _e1917;
                         }
-                        let _e1819 = phi_2624_;
-                        let _e1823 = abs((bitcast<f32>(_e1729) - _e145));
-                        let _e1824 = abs((bitcast<f32>(_e1733) - _e147));
-                        let _e1825 = abs((bitcast<f32>(_e1737) - _e149));
-                        let _e1829 = abs(((bitcast<f32>(_e1741) + (bitcast<f32>((((_e1753 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145));
-                        let _e1830 = abs(((bitcast<f32>(_e1745) + (bitcast<f32>((((_e1753 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e147));
-                        let _e1831 = abs(((bitcast<f32>(_e1749) + (bitcast<f32>((((_e1753 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e149));
-                        if (_e1823 > _e1829) {
-                            phi_2641_ = _e1823;
+                        let _e1924 = phi_2735_;
+                        if (_e1912 > _e1918) {
+                            phi_2740_ = _e1912;
                         } else {
-                            phi_2641_ = _e1829;
+                            phi_2740_ = _e1918;
                         }
-                        let _e1834 = phi_2641_;
-                        if (_e1824 > _e1830) {
-                            phi_2646_ = _e1824;
+                        let _e1927 = phi_2740_;
+                        if (_e1921 > _e1924) {
+                            phi_2745_ = _e1921;
                         } else {
-                            phi_2646_ = _e1830;
+                            phi_2745_ = _e1924;
                         }
-                        let _e1837 = phi_2646_;
-                        if (_e1825 > _e1831) {
-                            phi_2651_ = _e1825;
+                        let _e1930 = phi_2745_;
+                        if (_e1930 > _e1927) {
+                            phi_2750_ = _e1930;
                         } else {
-                            phi_2651_ = _e1831;
+                            phi_2750_ = _e1927;
                         }
-                        let _e1840 = phi_2651_;
-                        if (_e1834 > _e1837) {
-                            phi_2656_ = _e1834;
-                        } else {
-                            phi_2656_ = _e1837;
-                        }
-                        let _e1843 = phi_2656_;
-                        if (_e1843 > _e1840) {
-                            phi_2661_ = _e1843;
-                        } else {
-                            phi_2661_ = _e1840;
-                        }
-                        let _e1846 = phi_2661_;
-                        let _e1850 = (_e1846 * 0.0000019073486f);
-                        let _e1851 = (abs(_e1799) * _e1850);
-                        let _e1852 = (abs(_e1809) * _e1850);
-                        let _e1853 = (abs(_e1819) * _e1850);
-                        let _e1857 = (_e1846 * 0.0000009536743f);
-                        let _e1858 = (abs(_e1799) * _e1857);
-                        let _e1859 = (abs(_e1809) * _e1857);
-                        let _e1860 = (abs(_e1819) * _e1857);
-                        let _e1861 = abs(_e165);
-                        let _e1862 = abs(_e166);
-                        let _e1863 = abs(_e167);
-                        if (_e1861 >= _e1862) {
-                            if (_e1861 >= _e1863) {
-                                phi_2687_ = false;
+                        let _e1933 = phi_2750_;
+                        let _e1937 = (_e1933 * 0.0000019073486f);
+                        let _e1938 = (abs(_e1886) * _e1937);
+                        let _e1939 = (abs(_e1896) * _e1937);
+                        let _e1940 = (abs(_e1906) * _e1937);
+                        let _e1944 = (_e1933 * 0.0000009536743f);
+                        let _e1945 = (abs(_e1886) * _e1944);
+                        let _e1946 = (abs(_e1896) * _e1944);
+                        let _e1947 = (abs(_e1906) * _e1944);
+                        let _e1948 = abs(_e164);
+                        let _e1949 = abs(_e165);
+                        let _e1950 = abs(_e166);
+                        if (_e1948 >= _e1949) {
+                            if (_e1948 >= _e1950) {
+                                phi_2776_ = false;
                             } else {
-                                phi_2687_ = true;
+                                phi_2776_ = true;
                             }
-                            let _e1867 = phi_2687_;
-                            phi_2688_ = _e1867;
+                            let _e1954 = phi_2776_;
+                            phi_2777_ = _e1954;
                         } else {
-                            phi_2688_ = true;
+                            phi_2777_ = true;
                         }
-                        let _e1869 = phi_2688_;
-                        if _e1869 {
-                            if (_e1862 >= _e1863) {
-                                phi_2696_ = 1u;
+                        let _e1956 = phi_2777_;
+                        if _e1956 {
+                            if (_e1949 >= _e1950) {
+                                phi_2785_ = 1u;
                             } else {
-                                phi_2696_ = 2u;
+                                phi_2785_ = 2u;
                             }
-                            let _e1872 = phi_2696_;
-                            phi_2697_ = _e1872;
+                            let _e1959 = phi_2785_;
+                            phi_2786_ = _e1959;
                         } else {
-                            phi_2697_ = 0u;
+                            phi_2786_ = 0u;
                         }
-                        let _e1874 = phi_2697_;
-                        if (_e1874 == 0u) {
-                            phi_2709_ = vec3<f32>(_e166, _e167, _e165);
+                        let _e1961 = phi_2786_;
+                        if (_e1961 == 0u) {
+                            phi_2798_ = vec3<f32>(_e165, _e166, _e164);
                         } else {
-                            if (_e1874 == 1u) {
-                                phi_2708_ = vec3<f32>(_e167, _e165, _e166);
+                            if (_e1961 == 1u) {
+                                phi_2797_ = vec3<f32>(_e166, _e164, _e165);
                             } else {
-                                phi_2708_ = _e168;
+                                phi_2797_ = _e167;
                             }
-                            let _e1880 = phi_2708_;
-                            phi_2709_ = _e1880;
+                            let _e1967 = phi_2797_;
+                            phi_2798_ = _e1967;
                         }
-                        let _e1882 = phi_2709_;
-                        let _e1885 = (_e1882.x / _e1882.z);
-                        let _e1888 = (_e1882.y / _e1882.z);
-                        if (_e1799 < 0f) {
-                            phi_2722_ = 0u;
+                        let _e1969 = phi_2798_;
+                        let _e1972 = (_e1969.x / _e1969.z);
+                        let _e1975 = (_e1969.y / _e1969.z);
+                        if (_e1886 < 0f) {
+                            phi_2811_ = 0u;
                         } else {
-                            phi_2722_ = 1u;
+                            phi_2811_ = 1u;
                         }
-                        let _e1893 = phi_2722_;
-                        if (_e1809 < 0f) {
-                            phi_2727_ = 0u;
+                        let _e1980 = phi_2811_;
+                        if (_e1896 < 0f) {
+                            phi_2816_ = 0u;
                         } else {
-                            phi_2727_ = 2u;
+                            phi_2816_ = 2u;
                         }
-                        let _e1896 = phi_2727_;
-                        if (_e1819 < 0f) {
-                            phi_2732_ = 0u;
+                        let _e1983 = phi_2816_;
+                        if (_e1906 < 0f) {
+                            phi_2821_ = 0u;
                         } else {
-                            phi_2732_ = 4u;
+                            phi_2821_ = 4u;
                         }
-                        let _e1899 = phi_2732_;
-                        let _e1901 = ((_e1893 | _e1896) | _e1899);
-                        let _e1902 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1902.first[0], _e1902.first[1], _e1902.first[2], _e1902.first[3], _e1902.first[4], _e1902.first[5], _e1902.first[6], _e1902.first[7], _e1902.first[8], _e1902.first[9], _e1902.first[10], _e1902.first[11], _e1902.first[12], _e1902.first[13], _e1902.first[14], _e1902.first[15], _e1902.first[16], _e1902.first[17], _e1902.first[18], _e1902.first[19], _e1902.first[20], _e1902.first[21], _e1902.first[22], _e1902.first[23], _e1902.first[24], _e1902.first[25], _e1902.first[26], _e1902.first[27], _e1902.first[28], _e1902.first[29], _e1902.first[30], _e1902.first[31]), array<u32, 32>(_e1902.mask[0], _e1902.mask[1], _e1902.mask[2], _e1902.mask[3], _e1902.mask[4], _e1902.mask[5], _e1902.mask[6], _e1902.mask[7], _e1902.mask[8], _e1902.mask[9], _e1902.mask[10], _e1902.mask[11], _e1902.mask[12], _e1902.mask[13], _e1902.mask[14], _e1902.mask[15], _e1902.mask[16], _e1902.mask[17], _e1902.mask[18], _e1902.mask[19], _e1902.mask[20], _e1902.mask[21], _e1902.mask[22], _e1902.mask[23], _e1902.mask[24], _e1902.mask[25], _e1902.mask[26], _e1902.mask[27], _e1902.mask[28], _e1902.mask[29], _e1902.mask[30], _e1902.mask[31]), _e1902.len, _e1902.group, _e1902.group_mask);
-                        let _e1976 = local_1.group_mask;
-                        if ((_e1976 & 4278190080u) == 0u) {
-                            let _e1980 = local_1.len;
-                            if (_e1980 == 0u) {
-                                phi_2846_ = false;
+                        let _e1986 = phi_2821_;
+                        let _e1988 = ((_e1980 | _e1983) | _e1986);
+                        let _e1989 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1989.first[0], _e1989.first[1], _e1989.first[2], _e1989.first[3], _e1989.first[4], _e1989.first[5], _e1989.first[6], _e1989.first[7], _e1989.first[8], _e1989.first[9], _e1989.first[10], _e1989.first[11], _e1989.first[12], _e1989.first[13], _e1989.first[14], _e1989.first[15], _e1989.first[16], _e1989.first[17], _e1989.first[18], _e1989.first[19], _e1989.first[20], _e1989.first[21], _e1989.first[22], _e1989.first[23], _e1989.first[24], _e1989.first[25], _e1989.first[26], _e1989.first[27], _e1989.first[28], _e1989.first[29], _e1989.first[30], _e1989.first[31]), array<u32, 32>(_e1989.mask[0], _e1989.mask[1], _e1989.mask[2], _e1989.mask[3], _e1989.mask[4], _e1989.mask[5], _e1989.mask[6], _e1989.mask[7], _e1989.mask[8], _e1989.mask[9], _e1989.mask[10], _e1989.mask[11], _e1989.mask[12], _e1989.mask[13], _e1989.mask[14], _e1989.mask[15], _e1989.mask[16], _e1989.mask[17], _e1989.mask[18], _e1989.mask[19], _e1989.mask[20], _e1989.mask[21], _e1989.mask[22], _e1989.mask[23], _e1989.mask[24], _e1989.mask[25], _e1989.mask[26], _e1989.mask[27], _e1989.mask[28], _e1989.mask[29], _e1989.mask[30], _e1989.mask[31]), _e1989.len, _e1989.group, _e1989.group_mask);
+                        let _e2063 = local_1.group_mask;
+                        if ((_e2063 & 4278190080u) == 0u) {
+                            let _e2067 = local_1.len;
+                            if (_e2067 == 0u) {
+                                phi_2935_ = false;
                             } else {
-                                let _e1984 = local_1.len;
-                                local_1.len = (_e1984 - 1u);
-                                let _e1987 = local_1.len;
-                                if (_e1987 < 32u) {
+                                let _e2071 = local_1.len;
+                                local_1.len = (_e2071 - 1u);
+                                let _e2074 = local_1.len;
+                                if (_e2074 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1992 = local_1.first[(0u + _e1987)];
-                                local_1.group = _e1992;
-                                let _e1995 = local_1.len;
-                                if (_e1995 < 32u) {
+                                let _e2079 = local_1.first[(0u + _e2074)];
+                                local_1.group = _e2079;
+                                let _e2082 = local_1.len;
+                                if (_e2082 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2000 = local_1.mask[(0u + _e1995)];
-                                local_1.group_mask = _e2000;
-                                phi_2846_ = true;
+                                let _e2087 = local_1.mask[(0u + _e2082)];
+                                local_1.group_mask = _e2087;
+                                phi_2935_ = true;
                             }
-                            let _e2003 = phi_2846_;
-                            phi_2847_ = _e2003;
+                            let _e2090 = phi_2935_;
+                            phi_2936_ = _e2090;
                         } else {
-                            phi_2847_ = true;
+                            phi_2936_ = true;
                         }
-                        let _e2005 = phi_2847_;
-                        if _e2005 {
-                            let _e2007 = local_1.group_mask;
-                            let _e2013 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2007)), 32u, (_e2007 == 0u)));
-                            let _e2017 = local_1.group_mask;
-                            let _e2031 = local_1.group_mask;
-                            local_1.group_mask = (_e2031 & ~((1u << bitcast<u32>((_e2013 & 31u)))));
-                            let _e2034 = local_1.group;
-                            phi_2878_ = (_e2034 + countOneBits(((_e2017 & ~((4294967295u << bitcast<u32>((((_e2013 - 24u) ^ 7u) & 31u))))) & 255u)));
+                        let _e2092 = phi_2936_;
+                        if _e2092 {
+                            let _e2094 = local_1.group_mask;
+                            let _e2100 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2094)), 32u, (_e2094 == 0u)));
+                            let _e2104 = local_1.group_mask;
+                            let _e2118 = local_1.group_mask;
+                            local_1.group_mask = (_e2118 & ~((1u << bitcast<u32>((_e2100 & 31u)))));
+                            let _e2121 = local_1.group;
+                            phi_2967_ = (_e2121 + countOneBits(((_e2104 & ~((4294967295u << bitcast<u32>((((_e2100 - 24u) ^ 7u) & 31u))))) & 255u)));
                         } else {
-                            phi_2878_ = 4294967295u;
+                            phi_2967_ = 4294967295u;
                         }
-                        let _e2037 = phi_2878_;
-                        phi_2880_ = _e2037;
-                        phi_2883_ = false;
+                        let _e2124 = phi_2967_;
+                        phi_2969_ = _e2124;
+                        phi_2972_ = false;
                         loop {
-                            let _e2039 = phi_2880_;
-                            let _e2041 = phi_2883_;
-                            local_25 = _e2041;
-                            if (_e2039 != 4294967295u) {
-                                if (_e2039 < _e89) {
+                            let _e2126 = phi_2969_;
+                            let _e2128 = phi_2972_;
+                            local_27 = _e2128;
+                            if (_e2126 != 4294967295u) {
+                                if (_e2126 < _e88) {
                                 } else {
                                     return;
                                 }
-                                let _e2048 = nodes.member[(0u + _e2039)].frame[3u];
-                                let _e2073 = (bitcast<f32>((((_e2048 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1799);
-                                let _e2074 = (bitcast<f32>((((_e2048 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1809);
-                                let _e2075 = (bitcast<f32>((((_e2048 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1819);
-                                let _e2078 = nodes.member[(0u + _e2039)].frame[0u];
-                                let _e2082 = nodes.member[(0u + _e2039)].frame[1u];
-                                let _e2086 = nodes.member[(0u + _e2039)].frame[2u];
-                                let _e2091 = ((bitcast<f32>(_e2078) - _e145) * _e1799);
-                                let _e2092 = ((bitcast<f32>(_e2082) - _e147) * _e1809);
-                                let _e2093 = ((bitcast<f32>(_e2086) - _e149) * _e1819);
-                                let _e2101 = nodes.member[(0u + _e2039)].x;
-                                if (_e1799 < 0f) {
-                                    let _e2112 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2101.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2118 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2112.unnamed.word, _e2101.w), _e2112.unnamed_1);
-                                    let _e2124 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2118.unnamed, lt_mask_LightPlace(_e2101.x, _e2118.unnamed_1.shift));
-                                    phi_2963_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2124.unnamed, lt_mask_LightPlace(_e2124.unnamed_1.word, _e2101.y));
+                                let _e2135 = nodes.member[(0u + _e2126)].frame[3u];
+                                let _e2160 = (bitcast<f32>((((_e2135 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1886);
+                                let _e2161 = (bitcast<f32>((((_e2135 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1896);
+                                let _e2162 = (bitcast<f32>((((_e2135 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1906);
+                                let _e2165 = nodes.member[(0u + _e2126)].frame[0u];
+                                let _e2169 = nodes.member[(0u + _e2126)].frame[1u];
+                                let _e2173 = nodes.member[(0u + _e2126)].frame[2u];
+                                let _e2178 = ((bitcast<f32>(_e2165) - _e144) * _e1886);
+                                let _e2179 = ((bitcast<f32>(_e2169) - _e146) * _e1896);
+                                let _e2180 = ((bitcast<f32>(_e2173) - _e148) * _e1906);
+                                let _e2188 = nodes.member[(0u + _e2126)].x;
+                                if (_e1886 < 0f) {
+                                    let _e2199 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2188.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2205 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2199.unnamed.word, _e2188.w), _e2199.unnamed_1);
+                                    let _e2211 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2205.unnamed, lt_mask_LightPlace(_e2188.x, _e2205.unnamed_1.shift));
+                                    phi_3052_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2211.unnamed, lt_mask_LightPlace(_e2211.unnamed_1.word, _e2188.y));
                                 } else {
-                                    let _e2140 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2101.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2146 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2140.unnamed.word, _e2101.y), _e2140.unnamed_1);
-                                    let _e2152 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2146.unnamed, lt_mask_LightPlace(_e2101.z, _e2146.unnamed_1.shift));
-                                    phi_2963_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2152.unnamed, lt_mask_LightPlace(_e2152.unnamed_1.word, _e2101.w));
+                                    let _e2227 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2188.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2233 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2227.unnamed.word, _e2188.y), _e2227.unnamed_1);
+                                    let _e2239 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2233.unnamed, lt_mask_LightPlace(_e2188.z, _e2233.unnamed_1.shift));
+                                    phi_3052_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2239.unnamed, lt_mask_LightPlace(_e2239.unnamed_1.word, _e2188.w));
                                 }
-                                let _e2160 = phi_2963_;
-                                let _e2170 = nodes.member[(0u + _e2039)].y;
-                                if (_e1809 < 0f) {
-                                    let _e2181 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2170.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2187 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2181.unnamed.word, _e2170.w), _e2181.unnamed_1);
-                                    let _e2193 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2187.unnamed, lt_mask_LightPlace(_e2170.x, _e2187.unnamed_1.shift));
-                                    phi_2990_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2193.unnamed, lt_mask_LightPlace(_e2193.unnamed_1.word, _e2170.y));
+                                let _e2247 = phi_3052_;
+                                let _e2257 = nodes.member[(0u + _e2126)].y;
+                                if (_e1896 < 0f) {
+                                    let _e2268 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2257.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2274 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2268.unnamed.word, _e2257.w), _e2268.unnamed_1);
+                                    let _e2280 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2274.unnamed, lt_mask_LightPlace(_e2257.x, _e2274.unnamed_1.shift));
+                                    phi_3079_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2280.unnamed, lt_mask_LightPlace(_e2280.unnamed_1.word, _e2257.y));
                                 } else {
-                                    let _e2209 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2170.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2215 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2209.unnamed.word, _e2170.y), _e2209.unnamed_1);
-                                    let _e2221 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2215.unnamed, lt_mask_LightPlace(_e2170.z, _e2215.unnamed_1.shift));
-                                    phi_2990_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2221.unnamed, lt_mask_LightPlace(_e2221.unnamed_1.word, _e2170.w));
+                                    let _e2296 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2257.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2302 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2296.unnamed.word, _e2257.y), _e2296.unnamed_1);
+                                    let _e2308 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2302.unnamed, lt_mask_LightPlace(_e2257.z, _e2302.unnamed_1.shift));
+                                    phi_3079_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2308.unnamed, lt_mask_LightPlace(_e2308.unnamed_1.word, _e2257.w));
                                 }
-                                let _e2229 = phi_2990_;
-                                let _e2239 = nodes.member[(0u + _e2039)].z;
-                                if (_e1819 < 0f) {
-                                    let _e2250 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2239.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2256 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2250.unnamed.word, _e2239.w), _e2250.unnamed_1);
-                                    let _e2262 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2256.unnamed, lt_mask_LightPlace(_e2239.x, _e2256.unnamed_1.shift));
-                                    phi_3017_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2262.unnamed, lt_mask_LightPlace(_e2262.unnamed_1.word, _e2239.y));
+                                let _e2316 = phi_3079_;
+                                let _e2326 = nodes.member[(0u + _e2126)].z;
+                                if (_e1906 < 0f) {
+                                    let _e2337 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2326.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2343 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2337.unnamed.word, _e2326.w), _e2337.unnamed_1);
+                                    let _e2349 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2343.unnamed, lt_mask_LightPlace(_e2326.x, _e2343.unnamed_1.shift));
+                                    phi_3106_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2349.unnamed, lt_mask_LightPlace(_e2349.unnamed_1.word, _e2326.y));
                                 } else {
-                                    let _e2278 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2239.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2284 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2278.unnamed.word, _e2239.y), _e2278.unnamed_1);
-                                    let _e2290 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2284.unnamed, lt_mask_LightPlace(_e2239.z, _e2284.unnamed_1.shift));
-                                    phi_3017_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2290.unnamed, lt_mask_LightPlace(_e2290.unnamed_1.word, _e2239.w));
+                                    let _e2365 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2326.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2371 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2365.unnamed.word, _e2326.y), _e2365.unnamed_1);
+                                    let _e2377 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2371.unnamed, lt_mask_LightPlace(_e2326.z, _e2371.unnamed_1.shift));
+                                    phi_3106_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2377.unnamed, lt_mask_LightPlace(_e2377.unnamed_1.word, _e2326.w));
                                 }
-                                let _e2298 = phi_3017_;
-                                phi_3023_ = 0u;
-                                phi_3026_ = 0u;
+                                let _e2385 = phi_3106_;
+                                phi_3112_ = 0u;
+                                phi_3115_ = 0u;
                                 loop {
-                                    let _e2308 = phi_3023_;
-                                    let _e2310 = phi_3026_;
-                                    local_8 = _e2310;
-                                    local_9 = _e2310;
-                                    local_10 = _e2310;
-                                    let _e2311 = (_e2308 < 8u);
-                                    if _e2311 {
-                                        let _e2313 = (_e2308 >> bitcast<u32>(2i));
-                                        let _e2314 = (_e2308 & 3u);
-                                        if (_e2313 == 0u) {
-                                            phi_3040_ = _e2160.unnamed.word;
+                                    let _e2395 = phi_3112_;
+                                    let _e2397 = phi_3115_;
+                                    local_10 = _e2397;
+                                    local_11 = _e2397;
+                                    local_12 = _e2397;
+                                    let _e2398 = (_e2395 < 8u);
+                                    if _e2398 {
+                                        let _e2400 = (_e2395 >> bitcast<u32>(2i));
+                                        let _e2401 = (_e2395 & 3u);
+                                        if (_e2400 == 0u) {
+                                            phi_3129_ = _e2247.unnamed.word;
                                         } else {
-                                            phi_3040_ = _e2160.unnamed.shift;
+                                            phi_3129_ = _e2247.unnamed.shift;
                                         }
-                                        let _e2317 = phi_3040_;
-                                        if (_e2313 == 0u) {
-                                            phi_3050_ = _e2229.unnamed.word;
+                                        let _e2404 = phi_3129_;
+                                        if (_e2400 == 0u) {
+                                            phi_3139_ = _e2316.unnamed.word;
                                         } else {
-                                            phi_3050_ = _e2229.unnamed.shift;
+                                            phi_3139_ = _e2316.unnamed.shift;
                                         }
-                                        let _e2326 = phi_3050_;
-                                        if (_e2313 == 0u) {
-                                            phi_3060_ = _e2298.unnamed.word;
+                                        let _e2413 = phi_3139_;
+                                        if (_e2400 == 0u) {
+                                            phi_3149_ = _e2385.unnamed.word;
                                         } else {
-                                            phi_3060_ = _e2298.unnamed.shift;
+                                            phi_3149_ = _e2385.unnamed.shift;
                                         }
-                                        let _e2335 = phi_3060_;
-                                        let _e2348 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2317 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2073) + (_e2091 - _e1851)), ((f32(((_e2326 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2074) + (_e2092 - _e1852)));
-                                        let _e2349 = core_intrinsics_maximum_number_nsz_f32_(_e2348, ((f32(((_e2335 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2075) + (_e2093 - _e1853)));
-                                        if (_e2313 == 0u) {
-                                            phi_3078_ = _e2160.unnamed_1.word;
+                                        let _e2422 = phi_3149_;
+                                        let _e2435 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2404 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2160) + (_e2178 - _e1938)), ((f32(((_e2413 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2161) + (_e2179 - _e1939)));
+                                        let _e2436 = core_intrinsics_maximum_number_nsz_f32_(_e2435, ((f32(((_e2422 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2162) + (_e2180 - _e1940)));
+                                        if (_e2400 == 0u) {
+                                            phi_3167_ = _e2247.unnamed_1.word;
                                         } else {
-                                            phi_3078_ = _e2160.unnamed_1.shift;
+                                            phi_3167_ = _e2247.unnamed_1.shift;
                                         }
-                                        let _e2352 = phi_3078_;
-                                        if (_e2313 == 0u) {
-                                            phi_3088_ = _e2229.unnamed_1.word;
+                                        let _e2439 = phi_3167_;
+                                        if (_e2400 == 0u) {
+                                            phi_3177_ = _e2316.unnamed_1.word;
                                         } else {
-                                            phi_3088_ = _e2229.unnamed_1.shift;
+                                            phi_3177_ = _e2316.unnamed_1.shift;
                                         }
-                                        let _e2361 = phi_3088_;
-                                        if (_e2313 == 0u) {
-                                            phi_3098_ = _e2298.unnamed_1.word;
+                                        let _e2448 = phi_3177_;
+                                        if (_e2400 == 0u) {
+                                            phi_3187_ = _e2385.unnamed_1.word;
                                         } else {
-                                            phi_3098_ = _e2298.unnamed_1.shift;
+                                            phi_3187_ = _e2385.unnamed_1.shift;
                                         }
-                                        let _e2370 = phi_3098_;
-                                        let _e2383 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2352 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2073) + (_e2091 + _e1851)), ((f32(((_e2361 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2074) + (_e2092 + _e1852)));
-                                        let _e2384 = core_intrinsics_minimum_number_nsz_f32_(_e2383, ((f32(((_e2370 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u)) * _e2075) + (_e2093 + _e1853)));
-                                        if (_e2349 <= _e2384) {
-                                            if (_e2349 <= _e157) {
-                                                if (_e2384 >= 0f) {
-                                                    if (_e2313 == 0u) {
-                                                        let _e2391 = nodes.member[(0u + _e2039)].links[2u];
-                                                        phi_3134_ = _e2391;
+                                        let _e2457 = phi_3187_;
+                                        let _e2470 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2439 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2160) + (_e2178 + _e1938)), ((f32(((_e2448 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2161) + (_e2179 + _e1939)));
+                                        let _e2471 = core_intrinsics_minimum_number_nsz_f32_(_e2470, ((f32(((_e2457 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2162) + (_e2180 + _e1940)));
+                                        if (_e2436 <= _e2471) {
+                                            if (_e2436 <= _e156) {
+                                                if (_e2471 >= 0f) {
+                                                    if (_e2400 == 0u) {
+                                                        let _e2478 = nodes.member[(0u + _e2126)].links[2u];
+                                                        phi_3223_ = _e2478;
                                                     } else {
-                                                        let _e2394 = nodes.member[(0u + _e2039)].links[3u];
-                                                        phi_3134_ = _e2394;
+                                                        let _e2481 = nodes.member[(0u + _e2126)].links[3u];
+                                                        phi_3223_ = _e2481;
                                                     }
-                                                    let _e2396 = phi_3134_;
-                                                    let _e2401 = ((_e2396 >> bitcast<u32>(((_e2314 * 8u) & 31u))) & 255u);
-                                                    let _e2402 = (_e2401 & 31u);
-                                                    if (_e2402 >= 24u) {
-                                                        phi_3147_ = (24u + ((_e2402 - 24u) ^ _e1901));
+                                                    let _e2483 = phi_3223_;
+                                                    let _e2488 = ((_e2483 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u);
+                                                    let _e2489 = (_e2488 & 31u);
+                                                    if (_e2489 >= 24u) {
+                                                        phi_3236_ = (24u + ((_e2489 - 24u) ^ _e1988));
                                                     } else {
-                                                        phi_3147_ = _e2402;
+                                                        phi_3236_ = _e2489;
                                                     }
-                                                    let _e2408 = phi_3147_;
-                                                    phi_3152_ = (_e2310 | ((_e2401 >> bitcast<u32>(5i)) << bitcast<u32>((_e2408 & 31u))));
+                                                    let _e2495 = phi_3236_;
+                                                    phi_3241_ = (_e2397 | ((_e2488 >> bitcast<u32>(5i)) << bitcast<u32>((_e2495 & 31u))));
                                                 } else {
-                                                    phi_3152_ = _e2310;
+                                                    phi_3241_ = _e2397;
                                                 }
-                                                let _e2416 = phi_3152_;
-                                                phi_3153_ = _e2416;
+                                                let _e2503 = phi_3241_;
+                                                phi_3242_ = _e2503;
                                             } else {
-                                                phi_3153_ = _e2310;
+                                                phi_3242_ = _e2397;
                                             }
-                                            let _e2418 = phi_3153_;
-                                            phi_3154_ = _e2418;
+                                            let _e2505 = phi_3242_;
+                                            phi_3243_ = _e2505;
                                         } else {
-                                            phi_3154_ = _e2310;
+                                            phi_3243_ = _e2397;
                                         }
-                                        let _e2420 = phi_3154_;
-                                        phi_3024_ = (_e2308 + 1u);
-                                        phi_3027_ = _e2420;
+                                        let _e2507 = phi_3243_;
+                                        phi_3113_ = (_e2395 + 1u);
+                                        phi_3116_ = _e2507;
                                     } else {
-                                        phi_3024_ = u32();
-                                        phi_3027_ = u32();
+                                        phi_3113_ = u32();
+                                        phi_3116_ = u32();
                                     }
-                                    let _e2423 = phi_3024_;
-                                    let _e2425 = phi_3027_;
+                                    let _e2510 = phi_3113_;
+                                    let _e2512 = phi_3116_;
                                     continue;
                                     continuing {
-                                        phi_3023_ = _e2423;
-                                        phi_3026_ = _e2425;
-                                        break if !(_e2311);
+                                        phi_3112_ = _e2510;
+                                        phi_3115_ = _e2512;
+                                        break if !(_e2398);
                                     }
                                 }
-                                let _e2429 = nodes.member[(0u + _e2039)].links[0u];
-                                let _e2433 = nodes.member[(0u + _e2039)].frame[3u];
-                                let _e2437 = local_8;
-                                if ((_e2437 & 4278190080u) == 0u) {
+                                let _e2516 = nodes.member[(0u + _e2126)].links[0u];
+                                let _e2520 = nodes.member[(0u + _e2126)].frame[3u];
+                                let _e2524 = local_10;
+                                if ((_e2524 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e2441 = local_1.group_mask;
-                                    if ((_e2441 & 4278190080u) == 0u) {
+                                    let _e2528 = local_1.group_mask;
+                                    if ((_e2528 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2445 = local_1.len;
-                                        if (_e2445 < 32u) {
-                                            let _e2448 = local_1.group;
-                                            let _e2450 = local_1.len;
-                                            if (_e2450 < 32u) {
+                                        let _e2532 = local_1.len;
+                                        if (_e2532 < 32u) {
+                                            let _e2535 = local_1.group;
+                                            let _e2537 = local_1.len;
+                                            if (_e2537 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_1.first[(0u + _e2450)] = _e2448;
-                                            let _e2456 = local_1.group_mask;
-                                            let _e2458 = local_1.len;
-                                            if (_e2458 < 32u) {
+                                            local_1.first[(0u + _e2537)] = _e2535;
+                                            let _e2543 = local_1.group_mask;
+                                            let _e2545 = local_1.len;
+                                            if (_e2545 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_1.mask[(0u + _e2458)] = _e2456;
-                                            let _e2465 = local_1.len;
-                                            local_1.len = (_e2465 + 1u);
+                                            local_1.mask[(0u + _e2545)] = _e2543;
+                                            let _e2552 = local_1.len;
+                                            local_1.len = (_e2552 + 1u);
                                         }
                                     }
-                                    local_1.group = (0u + _e2429);
-                                    let _e2469 = local_9;
-                                    local_1.group_mask = ((_e2469 & 4278190080u) | (_e2433 >> bitcast<u32>(24i)));
+                                    local_1.group = (0u + _e2516);
+                                    let _e2556 = local_11;
+                                    local_1.group_mask = ((_e2556 & 4278190080u) | (_e2520 >> bitcast<u32>(24i)));
                                 }
-                                let _e2474 = local_10;
-                                phi_3212_ = (_e2474 & 16777215u);
-                                phi_3215_ = _e2041;
+                                let _e2561 = local_12;
+                                phi_3301_ = (_e2561 & 16777215u);
+                                phi_3304_ = _e2128;
                                 loop {
-                                    let _e2477 = phi_3212_;
-                                    let _e2479 = phi_3215_;
-                                    local_21 = _e2479;
-                                    let _e2480 = (_e2477 == 0u);
-                                    local_11 = _e2480;
-                                    local_23 = _e2480;
-                                    if _e2480 {
-                                        phi_3213_ = u32();
-                                        phi_3216_ = bool();
-                                        phi_4019_ = bool();
-                                        phi_4020_ = false;
+                                    let _e2564 = phi_3301_;
+                                    let _e2566 = phi_3304_;
+                                    local_23 = _e2566;
+                                    let _e2567 = (_e2564 == 0u);
+                                    local_13 = _e2567;
+                                    local_25 = _e2567;
+                                    if _e2567 {
+                                        phi_3302_ = u32();
+                                        phi_3305_ = bool();
+                                        phi_4108_ = bool();
+                                        phi_4109_ = false;
                                     } else {
-                                        let _e2483 = nodes.member[(0u + _e2039)].links[1u];
-                                        let _e2488 = ((0u + _e2483) + select(firstTrailingBit(_e2477), 32u, (_e2477 == 0u)));
-                                        if (_e2488 < _e92) {
+                                        let _e2570 = nodes.member[(0u + _e2126)].links[1u];
+                                        let _e2575 = ((0u + _e2570) + select(firstTrailingBit(_e2564), 32u, (_e2564 == 0u)));
+                                        if (_e2575 < _e91) {
                                         } else {
                                             return;
                                         }
-                                        let _e2495 = triangles.member[(0u + _e2488)].v0_;
-                                        let _e2497 = (_e2495.x - _e145);
-                                        let _e2499 = (_e2495.y - _e147);
-                                        let _e2501 = (_e2495.z - _e149);
-                                        if (_e1874 == 0u) {
-                                            phi_3260_ = vec3<f32>(_e2499, _e2501, _e2497);
+                                        let _e2582 = triangles.member[(0u + _e2575)].v0_;
+                                        let _e2584 = (_e2582.x - _e144);
+                                        let _e2586 = (_e2582.y - _e146);
+                                        let _e2588 = (_e2582.z - _e148);
+                                        if (_e1961 == 0u) {
+                                            phi_3349_ = vec3<f32>(_e2586, _e2588, _e2584);
                                         } else {
-                                            if (_e1874 == 1u) {
-                                                phi_3259_ = vec3<f32>(_e2501, _e2497, _e2499);
+                                            if (_e1961 == 1u) {
+                                                phi_3348_ = vec3<f32>(_e2588, _e2584, _e2586);
                                             } else {
-                                                phi_3259_ = (_e2495 - vec3<f32>(_e145, _e147, _e149));
+                                                phi_3348_ = (_e2582 - vec3<f32>(_e144, _e146, _e148));
                                             }
-                                            let _e2509 = phi_3259_;
-                                            phi_3260_ = _e2509;
+                                            let _e2596 = phi_3348_;
+                                            phi_3349_ = _e2596;
                                         }
-                                        let _e2511 = phi_3260_;
-                                        let _e2515 = (_e2511.x - (_e1885 * _e2511.z));
-                                        let _e2519 = (_e2511.y - (_e1888 * _e2511.z));
-                                        let _e2521 = triangles.member[(0u + _e2488)].v1_;
-                                        let _e2523 = (_e2521.x - _e145);
-                                        let _e2525 = (_e2521.y - _e147);
-                                        let _e2527 = (_e2521.z - _e149);
-                                        if (_e1874 == 0u) {
-                                            phi_3290_ = vec3<f32>(_e2525, _e2527, _e2523);
+                                        let _e2598 = phi_3349_;
+                                        let _e2602 = (_e2598.x - (_e1972 * _e2598.z));
+                                        let _e2606 = (_e2598.y - (_e1975 * _e2598.z));
+                                        let _e2608 = triangles.member[(0u + _e2575)].v1_;
+                                        let _e2610 = (_e2608.x - _e144);
+                                        let _e2612 = (_e2608.y - _e146);
+                                        let _e2614 = (_e2608.z - _e148);
+                                        if (_e1961 == 0u) {
+                                            phi_3379_ = vec3<f32>(_e2612, _e2614, _e2610);
                                         } else {
-                                            if (_e1874 == 1u) {
-                                                phi_3289_ = vec3<f32>(_e2527, _e2523, _e2525);
+                                            if (_e1961 == 1u) {
+                                                phi_3378_ = vec3<f32>(_e2614, _e2610, _e2612);
                                             } else {
-                                                phi_3289_ = (_e2521 - vec3<f32>(_e145, _e147, _e149));
+                                                phi_3378_ = (_e2608 - vec3<f32>(_e144, _e146, _e148));
                                             }
-                                            let _e2535 = phi_3289_;
-                                            phi_3290_ = _e2535;
+                                            let _e2622 = phi_3378_;
+                                            phi_3379_ = _e2622;
                                         }
-                                        let _e2537 = phi_3290_;
-                                        let _e2541 = (_e2537.x - (_e1885 * _e2537.z));
-                                        let _e2545 = (_e2537.y - (_e1888 * _e2537.z));
-                                        let _e2547 = triangles.member[(0u + _e2488)].v2_;
-                                        let _e2549 = (_e2547.x - _e145);
-                                        let _e2551 = (_e2547.y - _e147);
-                                        let _e2553 = (_e2547.z - _e149);
-                                        if (_e1874 == 0u) {
-                                            phi_3320_ = vec3<f32>(_e2551, _e2553, _e2549);
+                                        let _e2624 = phi_3379_;
+                                        let _e2628 = (_e2624.x - (_e1972 * _e2624.z));
+                                        let _e2632 = (_e2624.y - (_e1975 * _e2624.z));
+                                        let _e2634 = triangles.member[(0u + _e2575)].v2_;
+                                        let _e2636 = (_e2634.x - _e144);
+                                        let _e2638 = (_e2634.y - _e146);
+                                        let _e2640 = (_e2634.z - _e148);
+                                        if (_e1961 == 0u) {
+                                            phi_3409_ = vec3<f32>(_e2638, _e2640, _e2636);
                                         } else {
-                                            if (_e1874 == 1u) {
-                                                phi_3319_ = vec3<f32>(_e2553, _e2549, _e2551);
+                                            if (_e1961 == 1u) {
+                                                phi_3408_ = vec3<f32>(_e2640, _e2636, _e2638);
                                             } else {
-                                                phi_3319_ = (_e2547 - vec3<f32>(_e145, _e147, _e149));
+                                                phi_3408_ = (_e2634 - vec3<f32>(_e144, _e146, _e148));
                                             }
-                                            let _e2561 = phi_3319_;
-                                            phi_3320_ = _e2561;
+                                            let _e2648 = phi_3408_;
+                                            phi_3409_ = _e2648;
                                         }
-                                        let _e2563 = phi_3320_;
-                                        let _e2567 = (_e2563.x - (_e1885 * _e2563.z));
-                                        let _e2571 = (_e2563.y - (_e1888 * _e2563.z));
-                                        if (_e2541 < _e2567) {
-                                            phi_3339_ = true;
+                                        let _e2650 = phi_3409_;
+                                        let _e2654 = (_e2650.x - (_e1972 * _e2650.z));
+                                        let _e2658 = (_e2650.y - (_e1975 * _e2650.z));
+                                        if (_e2628 < _e2654) {
+                                            phi_3428_ = true;
                                         } else {
-                                            if (_e2541 == _e2567) {
-                                                phi_3338_ = (_e2545 < _e2571);
+                                            if (_e2628 == _e2654) {
+                                                phi_3427_ = (_e2632 < _e2658);
                                             } else {
-                                                phi_3338_ = false;
+                                                phi_3427_ = false;
                                             }
-                                            let _e2576 = phi_3338_;
-                                            phi_3339_ = _e2576;
+                                            let _e2663 = phi_3427_;
+                                            phi_3428_ = _e2663;
                                         }
-                                        let _e2578 = phi_3339_;
-                                        if _e2578 {
-                                            phi_3343_ = _e2571;
-                                            phi_3344_ = _e2567;
-                                            phi_3345_ = _e2545;
-                                            phi_3346_ = _e2541;
+                                        let _e2665 = phi_3428_;
+                                        if _e2665 {
+                                            phi_3432_ = _e2658;
+                                            phi_3433_ = _e2654;
+                                            phi_3434_ = _e2632;
+                                            phi_3435_ = _e2628;
                                         } else {
-                                            phi_3343_ = _e2545;
-                                            phi_3344_ = _e2541;
-                                            phi_3345_ = _e2571;
-                                            phi_3346_ = _e2567;
+                                            phi_3432_ = _e2632;
+                                            phi_3433_ = _e2628;
+                                            phi_3434_ = _e2658;
+                                            phi_3435_ = _e2654;
                                         }
-                                        let _e2580 = phi_3343_;
-                                        let _e2582 = phi_3344_;
-                                        let _e2584 = phi_3345_;
-                                        let _e2586 = phi_3346_;
-                                        let _e2589 = ((_e2586 * _e2580) - (_e2584 * _e2582));
-                                        if _e2578 {
-                                            phi_3354_ = -(_e2589);
+                                        let _e2667 = phi_3432_;
+                                        let _e2669 = phi_3433_;
+                                        let _e2671 = phi_3434_;
+                                        let _e2673 = phi_3435_;
+                                        let _e2676 = ((_e2673 * _e2667) - (_e2671 * _e2669));
+                                        if _e2665 {
+                                            phi_3443_ = -(_e2676);
                                         } else {
-                                            phi_3354_ = _e2589;
+                                            phi_3443_ = _e2676;
                                         }
-                                        let _e2592 = phi_3354_;
-                                        if (_e2567 < _e2515) {
-                                            phi_3365_ = true;
+                                        let _e2679 = phi_3443_;
+                                        if (_e2654 < _e2602) {
+                                            phi_3454_ = true;
                                         } else {
-                                            if (_e2567 == _e2515) {
-                                                phi_3364_ = (_e2571 < _e2519);
+                                            if (_e2654 == _e2602) {
+                                                phi_3453_ = (_e2658 < _e2606);
                                             } else {
-                                                phi_3364_ = false;
-                                            }
-                                            let _e2597 = phi_3364_;
-                                            phi_3365_ = _e2597;
-                                        }
-                                        let _e2599 = phi_3365_;
-                                        if _e2599 {
-                                            phi_3369_ = _e2519;
-                                            phi_3370_ = _e2515;
-                                            phi_3371_ = _e2571;
-                                            phi_3372_ = _e2567;
-                                        } else {
-                                            phi_3369_ = _e2571;
-                                            phi_3370_ = _e2567;
-                                            phi_3371_ = _e2519;
-                                            phi_3372_ = _e2515;
-                                        }
-                                        let _e2601 = phi_3369_;
-                                        let _e2603 = phi_3370_;
-                                        let _e2605 = phi_3371_;
-                                        let _e2607 = phi_3372_;
-                                        let _e2610 = ((_e2607 * _e2601) - (_e2605 * _e2603));
-                                        if _e2599 {
-                                            phi_3380_ = -(_e2610);
-                                        } else {
-                                            phi_3380_ = _e2610;
-                                        }
-                                        let _e2613 = phi_3380_;
-                                        if (_e2515 < _e2541) {
-                                            phi_3391_ = true;
-                                        } else {
-                                            if (_e2515 == _e2541) {
-                                                phi_3390_ = (_e2519 < _e2545);
-                                            } else {
-                                                phi_3390_ = false;
-                                            }
-                                            let _e2618 = phi_3390_;
-                                            phi_3391_ = _e2618;
-                                        }
-                                        let _e2620 = phi_3391_;
-                                        if _e2620 {
-                                            phi_3395_ = _e2545;
-                                            phi_3396_ = _e2541;
-                                            phi_3397_ = _e2519;
-                                            phi_3398_ = _e2515;
-                                        } else {
-                                            phi_3395_ = _e2519;
-                                            phi_3396_ = _e2515;
-                                            phi_3397_ = _e2545;
-                                            phi_3398_ = _e2541;
-                                        }
-                                        let _e2622 = phi_3395_;
-                                        let _e2624 = phi_3396_;
-                                        let _e2626 = phi_3397_;
-                                        let _e2628 = phi_3398_;
-                                        let _e2631 = ((_e2628 * _e2622) - (_e2626 * _e2624));
-                                        if _e2620 {
-                                            phi_3406_ = -(_e2631);
-                                        } else {
-                                            phi_3406_ = _e2631;
-                                        }
-                                        let _e2634 = phi_3406_;
-                                        if (_e2592 >= 0f) {
-                                            if (_e2613 >= 0f) {
-                                                if (_e2634 >= 0f) {
-                                                    phi_3421_ = ((_e2592 + _e2613) + _e2634);
-                                                    phi_3422_ = false;
-                                                } else {
-                                                    phi_3421_ = f32();
-                                                    phi_3422_ = true;
-                                                }
-                                                let _e2641 = phi_3421_;
-                                                let _e2643 = phi_3422_;
-                                                phi_3423_ = _e2641;
-                                                phi_3424_ = _e2643;
-                                            } else {
-                                                phi_3423_ = f32();
-                                                phi_3424_ = true;
-                                            }
-                                            let _e2645 = phi_3423_;
-                                            let _e2647 = phi_3424_;
-                                            phi_3425_ = _e2645;
-                                            phi_3426_ = _e2647;
-                                        } else {
-                                            phi_3425_ = f32();
-                                            phi_3426_ = true;
-                                        }
-                                        let _e2649 = phi_3425_;
-                                        let _e2651 = phi_3426_;
-                                        if _e2651 {
-                                            if (_e2592 <= 0f) {
-                                                if (_e2613 <= 0f) {
-                                                    let _e2654 = (_e2634 <= 0f);
-                                                    if _e2654 {
-                                                    }
-                                                    phi_3444_ = ((_e2592 + _e2613) + _e2634);
-                                                    phi_3445_ = false;
-                                                    phi_3446_ = _e2654;
-                                                } else {
-                                                    phi_3444_ = f32();
-                                                    phi_3445_ = true;
-                                                    phi_3446_ = false;
-                                                }
-                                                let _e2658 = phi_3444_;
-                                                let _e2660 = phi_3445_;
-                                                let _e2662 = phi_3446_;
-                                                phi_3447_ = _e2658;
-                                                phi_3448_ = _e2660;
-                                                phi_3449_ = _e2662;
-                                            } else {
-                                                phi_3447_ = f32();
-                                                phi_3448_ = true;
-                                                phi_3449_ = false;
-                                            }
-                                            let _e2664 = phi_3447_;
-                                            let _e2666 = phi_3448_;
-                                            let _e2668 = phi_3449_;
-                                            if _e2666 {
                                                 phi_3453_ = false;
-                                            } else {
-                                                phi_3453_ = _e2668;
                                             }
-                                            let _e2670 = phi_3453_;
-                                            phi_3454_ = _e2664;
-                                            phi_3455_ = _e2670;
-                                        } else {
-                                            phi_3454_ = _e2649;
-                                            phi_3455_ = true;
+                                            let _e2684 = phi_3453_;
+                                            phi_3454_ = _e2684;
                                         }
-                                        let _e2672 = phi_3454_;
-                                        let _e2674 = phi_3455_;
-                                        if _e2674 {
-                                            let _e2675 = (_e2672 == 0f);
-                                            if _e2675 {
-                                                phi_3771_ = lt_bvh_triangle_Intersection();
-                                                phi_3772_ = false;
+                                        let _e2686 = phi_3454_;
+                                        if _e2686 {
+                                            phi_3458_ = _e2606;
+                                            phi_3459_ = _e2602;
+                                            phi_3460_ = _e2658;
+                                            phi_3461_ = _e2654;
+                                        } else {
+                                            phi_3458_ = _e2658;
+                                            phi_3459_ = _e2654;
+                                            phi_3460_ = _e2606;
+                                            phi_3461_ = _e2602;
+                                        }
+                                        let _e2688 = phi_3458_;
+                                        let _e2690 = phi_3459_;
+                                        let _e2692 = phi_3460_;
+                                        let _e2694 = phi_3461_;
+                                        let _e2697 = ((_e2694 * _e2688) - (_e2692 * _e2690));
+                                        if _e2686 {
+                                            phi_3469_ = -(_e2697);
+                                        } else {
+                                            phi_3469_ = _e2697;
+                                        }
+                                        let _e2700 = phi_3469_;
+                                        if (_e2602 < _e2628) {
+                                            phi_3480_ = true;
+                                        } else {
+                                            if (_e2602 == _e2628) {
+                                                phi_3479_ = (_e2606 < _e2632);
                                             } else {
-                                                let _e2677 = triangles.member[(0u + _e2488)].v0_;
-                                                let _e2679 = (_e2677.x - _e145);
-                                                let _e2681 = (_e2677.y - _e147);
-                                                let _e2683 = (_e2677.z - _e149);
-                                                if (_e1874 == 0u) {
-                                                    phi_3484_ = vec3<f32>(_e2681, _e2683, _e2679);
-                                                } else {
-                                                    if (_e1874 == 1u) {
-                                                        phi_3483_ = vec3<f32>(_e2683, _e2679, _e2681);
-                                                    } else {
-                                                        phi_3483_ = (_e2677 - vec3<f32>(_e145, _e147, _e149));
-                                                    }
-                                                    let _e2691 = phi_3483_;
-                                                    phi_3484_ = _e2691;
-                                                }
-                                                let _e2693 = phi_3484_;
-                                                let _e2695 = triangles.member[(0u + _e2488)].v1_;
-                                                let _e2697 = triangles.member[(0u + _e2488)].v0_;
-                                                let _e2700 = (_e2695.x - _e2697.x);
-                                                let _e2703 = (_e2695.y - _e2697.y);
-                                                let _e2706 = (_e2695.z - _e2697.z);
-                                                if (_e1874 == 0u) {
-                                                    phi_3510_ = vec3<f32>(_e2703, _e2706, _e2700);
-                                                } else {
-                                                    if (_e1874 == 1u) {
-                                                        phi_3509_ = vec3<f32>(_e2706, _e2700, _e2703);
-                                                    } else {
-                                                        phi_3509_ = (_e2695 - _e2697);
-                                                    }
-                                                    let _e2713 = phi_3509_;
-                                                    phi_3510_ = _e2713;
-                                                }
-                                                let _e2715 = phi_3510_;
-                                                let _e2717 = triangles.member[(0u + _e2488)].v2_;
-                                                let _e2719 = triangles.member[(0u + _e2488)].v0_;
-                                                let _e2722 = (_e2717.x - _e2719.x);
-                                                let _e2725 = (_e2717.y - _e2719.y);
-                                                let _e2728 = (_e2717.z - _e2719.z);
-                                                if (_e1874 == 0u) {
-                                                    phi_3536_ = vec3<f32>(_e2725, _e2728, _e2722);
-                                                } else {
-                                                    if (_e1874 == 1u) {
-                                                        phi_3535_ = vec3<f32>(_e2728, _e2722, _e2725);
-                                                    } else {
-                                                        phi_3535_ = (_e2717 - _e2719);
-                                                    }
-                                                    let _e2735 = phi_3535_;
-                                                    phi_3536_ = _e2735;
-                                                }
-                                                let _e2737 = phi_3536_;
-                                                let _e2744 = ((_e2715.y * _e2737.z) - (_e2715.z * _e2737.y));
-                                                let _e2751 = ((_e2715.z * _e2737.x) - (_e2715.x * _e2737.z));
-                                                let _e2758 = ((_e2715.x * _e2737.y) - (_e2715.y * _e2737.x));
-                                                let _e2772 = (((1f / _e1882.z) * (((_e2744 * _e2693.x) + (_e2751 * _e2693.y)) + (_e2758 * _e2693.z))) / (((_e2744 * _e1885) + (_e2751 * _e1888)) + _e2758));
-                                                if (_e2772 > 0f) {
-                                                    if (_e2772 < _e157) {
-                                                        let _e2776 = triangles.member[(0u + _e2488)].v0_;
-                                                        let _e2778 = triangles.member[(0u + _e2488)].v1_;
-                                                        if (_e2776.x < _e2778.x) {
-                                                            phi_3592_ = _e2776.x;
-                                                        } else {
-                                                            phi_3592_ = _e2778.x;
-                                                        }
-                                                        let _e2785 = phi_3592_;
-                                                        if (_e2776.y < _e2778.y) {
-                                                            phi_3601_ = _e2776.y;
-                                                        } else {
-                                                            phi_3601_ = _e2778.y;
-                                                        }
-                                                        let _e2792 = phi_3601_;
-                                                        if (_e2776.z < _e2778.z) {
-                                                            phi_3610_ = _e2776.z;
-                                                        } else {
-                                                            phi_3610_ = _e2778.z;
-                                                        }
-                                                        let _e2799 = phi_3610_;
-                                                        let _e2801 = triangles.member[(0u + _e2488)].v2_;
-                                                        if (_e2785 < _e2801.x) {
-                                                            phi_3619_ = _e2785;
-                                                        } else {
-                                                            phi_3619_ = _e2801.x;
-                                                        }
-                                                        let _e2806 = phi_3619_;
-                                                        if (_e2792 < _e2801.y) {
-                                                            phi_3626_ = _e2792;
-                                                        } else {
-                                                            phi_3626_ = _e2801.y;
-                                                        }
-                                                        let _e2811 = phi_3626_;
-                                                        if (_e2799 < _e2801.z) {
-                                                            phi_3633_ = _e2799;
-                                                        } else {
-                                                            phi_3633_ = _e2801.z;
-                                                        }
-                                                        let _e2816 = phi_3633_;
-                                                        let _e2818 = triangles.member[(0u + _e2488)].v0_;
-                                                        let _e2820 = triangles.member[(0u + _e2488)].v1_;
-                                                        if (_e2818.x > _e2820.x) {
-                                                            phi_3646_ = _e2818.x;
-                                                        } else {
-                                                            phi_3646_ = _e2820.x;
-                                                        }
-                                                        let _e2827 = phi_3646_;
-                                                        if (_e2818.y > _e2820.y) {
-                                                            phi_3655_ = _e2818.y;
-                                                        } else {
-                                                            phi_3655_ = _e2820.y;
-                                                        }
-                                                        let _e2834 = phi_3655_;
-                                                        if (_e2818.z > _e2820.z) {
-                                                            phi_3664_ = _e2818.z;
-                                                        } else {
-                                                            phi_3664_ = _e2820.z;
-                                                        }
-                                                        let _e2841 = phi_3664_;
-                                                        let _e2843 = triangles.member[(0u + _e2488)].v2_;
-                                                        if (_e2827 > _e2843.x) {
-                                                            phi_3673_ = _e2827;
-                                                        } else {
-                                                            phi_3673_ = _e2843.x;
-                                                        }
-                                                        let _e2848 = phi_3673_;
-                                                        if (_e2834 > _e2843.y) {
-                                                            phi_3680_ = _e2834;
-                                                        } else {
-                                                            phi_3680_ = _e2843.y;
-                                                        }
-                                                        let _e2853 = phi_3680_;
-                                                        if (_e2841 > _e2843.z) {
-                                                            phi_3687_ = _e2841;
-                                                        } else {
-                                                            phi_3687_ = _e2843.z;
-                                                        }
-                                                        let _e2858 = phi_3687_;
-                                                        let _e2862 = ((_e2806 - _e145) * _e1799);
-                                                        let _e2863 = ((_e2811 - _e147) * _e1809);
-                                                        let _e2864 = ((_e2816 - _e149) * _e1819);
-                                                        let _e2868 = ((_e2848 - _e145) * _e1799);
-                                                        let _e2869 = ((_e2853 - _e147) * _e1809);
-                                                        let _e2870 = ((_e2858 - _e149) * _e1819);
-                                                        if (_e2862 < _e2868) {
-                                                            phi_3704_ = _e2862;
-                                                        } else {
-                                                            phi_3704_ = _e2868;
-                                                        }
-                                                        let _e2873 = phi_3704_;
-                                                        if (_e2863 < _e2869) {
-                                                            phi_3709_ = _e2863;
-                                                        } else {
-                                                            phi_3709_ = _e2869;
-                                                        }
-                                                        let _e2876 = phi_3709_;
-                                                        if (_e2864 < _e2870) {
-                                                            phi_3714_ = _e2864;
-                                                        } else {
-                                                            phi_3714_ = _e2870;
-                                                        }
-                                                        let _e2879 = phi_3714_;
-                                                        if (_e2862 > _e2868) {
-                                                            phi_3722_ = _e2862;
-                                                        } else {
-                                                            phi_3722_ = _e2868;
-                                                        }
-                                                        let _e2885 = phi_3722_;
-                                                        if (_e2863 > _e2869) {
-                                                            phi_3727_ = _e2863;
-                                                        } else {
-                                                            phi_3727_ = _e2869;
-                                                        }
-                                                        let _e2888 = phi_3727_;
-                                                        if (_e2864 > _e2870) {
-                                                            phi_3732_ = _e2864;
-                                                        } else {
-                                                            phi_3732_ = _e2870;
-                                                        }
-                                                        let _e2891 = phi_3732_;
-                                                        let _e2895 = core_intrinsics_maximum_number_nsz_f32_((_e2873 - _e1858), (_e2876 - _e1859));
-                                                        let _e2896 = core_intrinsics_maximum_number_nsz_f32_(_e2895, (_e2879 - _e1860));
-                                                        let _e2897 = core_intrinsics_minimum_number_nsz_f32_((_e2885 + _e1858), (_e2888 + _e1859));
-                                                        let _e2898 = core_intrinsics_minimum_number_nsz_f32_(_e2897, (_e2891 + _e1860));
-                                                        if (_e2896 > -300000000000000000000000000000000000000f) {
-                                                            phi_3744_ = _e2896;
-                                                        } else {
-                                                            phi_3744_ = -300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2901 = phi_3744_;
-                                                        if (_e2898 < 300000000000000000000000000000000000000f) {
-                                                            phi_3749_ = _e2898;
-                                                        } else {
-                                                            phi_3749_ = 300000000000000000000000000000000000000f;
-                                                        }
-                                                        let _e2904 = phi_3749_;
-                                                        if (_e2772 < _e2901) {
-                                                            phi_3754_ = _e2901;
-                                                        } else {
-                                                            phi_3754_ = _e2772;
-                                                        }
-                                                        let _e2907 = phi_3754_;
-                                                        if (_e2907 > _e2904) {
-                                                            phi_3759_ = _e2904;
-                                                        } else {
-                                                            phi_3759_ = _e2907;
-                                                        }
-                                                        let _e2910 = phi_3759_;
-                                                        phi_3764_ = lt_bvh_triangle_Intersection(_e2910, (_e2613 / _e2672), (_e2634 / _e2672), (_e2901 <= _e2904));
-                                                        phi_3765_ = false;
-                                                    } else {
-                                                        phi_3764_ = lt_bvh_triangle_Intersection();
-                                                        phi_3765_ = true;
-                                                    }
-                                                    let _e2916 = phi_3764_;
-                                                    let _e2918 = phi_3765_;
-                                                    phi_3766_ = _e2916;
-                                                    phi_3767_ = _e2918;
-                                                } else {
-                                                    phi_3766_ = lt_bvh_triangle_Intersection();
-                                                    phi_3767_ = true;
-                                                }
-                                                let _e2920 = phi_3766_;
-                                                let _e2922 = phi_3767_;
-                                                if _e2922 {
-                                                }
-                                                phi_3771_ = _e2920;
-                                                phi_3772_ = _e2922;
+                                                phi_3479_ = false;
                                             }
-                                            let _e2924 = phi_3771_;
-                                            let _e2926 = phi_3772_;
-                                            phi_3773_ = _e2924;
-                                            phi_3774_ = _e2675;
-                                            phi_3775_ = _e2926;
-                                        } else {
-                                            phi_3773_ = lt_bvh_triangle_Intersection();
-                                            phi_3774_ = true;
-                                            phi_3775_ = false;
+                                            let _e2705 = phi_3479_;
+                                            phi_3480_ = _e2705;
                                         }
-                                        let _e2928 = phi_3773_;
-                                        let _e2930 = phi_3774_;
-                                        let _e2932 = phi_3775_;
-                                        if _e2930 {
-                                            phi_3779_ = true;
+                                        let _e2707 = phi_3480_;
+                                        if _e2707 {
+                                            phi_3484_ = _e2632;
+                                            phi_3485_ = _e2628;
+                                            phi_3486_ = _e2606;
+                                            phi_3487_ = _e2602;
                                         } else {
-                                            phi_3779_ = _e2932;
+                                            phi_3484_ = _e2606;
+                                            phi_3485_ = _e2602;
+                                            phi_3486_ = _e2632;
+                                            phi_3487_ = _e2628;
                                         }
-                                        let _e2934 = phi_3779_;
-                                        if _e2934 {
-                                            phi_3783_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        let _e2709 = phi_3484_;
+                                        let _e2711 = phi_3485_;
+                                        let _e2713 = phi_3486_;
+                                        let _e2715 = phi_3487_;
+                                        let _e2718 = ((_e2715 * _e2709) - (_e2713 * _e2711));
+                                        if _e2707 {
+                                            phi_3495_ = -(_e2718);
                                         } else {
-                                            phi_3783_ = _e2928;
+                                            phi_3495_ = _e2718;
                                         }
-                                        let _e2936 = phi_3783_;
-                                        if _e2936.is_hit {
-                                            if (_e2936.t > 0f) {
-                                                if (_e2936.t < _e157) {
-                                                    let _e2943 = triangles.member[(0u + _e2488)].i0_;
-                                                    if ((_e2943 & 2147483648u) == 0u) {
-                                                        phi_4002_ = true;
+                                        let _e2721 = phi_3495_;
+                                        if (_e2679 >= 0f) {
+                                            if (_e2700 >= 0f) {
+                                                if (_e2721 >= 0f) {
+                                                    phi_3510_ = ((_e2679 + _e2700) + _e2721);
+                                                    phi_3511_ = false;
+                                                } else {
+                                                    phi_3510_ = f32();
+                                                    phi_3511_ = true;
+                                                }
+                                                let _e2728 = phi_3510_;
+                                                let _e2730 = phi_3511_;
+                                                phi_3512_ = _e2728;
+                                                phi_3513_ = _e2730;
+                                            } else {
+                                                phi_3512_ = f32();
+                                                phi_3513_ = true;
+                                            }
+                                            let _e2732 = phi_3512_;
+                                            let _e2734 = phi_3513_;
+                                            phi_3514_ = _e2732;
+                                            phi_3515_ = _e2734;
+                                        } else {
+                                            phi_3514_ = f32();
+                                            phi_3515_ = true;
+                                        }
+                                        let _e2736 = phi_3514_;
+                                        let _e2738 = phi_3515_;
+                                        if _e2738 {
+                                            if (_e2679 <= 0f) {
+                                                if (_e2700 <= 0f) {
+                                                    let _e2741 = (_e2721 <= 0f);
+                                                    if _e2741 {
+                                                    }
+                                                    phi_3533_ = ((_e2679 + _e2700) + _e2721);
+                                                    phi_3534_ = false;
+                                                    phi_3535_ = _e2741;
+                                                } else {
+                                                    phi_3533_ = f32();
+                                                    phi_3534_ = true;
+                                                    phi_3535_ = false;
+                                                }
+                                                let _e2745 = phi_3533_;
+                                                let _e2747 = phi_3534_;
+                                                let _e2749 = phi_3535_;
+                                                phi_3536_ = _e2745;
+                                                phi_3537_ = _e2747;
+                                                phi_3538_ = _e2749;
+                                            } else {
+                                                phi_3536_ = f32();
+                                                phi_3537_ = true;
+                                                phi_3538_ = false;
+                                            }
+                                            let _e2751 = phi_3536_;
+                                            let _e2753 = phi_3537_;
+                                            let _e2755 = phi_3538_;
+                                            if _e2753 {
+                                                phi_3542_ = false;
+                                            } else {
+                                                phi_3542_ = _e2755;
+                                            }
+                                            let _e2757 = phi_3542_;
+                                            phi_3543_ = _e2751;
+                                            phi_3544_ = _e2757;
+                                        } else {
+                                            phi_3543_ = _e2736;
+                                            phi_3544_ = true;
+                                        }
+                                        let _e2759 = phi_3543_;
+                                        let _e2761 = phi_3544_;
+                                        if _e2761 {
+                                            let _e2762 = (_e2759 == 0f);
+                                            if _e2762 {
+                                                phi_3860_ = lt_bvh_triangle_Intersection();
+                                                phi_3861_ = false;
+                                            } else {
+                                                let _e2764 = triangles.member[(0u + _e2575)].v0_;
+                                                let _e2766 = (_e2764.x - _e144);
+                                                let _e2768 = (_e2764.y - _e146);
+                                                let _e2770 = (_e2764.z - _e148);
+                                                if (_e1961 == 0u) {
+                                                    phi_3573_ = vec3<f32>(_e2768, _e2770, _e2766);
+                                                } else {
+                                                    if (_e1961 == 1u) {
+                                                        phi_3572_ = vec3<f32>(_e2770, _e2766, _e2768);
                                                     } else {
-                                                        if (_e2488 < _e92) {
+                                                        phi_3572_ = (_e2764 - vec3<f32>(_e144, _e146, _e148));
+                                                    }
+                                                    let _e2778 = phi_3572_;
+                                                    phi_3573_ = _e2778;
+                                                }
+                                                let _e2780 = phi_3573_;
+                                                let _e2782 = triangles.member[(0u + _e2575)].v1_;
+                                                let _e2784 = triangles.member[(0u + _e2575)].v0_;
+                                                let _e2787 = (_e2782.x - _e2784.x);
+                                                let _e2790 = (_e2782.y - _e2784.y);
+                                                let _e2793 = (_e2782.z - _e2784.z);
+                                                if (_e1961 == 0u) {
+                                                    phi_3599_ = vec3<f32>(_e2790, _e2793, _e2787);
+                                                } else {
+                                                    if (_e1961 == 1u) {
+                                                        phi_3598_ = vec3<f32>(_e2793, _e2787, _e2790);
+                                                    } else {
+                                                        phi_3598_ = (_e2782 - _e2784);
+                                                    }
+                                                    let _e2800 = phi_3598_;
+                                                    phi_3599_ = _e2800;
+                                                }
+                                                let _e2802 = phi_3599_;
+                                                let _e2804 = triangles.member[(0u + _e2575)].v2_;
+                                                let _e2806 = triangles.member[(0u + _e2575)].v0_;
+                                                let _e2809 = (_e2804.x - _e2806.x);
+                                                let _e2812 = (_e2804.y - _e2806.y);
+                                                let _e2815 = (_e2804.z - _e2806.z);
+                                                if (_e1961 == 0u) {
+                                                    phi_3625_ = vec3<f32>(_e2812, _e2815, _e2809);
+                                                } else {
+                                                    if (_e1961 == 1u) {
+                                                        phi_3624_ = vec3<f32>(_e2815, _e2809, _e2812);
+                                                    } else {
+                                                        phi_3624_ = (_e2804 - _e2806);
+                                                    }
+                                                    let _e2822 = phi_3624_;
+                                                    phi_3625_ = _e2822;
+                                                }
+                                                let _e2824 = phi_3625_;
+                                                let _e2831 = ((_e2802.y * _e2824.z) - (_e2802.z * _e2824.y));
+                                                let _e2838 = ((_e2802.z * _e2824.x) - (_e2802.x * _e2824.z));
+                                                let _e2845 = ((_e2802.x * _e2824.y) - (_e2802.y * _e2824.x));
+                                                let _e2859 = (((1f / _e1969.z) * (((_e2831 * _e2780.x) + (_e2838 * _e2780.y)) + (_e2845 * _e2780.z))) / (((_e2831 * _e1972) + (_e2838 * _e1975)) + _e2845));
+                                                if (_e2859 > 0f) {
+                                                    if (_e2859 < _e156) {
+                                                        let _e2863 = triangles.member[(0u + _e2575)].v0_;
+                                                        let _e2865 = triangles.member[(0u + _e2575)].v1_;
+                                                        if (_e2863.x < _e2865.x) {
+                                                            phi_3681_ = _e2863.x;
+                                                        } else {
+                                                            phi_3681_ = _e2865.x;
+                                                        }
+                                                        let _e2872 = phi_3681_;
+                                                        if (_e2863.y < _e2865.y) {
+                                                            phi_3690_ = _e2863.y;
+                                                        } else {
+                                                            phi_3690_ = _e2865.y;
+                                                        }
+                                                        let _e2879 = phi_3690_;
+                                                        if (_e2863.z < _e2865.z) {
+                                                            phi_3699_ = _e2863.z;
+                                                        } else {
+                                                            phi_3699_ = _e2865.z;
+                                                        }
+                                                        let _e2886 = phi_3699_;
+                                                        let _e2888 = triangles.member[(0u + _e2575)].v2_;
+                                                        if (_e2872 < _e2888.x) {
+                                                            phi_3708_ = _e2872;
+                                                        } else {
+                                                            phi_3708_ = _e2888.x;
+                                                        }
+                                                        let _e2893 = phi_3708_;
+                                                        if (_e2879 < _e2888.y) {
+                                                            phi_3715_ = _e2879;
+                                                        } else {
+                                                            phi_3715_ = _e2888.y;
+                                                        }
+                                                        let _e2898 = phi_3715_;
+                                                        if (_e2886 < _e2888.z) {
+                                                            phi_3722_ = _e2886;
+                                                        } else {
+                                                            phi_3722_ = _e2888.z;
+                                                        }
+                                                        let _e2903 = phi_3722_;
+                                                        let _e2905 = triangles.member[(0u + _e2575)].v0_;
+                                                        let _e2907 = triangles.member[(0u + _e2575)].v1_;
+                                                        if (_e2905.x > _e2907.x) {
+                                                            phi_3735_ = _e2905.x;
+                                                        } else {
+                                                            phi_3735_ = _e2907.x;
+                                                        }
+                                                        let _e2914 = phi_3735_;
+                                                        if (_e2905.y > _e2907.y) {
+                                                            phi_3744_ = _e2905.y;
+                                                        } else {
+                                                            phi_3744_ = _e2907.y;
+                                                        }
+                                                        let _e2921 = phi_3744_;
+                                                        if (_e2905.z > _e2907.z) {
+                                                            phi_3753_ = _e2905.z;
+                                                        } else {
+                                                            phi_3753_ = _e2907.z;
+                                                        }
+                                                        let _e2928 = phi_3753_;
+                                                        let _e2930 = triangles.member[(0u + _e2575)].v2_;
+                                                        if (_e2914 > _e2930.x) {
+                                                            phi_3762_ = _e2914;
+                                                        } else {
+                                                            phi_3762_ = _e2930.x;
+                                                        }
+                                                        let _e2935 = phi_3762_;
+                                                        if (_e2921 > _e2930.y) {
+                                                            phi_3769_ = _e2921;
+                                                        } else {
+                                                            phi_3769_ = _e2930.y;
+                                                        }
+                                                        let _e2940 = phi_3769_;
+                                                        if (_e2928 > _e2930.z) {
+                                                            phi_3776_ = _e2928;
+                                                        } else {
+                                                            phi_3776_ = _e2930.z;
+                                                        }
+                                                        let _e2945 = phi_3776_;
+                                                        let _e2949 = ((_e2893 - _e144) * _e1886);
+                                                        let _e2950 = ((_e2898 - _e146) * _e1896);
+                                                        let _e2951 = ((_e2903 - _e148) * _e1906);
+                                                        let _e2955 = ((_e2935 - _e144) * _e1886);
+                                                        let _e2956 = ((_e2940 - _e146) * _e1896);
+                                                        let _e2957 = ((_e2945 - _e148) * _e1906);
+                                                        if (_e2949 < _e2955) {
+                                                            phi_3793_ = _e2949;
+                                                        } else {
+                                                            phi_3793_ = _e2955;
+                                                        }
+                                                        let _e2960 = phi_3793_;
+                                                        if (_e2950 < _e2956) {
+                                                            phi_3798_ = _e2950;
+                                                        } else {
+                                                            phi_3798_ = _e2956;
+                                                        }
+                                                        let _e2963 = phi_3798_;
+                                                        if (_e2951 < _e2957) {
+                                                            phi_3803_ = _e2951;
+                                                        } else {
+                                                            phi_3803_ = _e2957;
+                                                        }
+                                                        let _e2966 = phi_3803_;
+                                                        if (_e2949 > _e2955) {
+                                                            phi_3811_ = _e2949;
+                                                        } else {
+                                                            phi_3811_ = _e2955;
+                                                        }
+                                                        let _e2972 = phi_3811_;
+                                                        if (_e2950 > _e2956) {
+                                                            phi_3816_ = _e2950;
+                                                        } else {
+                                                            phi_3816_ = _e2956;
+                                                        }
+                                                        let _e2975 = phi_3816_;
+                                                        if (_e2951 > _e2957) {
+                                                            phi_3821_ = _e2951;
+                                                        } else {
+                                                            phi_3821_ = _e2957;
+                                                        }
+                                                        let _e2978 = phi_3821_;
+                                                        let _e2982 = core_intrinsics_maximum_number_nsz_f32_((_e2960 - _e1945), (_e2963 - _e1946));
+                                                        let _e2983 = core_intrinsics_maximum_number_nsz_f32_(_e2982, (_e2966 - _e1947));
+                                                        let _e2984 = core_intrinsics_minimum_number_nsz_f32_((_e2972 + _e1945), (_e2975 + _e1946));
+                                                        let _e2985 = core_intrinsics_minimum_number_nsz_f32_(_e2984, (_e2978 + _e1947));
+                                                        if (_e2983 > -300000000000000000000000000000000000000f) {
+                                                            phi_3833_ = _e2983;
+                                                        } else {
+                                                            phi_3833_ = -300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2988 = phi_3833_;
+                                                        if (_e2985 < 300000000000000000000000000000000000000f) {
+                                                            phi_3838_ = _e2985;
+                                                        } else {
+                                                            phi_3838_ = 300000000000000000000000000000000000000f;
+                                                        }
+                                                        let _e2991 = phi_3838_;
+                                                        if (_e2859 < _e2988) {
+                                                            phi_3843_ = _e2988;
+                                                        } else {
+                                                            phi_3843_ = _e2859;
+                                                        }
+                                                        let _e2994 = phi_3843_;
+                                                        if (_e2994 > _e2991) {
+                                                            phi_3848_ = _e2991;
+                                                        } else {
+                                                            phi_3848_ = _e2994;
+                                                        }
+                                                        let _e2997 = phi_3848_;
+                                                        phi_3853_ = lt_bvh_triangle_Intersection(_e2997, (_e2700 / _e2759), (_e2721 / _e2759), (_e2988 <= _e2991));
+                                                        phi_3854_ = false;
+                                                    } else {
+                                                        phi_3853_ = lt_bvh_triangle_Intersection();
+                                                        phi_3854_ = true;
+                                                    }
+                                                    let _e3003 = phi_3853_;
+                                                    let _e3005 = phi_3854_;
+                                                    phi_3855_ = _e3003;
+                                                    phi_3856_ = _e3005;
+                                                } else {
+                                                    phi_3855_ = lt_bvh_triangle_Intersection();
+                                                    phi_3856_ = true;
+                                                }
+                                                let _e3007 = phi_3855_;
+                                                let _e3009 = phi_3856_;
+                                                if _e3009 {
+                                                }
+                                                phi_3860_ = _e3007;
+                                                phi_3861_ = _e3009;
+                                            }
+                                            let _e3011 = phi_3860_;
+                                            let _e3013 = phi_3861_;
+                                            phi_3862_ = _e3011;
+                                            phi_3863_ = _e2762;
+                                            phi_3864_ = _e3013;
+                                        } else {
+                                            phi_3862_ = lt_bvh_triangle_Intersection();
+                                            phi_3863_ = true;
+                                            phi_3864_ = false;
+                                        }
+                                        let _e3015 = phi_3862_;
+                                        let _e3017 = phi_3863_;
+                                        let _e3019 = phi_3864_;
+                                        if _e3017 {
+                                            phi_3868_ = true;
+                                        } else {
+                                            phi_3868_ = _e3019;
+                                        }
+                                        let _e3021 = phi_3868_;
+                                        if _e3021 {
+                                            phi_3872_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        } else {
+                                            phi_3872_ = _e3015;
+                                        }
+                                        let _e3023 = phi_3872_;
+                                        if _e3023.is_hit {
+                                            if (_e3023.t > 0f) {
+                                                if (_e3023.t < _e156) {
+                                                    let _e3030 = triangles.member[(0u + _e2575)].i0_;
+                                                    if ((_e3030 & 2147483648u) == 0u) {
+                                                        phi_4091_ = true;
+                                                    } else {
+                                                        if (_e2575 < _e91) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2952 = triangles.member[(0u + _e2488)].i0_;
-                                                        let _e2953 = (_e2952 & 2147483647u);
-                                                        let _e2955 = triangles.member[(0u + _e2488)].i1_;
-                                                        let _e2957 = triangles.member[(0u + _e2488)].i2_;
-                                                        if (_e2953 < _e105) {
+                                                        let _e3039 = triangles.member[(0u + _e2575)].i0_;
+                                                        let _e3040 = (_e3039 & 2147483647u);
+                                                        let _e3042 = triangles.member[(0u + _e2575)].i1_;
+                                                        let _e3044 = triangles.member[(0u + _e2575)].i2_;
+                                                        if (_e3040 < _e104) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2961 = vertices.member[(0u + _e2953)];
-                                                        if (_e2955 < _e105) {
+                                                        let _e3048 = vertices.member[(0u + _e3040)];
+                                                        if (_e3042 < _e104) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2965 = vertices.member[(0u + _e2955)];
-                                                        if (_e2957 < _e105) {
+                                                        let _e3052 = vertices.member[(0u + _e3042)];
+                                                        if (_e3044 < _e104) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2969 = vertices.member[(0u + _e2957)];
-                                                        let _e2970 = array<abi_Vertex, 3>(_e2961, _e2965, _e2969);
-                                                        if (_e2970[0].material < _e108) {
+                                                        let _e3056 = vertices.member[(0u + _e3044)];
+                                                        let _e3057 = array<abi_Vertex, 3>(_e3048, _e3052, _e3056);
+                                                        if (_e3057[0].material < _e107) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e2976 = materials.member[(0u + _e2970[0].material)];
-                                                        if ((_e2976.flags & 1u) == 1u) {
-                                                            let _e2981 = ((1f - _e2936.u) - _e2936.v);
-                                                            if (_e2976.cutoff <= 0f) {
-                                                                phi_4000_ = true;
+                                                        let _e3063 = materials.member[(0u + _e3057[0].material)];
+                                                        if ((_e3063.flags & 1u) == 1u) {
+                                                            let _e3068 = ((1f - _e3023.u) - _e3023.v);
+                                                            if (_e3063.cutoff <= 0f) {
+                                                                phi_4089_ = true;
                                                             } else {
-                                                                let _e3008 = (_e2976.base_color.w * ((((f32((_e2970[0].color >> bitcast<u32>(24i))) * _e2981) + (f32((_e2970[1].color >> bitcast<u32>(24i))) * _e2936.u)) + (f32((_e2970[2].color >> bitcast<u32>(24i))) * _e2936.v)) * (1f / 255f)));
-                                                                if (_e2976.alpha_size == 0u) {
-                                                                    phi_3997_ = _e3008;
+                                                                let _e3095 = (_e3063.base_color.w * ((((f32((_e3057[0].color >> bitcast<u32>(24i))) * _e3068) + (f32((_e3057[1].color >> bitcast<u32>(24i))) * _e3023.u)) + (f32((_e3057[2].color >> bitcast<u32>(24i))) * _e3023.v)) * (1f / 255f)));
+                                                                if (_e3063.alpha_size == 0u) {
+                                                                    phi_4086_ = _e3095;
                                                                 } else {
-                                                                    local.offset = _e2976.alpha_offset;
-                                                                    local.size = _e2976.alpha_size;
-                                                                    local.flags = _e2976.flags;
-                                                                    let _e3039 = _lt_shaders_texture_TextureView_quad((&local), (((_e2970[0].u * _e2981) + (_e2970[1].u * _e2936.u)) + (_e2970[2].u * _e2936.v)), (((_e2970[0].v * _e2981) + (_e2970[1].v * _e2936.u)) + (_e2970[2].v * _e2936.v)));
-                                                                    let _e3043 = (_e3039.indices[0] >> bitcast<u32>(2i));
-                                                                    if (_e3043 < _e111) {
+                                                                    local.offset = _e3063.alpha_offset;
+                                                                    local.size = _e3063.alpha_size;
+                                                                    local.flags = _e3063.flags;
+                                                                    let _e3126 = _lt_shaders_texture_TextureView_quad((&local), (((_e3057[0].u * _e3068) + (_e3057[1].u * _e3023.u)) + (_e3057[2].u * _e3023.v)), (((_e3057[0].v * _e3068) + (_e3057[1].v * _e3023.u)) + (_e3057[2].v * _e3023.v)));
+                                                                    let _e3130 = (_e3126.indices[0] >> bitcast<u32>(2i));
+                                                                    if (_e3130 < _e110) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3047 = alpha_texels.member[(0u + _e3043)];
-                                                                    let _e3063 = (_e3039.indices[1] >> bitcast<u32>(2i));
-                                                                    if (_e3063 < _e111) {
+                                                                    let _e3134 = alpha_texels.member[(0u + _e3130)];
+                                                                    let _e3150 = (_e3126.indices[1] >> bitcast<u32>(2i));
+                                                                    if (_e3150 < _e110) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3067 = alpha_texels.member[(0u + _e3063)];
-                                                                    let _e3084 = (_e3039.indices[2] >> bitcast<u32>(2i));
-                                                                    if (_e3084 < _e111) {
+                                                                    let _e3154 = alpha_texels.member[(0u + _e3150)];
+                                                                    let _e3171 = (_e3126.indices[2] >> bitcast<u32>(2i));
+                                                                    if (_e3171 < _e110) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3088 = alpha_texels.member[(0u + _e3084)];
-                                                                    let _e3105 = (_e3039.indices[3] >> bitcast<u32>(2i));
-                                                                    if (_e3105 < _e111) {
+                                                                    let _e3175 = alpha_texels.member[(0u + _e3171)];
+                                                                    let _e3192 = (_e3126.indices[3] >> bitcast<u32>(2i));
+                                                                    if (_e3192 < _e110) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3109 = alpha_texels.member[(0u + _e3105)];
-                                                                    phi_3997_ = (_e3008 * (((((f32(((_e3047 >> bitcast<u32>((((_e3039.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3039.weights.x) + ((f32(((_e3067 >> bitcast<u32>((((_e3039.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3039.weights.y)) + ((f32(((_e3088 >> bitcast<u32>((((_e3039.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3039.weights.z)) + ((f32(((_e3109 >> bitcast<u32>((((_e3039.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3039.weights.w)));
+                                                                    let _e3196 = alpha_texels.member[(0u + _e3192)];
+                                                                    phi_4086_ = (_e3095 * (((((f32(((_e3134 >> bitcast<u32>((((_e3126.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3126.weights.x) + ((f32(((_e3154 >> bitcast<u32>((((_e3126.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3126.weights.y)) + ((f32(((_e3175 >> bitcast<u32>((((_e3126.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3126.weights.z)) + ((f32(((_e3196 >> bitcast<u32>((((_e3126.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3126.weights.w)));
                                                                 }
-                                                                let _e3125 = phi_3997_;
-                                                                phi_4000_ = (_e3125 >= _e2976.cutoff);
+                                                                let _e3212 = phi_4086_;
+                                                                phi_4089_ = (_e3212 >= _e3063.cutoff);
                                                             }
-                                                            let _e3129 = phi_4000_;
-                                                            phi_4001_ = _e3129;
+                                                            let _e3216 = phi_4089_;
+                                                            phi_4090_ = _e3216;
                                                         } else {
-                                                            phi_4001_ = false;
+                                                            phi_4090_ = false;
                                                         }
-                                                        let _e3131 = phi_4001_;
-                                                        phi_4002_ = _e3131;
+                                                        let _e3218 = phi_4090_;
+                                                        phi_4091_ = _e3218;
                                                     }
-                                                    let _e3133 = phi_4002_;
-                                                    if _e3133 {
-                                                        phi_4006_ = false;
+                                                    let _e3220 = phi_4091_;
+                                                    if _e3220 {
+                                                        phi_4095_ = false;
                                                     } else {
-                                                        phi_4006_ = true;
+                                                        phi_4095_ = true;
                                                     }
-                                                    let _e3135 = phi_4006_;
-                                                    phi_4007_ = _e3133;
-                                                    phi_4008_ = _e3133;
-                                                    phi_4009_ = _e3135;
+                                                    let _e3222 = phi_4095_;
+                                                    phi_4096_ = _e3220;
+                                                    phi_4097_ = _e3220;
+                                                    phi_4098_ = _e3222;
                                                 } else {
-                                                    phi_4007_ = bool();
-                                                    phi_4008_ = _e2479;
-                                                    phi_4009_ = true;
+                                                    phi_4096_ = bool();
+                                                    phi_4097_ = _e2566;
+                                                    phi_4098_ = true;
                                                 }
-                                                let _e3137 = phi_4007_;
-                                                let _e3139 = phi_4008_;
-                                                let _e3141 = phi_4009_;
-                                                phi_4010_ = _e3137;
-                                                phi_4011_ = _e3139;
-                                                phi_4012_ = _e3141;
+                                                let _e3224 = phi_4096_;
+                                                let _e3226 = phi_4097_;
+                                                let _e3228 = phi_4098_;
+                                                phi_4099_ = _e3224;
+                                                phi_4100_ = _e3226;
+                                                phi_4101_ = _e3228;
                                             } else {
-                                                phi_4010_ = bool();
-                                                phi_4011_ = _e2479;
-                                                phi_4012_ = true;
+                                                phi_4099_ = bool();
+                                                phi_4100_ = _e2566;
+                                                phi_4101_ = true;
                                             }
-                                            let _e3143 = phi_4010_;
-                                            let _e3145 = phi_4011_;
-                                            let _e3147 = phi_4012_;
-                                            phi_4013_ = _e3143;
-                                            phi_4014_ = _e3145;
-                                            phi_4015_ = _e3147;
+                                            let _e3230 = phi_4099_;
+                                            let _e3232 = phi_4100_;
+                                            let _e3234 = phi_4101_;
+                                            phi_4102_ = _e3230;
+                                            phi_4103_ = _e3232;
+                                            phi_4104_ = _e3234;
                                         } else {
-                                            phi_4013_ = bool();
-                                            phi_4014_ = _e2479;
-                                            phi_4015_ = true;
+                                            phi_4102_ = bool();
+                                            phi_4103_ = _e2566;
+                                            phi_4104_ = true;
                                         }
-                                        let _e3149 = phi_4013_;
-                                        let _e3151 = phi_4014_;
-                                        let _e3153 = phi_4015_;
-                                        if _e3153 {
+                                        let _e3236 = phi_4102_;
+                                        let _e3238 = phi_4103_;
+                                        let _e3240 = phi_4104_;
+                                        if _e3240 {
                                         }
-                                        phi_3213_ = (_e2477 & (_e2477 - 1u));
-                                        phi_3216_ = _e3151;
-                                        phi_4019_ = _e3149;
-                                        phi_4020_ = _e3153;
+                                        phi_3302_ = (_e2564 & (_e2564 - 1u));
+                                        phi_3305_ = _e3238;
+                                        phi_4108_ = _e3236;
+                                        phi_4109_ = _e3240;
                                     }
-                                    let _e3155 = phi_3213_;
-                                    let _e3157 = phi_3216_;
-                                    let _e3159 = phi_4019_;
-                                    let _e3161 = phi_4020_;
-                                    local_22 = _e3159;
+                                    let _e3242 = phi_3302_;
+                                    let _e3244 = phi_3305_;
+                                    let _e3246 = phi_4108_;
+                                    let _e3248 = phi_4109_;
+                                    local_24 = _e3246;
                                     continue;
                                     continuing {
-                                        phi_3212_ = _e3155;
-                                        phi_3215_ = _e3157;
-                                        break if !(_e3161);
+                                        phi_3301_ = _e3242;
+                                        phi_3304_ = _e3244;
+                                        break if !(_e3248);
                                     }
                                 }
-                                let _e3164 = local_11;
-                                if _e3164 {
-                                    let _e3166 = local_1.group_mask;
-                                    if ((_e3166 & 4278190080u) == 0u) {
-                                        let _e3170 = local_1.len;
-                                        if (_e3170 == 0u) {
-                                            phi_4062_ = false;
+                                let _e3251 = local_13;
+                                if _e3251 {
+                                    let _e3253 = local_1.group_mask;
+                                    if ((_e3253 & 4278190080u) == 0u) {
+                                        let _e3257 = local_1.len;
+                                        if (_e3257 == 0u) {
+                                            phi_4151_ = false;
                                         } else {
-                                            let _e3174 = local_1.len;
-                                            local_1.len = (_e3174 - 1u);
-                                            let _e3177 = local_1.len;
-                                            if (_e3177 < 32u) {
+                                            let _e3261 = local_1.len;
+                                            local_1.len = (_e3261 - 1u);
+                                            let _e3264 = local_1.len;
+                                            if (_e3264 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3182 = local_1.first[(0u + _e3177)];
-                                            local_1.group = _e3182;
-                                            let _e3185 = local_1.len;
-                                            if (_e3185 < 32u) {
+                                            let _e3269 = local_1.first[(0u + _e3264)];
+                                            local_1.group = _e3269;
+                                            let _e3272 = local_1.len;
+                                            if (_e3272 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3190 = local_1.mask[(0u + _e3185)];
-                                            local_1.group_mask = _e3190;
-                                            phi_4062_ = true;
+                                            let _e3277 = local_1.mask[(0u + _e3272)];
+                                            local_1.group_mask = _e3277;
+                                            phi_4151_ = true;
                                         }
-                                        let _e3193 = phi_4062_;
-                                        phi_4063_ = _e3193;
+                                        let _e3280 = phi_4151_;
+                                        phi_4152_ = _e3280;
                                     } else {
-                                        phi_4063_ = true;
+                                        phi_4152_ = true;
                                     }
-                                    let _e3195 = phi_4063_;
-                                    if _e3195 {
-                                        let _e3197 = local_1.group_mask;
-                                        let _e3203 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3197)), 32u, (_e3197 == 0u)));
-                                        let _e3207 = local_1.group_mask;
-                                        let _e3221 = local_1.group_mask;
-                                        local_1.group_mask = (_e3221 & ~((1u << bitcast<u32>((_e3203 & 31u)))));
-                                        let _e3224 = local_1.group;
-                                        phi_4094_ = (_e3224 + countOneBits(((_e3207 & ~((4294967295u << bitcast<u32>((((_e3203 - 24u) ^ _e1901) & 31u))))) & 255u)));
+                                    let _e3282 = phi_4152_;
+                                    if _e3282 {
+                                        let _e3284 = local_1.group_mask;
+                                        let _e3290 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3284)), 32u, (_e3284 == 0u)));
+                                        let _e3294 = local_1.group_mask;
+                                        let _e3308 = local_1.group_mask;
+                                        local_1.group_mask = (_e3308 & ~((1u << bitcast<u32>((_e3290 & 31u)))));
+                                        let _e3311 = local_1.group;
+                                        phi_4183_ = (_e3311 + countOneBits(((_e3294 & ~((4294967295u << bitcast<u32>((((_e3290 - 24u) ^ _e1988) & 31u))))) & 255u)));
                                     } else {
-                                        phi_4094_ = 4294967295u;
+                                        phi_4183_ = 4294967295u;
                                     }
-                                    let _e3227 = phi_4094_;
-                                    phi_4095_ = _e3227;
+                                    let _e3314 = phi_4183_;
+                                    phi_4184_ = _e3314;
                                 } else {
-                                    phi_4095_ = u32();
+                                    phi_4184_ = u32();
                                 }
-                                let _e3229 = phi_4095_;
-                                phi_2881_ = _e3229;
-                                let _e3692 = local_21;
-                                phi_2884_ = _e3692;
-                                let _e3695 = local_22;
-                                phi_4096_ = _e3695;
-                                let _e3698 = local_23;
-                                phi_4097_ = _e3698;
-                                phi_4098_ = false;
+                                let _e3316 = phi_4184_;
+                                phi_2970_ = _e3316;
+                                let _e3776 = local_23;
+                                phi_2973_ = _e3776;
+                                let _e3779 = local_24;
+                                phi_4185_ = _e3779;
+                                let _e3782 = local_25;
+                                phi_4186_ = _e3782;
+                                phi_4187_ = false;
                             } else {
-                                phi_2881_ = u32();
-                                phi_2884_ = bool();
-                                phi_4096_ = bool();
-                                phi_4097_ = false;
-                                phi_4098_ = true;
+                                phi_2970_ = u32();
+                                phi_2973_ = bool();
+                                phi_4185_ = bool();
+                                phi_4186_ = false;
+                                phi_4187_ = true;
                             }
-                            let _e3231 = phi_2881_;
-                            let _e3233 = phi_2884_;
-                            let _e3235 = phi_4096_;
-                            let _e3237 = phi_4097_;
-                            let _e3239 = phi_4098_;
-                            local_12 = _e3239;
-                            local_24 = _e3235;
+                            let _e3318 = phi_2970_;
+                            let _e3320 = phi_2973_;
+                            let _e3322 = phi_4185_;
+                            let _e3324 = phi_4186_;
+                            let _e3326 = phi_4187_;
+                            local_14 = _e3326;
+                            local_26 = _e3322;
                             continue;
                             continuing {
-                                phi_2880_ = _e3231;
-                                phi_2883_ = _e3233;
-                                break if !(_e3237);
+                                phi_2969_ = _e3318;
+                                phi_2972_ = _e3320;
+                                break if !(_e3324);
                             }
                         }
-                        let _e3242 = local_12;
-                        if _e3242 {
-                            phi_4102_ = false;
+                        let _e3329 = local_14;
+                        if _e3329 {
+                            phi_4191_ = false;
                         } else {
-                            phi_4102_ = true;
+                            phi_4191_ = true;
                         }
-                        let _e3244 = phi_4102_;
-                        if _e3244 {
-                            let _e3704 = local_24;
-                            phi_4106_ = _e3704;
+                        let _e3331 = phi_4191_;
+                        if _e3331 {
+                            let _e3788 = local_26;
+                            phi_4195_ = _e3788;
                         } else {
-                            let _e3706 = local_25;
-                            phi_4106_ = _e3706;
+                            let _e3790 = local_27;
+                            phi_4195_ = _e3790;
                         }
-                        let _e3246 = phi_4106_;
-                        phi_4107_ = _e3246;
+                        let _e3333 = phi_4195_;
+                        phi_4196_ = _e3333;
                     }
-                    let _e3248 = phi_4107_;
-                    phi_4108_ = _e3248;
-                    phi_4109_ = _e1723;
+                    let _e3335 = phi_4196_;
+                    phi_4197_ = _e3335;
+                    phi_4198_ = _e1810;
                 } else {
-                    phi_4108_ = bool();
-                    phi_4109_ = true;
+                    phi_4197_ = bool();
+                    phi_4198_ = true;
                 }
-                let _e3250 = phi_4108_;
-                let _e3252 = phi_4109_;
-                if _e3252 {
-                    phi_4113_ = false;
+                let _e3337 = phi_4197_;
+                let _e3339 = phi_4198_;
+                if _e3339 {
+                    phi_4202_ = false;
                 } else {
-                    phi_4113_ = _e3250;
+                    phi_4202_ = _e3337;
                 }
-                let _e3254 = phi_4113_;
-                phi_4114_ = _e3254;
+                let _e3341 = phi_4202_;
+                phi_4203_ = _e3341;
             }
-            let _e3256 = phi_4114_;
-            phi_4115_ = _e3256;
+            let _e3343 = phi_4203_;
+            phi_4204_ = _e3343;
         } else {
-            phi_4115_ = false;
+            phi_4204_ = false;
         }
-        let _e3258 = phi_4115_;
-        if _e3258 {
-            phi_4119_ = 0f;
+        let _e3345 = phi_4204_;
+        if _e3345 {
+            phi_4208_ = 0f;
         } else {
-            phi_4119_ = 1f;
+            phi_4208_ = 1f;
         }
-        let _e3260 = phi_4119_;
-        if (_e124 < arrayLength((&visibility.member))) {
+        let _e3347 = phi_4208_;
+        if (_e123 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e124)] = _e3260;
+        visibility.member[(0u + _e123)] = _e3347;
     }
     return;
 }

@@ -94,7 +94,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_47 {
+struct type_46 {
     member: array<lt_bvh_Node>,
 }
 
@@ -107,7 +107,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_51 {
+struct type_50 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -119,7 +119,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_55 {
+struct type_54 {
     member: array<abi_Vertex>,
 }
 
@@ -135,7 +135,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_59 {
+struct type_58 {
     member: array<abi_Material>,
 }
 
@@ -169,17 +169,17 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_42;
 @group(0) @binding(2) 
-var<storage> nodes: type_47;
+var<storage> nodes: type_46;
 @group(0) @binding(3) 
-var<storage> triangles: type_51;
+var<storage> triangles: type_50;
 @group(0) @binding(4) 
 var<storage> visibility: type_17;
 @group(0) @binding(5) 
 var<storage, read_write> tints: type_35;
 @group(0) @binding(6) 
-var<storage> vertices: type_55;
+var<storage> vertices: type_54;
 @group(0) @binding(7) 
-var<storage> materials: type_59;
+var<storage> materials: type_58;
 @group(0) @binding(8) 
 var<storage> alpha_texels: type_13;
 @group(0) @binding(9) 

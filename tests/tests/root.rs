@@ -8,6 +8,7 @@ mod hard;
 mod laws;
 mod layers;
 mod light;
+mod light_counts;
 mod lights;
 mod mask;
 mod moving_lights;

@@ -38,6 +38,7 @@ mod block;
 mod casters;
 mod dac;
 mod exact;
+mod hexagon;
 mod lanes;
 mod level;
 mod light_bvh;

@@ -1,7 +1,7 @@
 //! A light BVH in the buffers of the shared kernel (`lt_bvh::occluded_in_light_space`), for GPUs.
 //!
-//! The trees are [`LightBvh`]'s own; every triangle of a block has its own rectangle here, because the kernel has no planes: it opens
-//! what a point lies in, and decides by the ray tracer's own test alone.
+//! The trees are [`LightBvh`]'s own; every triangle of a block has its own box here, because the kernel has no planes: it opens what a point
+//! lies in, and decides by the ray tracer's own test alone. Boxes are rectangles less two corners (`hexagon.rs`).
 //!
 //! # Proof that no hit is lost
 //!
@@ -27,15 +27,20 @@
 //! products, fused or not, are off by no more. Then twice the projected area is at most 8εDW and the 4 · 12εDW that rounded vertices
 //! add, and triangles of less than 307εDW (`planes.rs`) are slivers.
 //!
+//! *The third pair of sides.* c = a·X + b·Y with |a|, |b| ≤ 1, and margins of |a| + |b| times those of X and Y: what moves X and Y moves c
+//! by no more, and the reasons above hold in any direction of the plane. Evaluating c, here and there, adds 4εD (|a| + |b|), which makes 24εD
+//! of 32εD. Slopes beyond 1, where a division of equals is off, are within the 16ε by which lamps' hexagons are wider.
+//!
 //! *Boxes of eight bits.* The kernel subtracts where a grid begins and compares with lines of the grid, which loses nothing
 //! (`lt_bvh::Grid`): a subtraction that rounds never carries past a line, which is an f32 number. All else there is exact.
 //!
 //! Tests move points by these bounds, in every direction, and find all hits.
 
+use crate::block::Block;
 use crate::casters::Casters;
+use crate::hexagon::{Hexagon, hexagons};
 use crate::light_bvh::LightBvh;
-use crate::rect::Rect;
-use crate::tree::{LEAF, Tree, WIDTH, items};
+use crate::tree::{LEAF, Tree, WIDTH};
 use alloc::vec::Vec;
 use core::fmt;
 use lt_bvh::{Grid, LightNode, LightSpace, MAX_DEPTH, NODE_ROWS};
@@ -106,8 +111,8 @@ impl LightBvh {
                 face @ 0..4 => space.roots[face] = next_node as u32,
                 face => space.roots_z[face - 4] = next_node as u32,
             }
-            let mut packer =
-                Packer { tree, rects: rects(tree, casters), rows: &mut rows, next_node, next_id };
+            let hulls = Hulls::new(tree, casters);
+            let mut packer = Packer { tree, hulls, rows: &mut rows, next_node, next_id };
             packer.pack()?;
             (next_node, next_id) = (packer.next_node, packer.next_id);
         }
@@ -115,19 +120,40 @@ impl LightBvh {
     }
 }
 
-/// The rectangle of every triangle, empty where the view does not see it.
-pub(crate) fn rects(tree: &Tree, casters: Casters<'_>) -> Vec<Rect> {
-    let mut rects = alloc::vec![Rect::EMPTY; casters.triangles.len()];
-    for item in items(&tree.view, casters) {
-        rects[item.triangle as usize] = item.rect;
+/// The hexagons of a tree's parts.
+struct Hulls {
+    triangles: Vec<Hexagon>,
+    nodes: Vec<Hexagon>,
+    blocks: Vec<Hexagon>,
+}
+
+impl Hulls {
+    fn new(tree: &Tree, casters: Casters<'_>) -> Self {
+        let triangles = hexagons(&tree.view, casters);
+        let union = |all: Hexagon, h: &Hexagon| all.union(h);
+        let of_block =
+            |block: &Block| block.triangles().map(|t| &triangles[t as usize]).fold(Hexagon::EMPTY, union);
+        let blocks = tree.blocks.iter().map(of_block).collect();
+        let nodes = alloc::vec![Hexagon::EMPTY; tree.nodes.len()];
+        let mut hulls = Hulls { triangles, nodes, blocks };
+        // Children come after their parents.
+        for (at, node) in tree.nodes.iter().enumerate().rev() {
+            hulls.nodes[at] =
+                node.children().map(|link| hulls.below(link)).fold(Hexagon::EMPTY, |all, h| all.union(h));
+        }
+        hulls
     }
-    rects
+
+    fn below(&self, link: u32) -> &Hexagon {
+        let at = (link & !LEAF) as usize;
+        if link & LEAF == 0 { &self.nodes[at] } else { &self.blocks[at] }
+    }
 }
 
 /// Packs one tree.
 struct Packer<'a> {
     tree: &'a Tree,
-    rects: Vec<Rect>,
+    hulls: Hulls,
     rows: &'a mut [UVec4],
     /// Free places.
     next_node: usize,
@@ -143,70 +169,63 @@ impl Packer<'_> {
             if level > MAX_DEPTH {
                 return Err(Unpackable::TooDeep { levels: level });
             }
-            let (children, first, leaf) = if link & LEAF != 0 {
+            let mut children = [Hexagon::EMPTY; WIDTH];
+            let first = if link & LEAF != 0 {
                 let first = self.next_id;
                 self.next_id += ID_ROWS;
-                (self.triangles(link, first), first, LightNode::LEAF)
+                for (slot, triangle) in self.tree.block(link).triangles().enumerate() {
+                    children[slot] = self.hulls.triangles[triangle as usize];
+                    self.rows[first + slot / 4][slot % 4] = triangle;
+                }
+                first as u32 | LightNode::LEAF
             } else {
                 let first = self.next_node;
-                let node = &self.tree.nodes[link as usize];
-                let children: [Rect; WIDTH] = core::array::from_fn(|slot| node.rect(slot));
-                for (link, _) in node.links.into_iter().zip(&children).filter(|(_, r)| r.x0 <= r.x1) {
+                for (slot, link) in self.tree.nodes[link as usize].children().enumerate() {
+                    children[slot] = *self.hulls.below(link);
                     pending.push((link, self.next_node, level + 1));
                     self.next_node += 1;
                 }
-                (children, first, 0)
+                first as u32
             };
-            let node = node(&children, first as u32, leaf);
+            let LightNode { low, x, y, diagonal, rest } = node(&children, first);
             let at = to * NODE_ROWS as usize;
-            self.rows[at..at + NODE_ROWS as usize].copy_from_slice(&[node.frame, node.x, node.y, node.rest]);
+            self.rows[at..at + NODE_ROWS as usize].copy_from_slice(&[low, x, y, diagonal, rest]);
         }
         Ok(())
-    }
-
-    /// Writes a block's triangles to rows; their rectangles.
-    fn triangles(&mut self, link: u32, first: usize) -> [Rect; WIDTH] {
-        let mut children = [Rect::EMPTY; WIDTH];
-        for (slot, triangle) in self.tree.block(link).triangles().enumerate() {
-            children[slot] = self.rects[triangle as usize];
-            self.rows[first + slot / 4][slot % 4] = triangle;
-        }
-        children
     }
 }
 
 /// A node with these children, the empty ones last.
-fn node(children: &[Rect; WIDTH], first: u32, leaf: u32) -> LightNode {
-    let all = children.iter().fold(Rect::EMPTY, |all, r| all.union(r));
-    let x = Grid::over(all.x0, all.x1);
-    let y = Grid::over(all.y0, all.y1);
+fn node(children: &[Hexagon; WIDTH], first: u32) -> LightNode {
+    let Hexagon { rect, low, high } = children.iter().fold(Hexagon::EMPTY, |all, h| all.union(h));
     // What has no end of nearness lies on the last line, whatever that is.
-    let ends = children.iter().map(|r| r.z).filter(|z| z.is_finite());
-    let (low, high) = ends.fold((all.z, f32::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)));
-    let z = if low <= high { Grid::over(low, high) } else { Grid::over(0.0, 0.0) };
-    let mut node = LightNode {
-        frame: UVec4::new(
-            x.low.to_bits(),
-            y.low.to_bits(),
-            z.low.to_bits(),
-            x.exponent | y.exponent << 8 | z.exponent << 16 | leaf,
-        ),
-        x: UVec4::new(u32::MAX, u32::MAX, 0, 0),
-        y: UVec4::new(u32::MAX, u32::MAX, 0, 0),
-        rest: UVec4::new(0, 0, first, 0),
-    };
-    for (slot, rect) in children.iter().enumerate().filter(|(_, r)| r.x0 <= r.x1) {
+    let ends = children.iter().map(|h| h.rect.z).filter(|z| z.is_finite());
+    let (least, most) =
+        ends.fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)));
+    let grids = [
+        Grid::over(rect.x0, rect.x1),
+        Grid::over(rect.y0, rect.y1),
+        Grid::over(low, high),
+        if least <= most { Grid::over(least, most) } else { Grid::over(0.0, 0.0) },
+    ];
+    let [x, y, diagonal, z] = grids;
+    let mut rows = [UVec4::new(u32::MAX, u32::MAX, 0, 0); 3];
+    let mut rest = UVec4::new(0, 0, 0, first);
+    for (slot, child) in children.iter().enumerate().filter(|(_, h)| !h.is_empty()) {
         let (half, shift) = (slot / 4, 8 * (slot % 4));
-        for (row, grid, low, high) in [(&mut node.x, x, rect.x0, rect.x1), (&mut node.y, y, rect.y0, rect.y1)]
-        {
+        let Hexagon { rect, low, high } = *child;
+        let sides = [(x, rect.x0, rect.x1), (y, rect.y0, rect.y1), (diagonal, low, high)];
+        for (row, (grid, low, high)) in rows.iter_mut().zip(sides) {
             row[half] &= !(0xff << shift);
             row[half] |= grid.line_below(low) << shift;
             row[2 + half] |= grid.line_above(high) << shift;
         }
         let end = if rect.z.is_finite() { z.line_above(rect.z) } else { 255 };
-        node.rest[half] |= end << shift;
+        rest[half] |= end << shift;
     }
-    node
+    rest.z = x.exponent | y.exponent << 8 | diagonal.exponent << 16 | z.exponent << 24;
+    let low = UVec4::from_array(grids.map(|grid| grid.low.to_bits()));
+    LightNode { low, x: rows[0], y: rows[1], diagonal: rows[2], rest }
 }
 
 #[cfg(test)]
@@ -222,11 +241,12 @@ mod tests {
         let (mut pending, mut found) = (alloc::vec![root], Vec::new());
         while let Some(at) = pending.pop().filter(|at| *at != NONE) {
             let node = LightNode::load(&packed.rows, at);
-            for slot in (0..8).filter(|slot| node.holders(point) >> slot & 1 == 1) {
+            let holders = node.holders(point, packed.space.diagonal(point));
+            for slot in (0..8).filter(|slot| holders >> slot & 1 == 1) {
                 if node.is_leaf() {
                     found.push(node.triangle(&packed.rows, slot));
                 } else {
-                    pending.push(node.rest.z + slot);
+                    pending.push(node.first() + slot);
                 }
             }
         }

@@ -13,11 +13,11 @@ use lt_bvh::{Triangle, permute};
 use lt_math::glam::Vec3;
 
 /// Margin of place for triangles that are no slivers, of nearness for all: in units of R.
-const MARGIN: f32 = 32.0 * EPSILON;
+pub(crate) const MARGIN: f32 = 32.0 * EPSILON;
 /// Margin of place for slivers: that of a box, sheared.
 const BOX_MARGIN: f32 = 80.0 * EPSILON;
 /// Closer to a positioned light than this, in units of D, a triangle is clipped before its slopes are bounded.
-const CLIP: f32 = 1e-3;
+pub(crate) const CLIP: f32 = 1e-3;
 
 /// A rectangle of light space and the largest nearness in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,7 +98,7 @@ impl Rect {
         Rect { x0: self.x0.min(x), x1: self.x1.max(x), y0: self.y0.min(y), y1: self.y1.max(y), z: self.z }
     }
 
-    fn widened(self, margin: f32) -> Self {
+    pub(crate) fn widened(self, margin: f32) -> Self {
         Rect {
             x0: self.x0 - margin,
             x1: self.x1 + margin,
@@ -148,6 +148,16 @@ impl Rect {
 /// The rectangles of up to eight triangles, with [`Rect::EMPTY`] for what the view cannot see.
 #[inline(always)]
 pub(crate) fn rects<E: Lanes>(lanes: E, view: &View, triangles: &[Triangle]) -> [Rect; BLOCK] {
+    rects_and_slivers(lanes, view, triangles).0
+}
+
+/// The same, and a bit for each that is a sliver.
+#[inline(always)]
+pub(crate) fn rects_and_slivers<E: Lanes>(
+    lanes: E,
+    view: &View,
+    triangles: &[Triangle],
+) -> ([Rect; BLOCK], u32) {
     let corners = Corners::load(lanes, view, triangles.iter());
     let (_, slivers) = planes(lanes, view, &corners);
     let mut rects = [Rect::EMPTY; BLOCK];
@@ -169,7 +179,7 @@ pub(crate) fn rects<E: Lanes>(lanes: E, view: &View, triangles: &[Triangle]) -> 
             }
         }
     }
-    rects
+    (rects, slivers)
 }
 
 /// Rectangles under a sun: least and largest x, y, and the nearness. Vertices relative to the domain's middle.

@@ -50,6 +50,11 @@ impl Node {
         self.links[slot] = link;
     }
 
+    /// The links that lead somewhere, the first slots'.
+    pub fn children(&self) -> impl Iterator<Item = u32> {
+        self.links.into_iter().filter(|link| *link != NOWHERE)
+    }
+
     /// A child's rectangle.
     #[inline(always)]
     pub fn rect(&self, slot: usize) -> Rect {

@@ -2,8 +2,9 @@
 
 use crate::block::{ASKS, NOBODY};
 use crate::casters::Casters;
+use crate::hexagon::{Hexagon, hexagons};
 use crate::light_bvh::LightBvh;
-use crate::packed::{PackedLightBvh, rects};
+use crate::packed::PackedLightBvh;
 use crate::rect::Rect;
 use crate::tree::{LEAF, Tree, items};
 use alloc::vec::Vec;
@@ -94,36 +95,40 @@ impl PackedLightBvh {
     /// The first fault found; nodes are counted over all trees.
     pub fn validate(&self, of: &LightBvh, casters: Casters<'_>) -> Result<(), Invalid> {
         for tree in of.trees() {
-            let mut rects = rects(tree, casters);
+            let mut hexagons = hexagons(&tree.view, casters);
             let root = match tree.view.face() {
                 face @ 0..4 => self.space.roots[face],
                 face => self.space.roots_z[face - 4],
             };
             if root != NONE {
-                self.check(root, &mut rects)?;
+                self.check(root, &mut hexagons)?;
             }
-            if let Some(triangle) = rects.iter().position(|rect| rect.x0 <= rect.x1) {
+            if let Some(triangle) = hexagons.iter().position(|hexagon| !hexagon.is_empty()) {
                 return Err(Invalid::Triangle { triangle: triangle as u32 });
             }
         }
         Ok(())
     }
 
-    /// Checks a subtree, empties the rectangles of its triangles, and returns its own.
-    fn check(&self, at: u32, rects: &mut [Rect]) -> Result<Rect, Invalid> {
+    /// Checks a subtree, empties the hexagons of its triangles, and returns its own.
+    fn check(&self, at: u32, hexagons: &mut [Hexagon]) -> Result<Hexagon, Invalid> {
         let node = LightNode::load(&self.rows, at);
-        let mut all = Rect::EMPTY;
+        let mut all = Hexagon::EMPTY;
         for (slot, end) in node.ends().into_iter().enumerate().filter(|(_, end)| end[0] <= end[1]) {
             let below = if node.is_leaf() {
                 let triangle = node.triangle(&self.rows, slot as u32);
-                let rect = rects.get_mut(triangle as usize).map(|r| core::mem::replace(r, Rect::EMPTY));
-                rect.filter(|r| r.x0 <= r.x1).ok_or(Invalid::Triangle { triangle })?
+                let found = hexagons.get_mut(triangle as usize);
+                let hexagon = found.map(|h| core::mem::replace(h, Hexagon::EMPTY));
+                hexagon.filter(|h| !h.is_empty()).ok_or(Invalid::Triangle { triangle })?
             } else {
-                self.check(node.rest.z + slot as u32, rects)?
+                self.check(node.first() + slot as u32, hexagons)?
             };
-            let [x0, x1, y0, y1] = [below.x0, below.x1, below.y0, below.y1].map(f64::from);
-            let holds = end[0] <= x0 && x1 <= end[1] && end[2] <= y0 && y1 <= end[3];
-            if !holds || f64::from(below.z) > end[4] {
+            let Hexagon { rect: r, low, high } = below;
+            let sides = [(r.x0, r.x1), (r.y0, r.y1), (low, high)];
+            let holds = |(i, (low, high)): (usize, (f32, f32))| {
+                end[2 * i] <= f64::from(low) && f64::from(high) <= end[2 * i + 1]
+            };
+            if !sides.into_iter().enumerate().all(holds) || f64::from(r.z) > end[6] {
                 return Err(Invalid::Rectangle { node: at });
             }
             all = all.union(&below);

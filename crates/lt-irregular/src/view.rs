@@ -13,7 +13,7 @@
 
 use crate::lanes::Lanes;
 use lt_bvh::{LEAST_LENGTH, LightPoint, LightSpace, Node, Ray, main_axis, permute, reciprocal};
-use lt_math::glam::{Vec3, Vec4};
+use lt_math::glam::{Vec2, Vec3, Vec4};
 
 /// An axis-aligned box in world space; empty where `low > high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -154,7 +154,7 @@ impl View {
     pub fn point(&self, ray: &Ray) -> LightPoint {
         match self.rays {
             Rays::Parallel { shear, middle, .. } => {
-                LightPoint::parallel(permute(ray.origin, self.axis), middle, shear, self.sign)
+                LightPoint::parallel(permute(ray.origin, self.axis), middle, shear.truncate(), self.sign)
             }
             Rays::Converging { .. } => LightPoint::converging(permute(ray.direction, self.axis), self.sign),
         }
@@ -165,9 +165,15 @@ impl View {
         let space = LightSpace { low: self.domain.low, high: self.domain.high, ..LightSpace::empty() };
         match self.rays {
             Rays::Parallel { shear, middle, .. } => {
-                LightSpace { shear, axis: self.axis, middle, sign: self.sign, is_parallel: 1, ..space }
+                let shear = shear.truncate();
+                // Along z, X changes by −sₓ and Y by −s_y.
+                let across = Vec2::new(shear.y, -shear.x);
+                let size = across.abs().max_element();
+                let diagonal = if size > 0.0 { across / size } else { Vec2::ONE };
+                let (axis, sign) = (self.axis, self.sign);
+                LightSpace { shear, diagonal, middle, axis, sign, is_parallel: 1, ..space }
             }
-            Rays::Converging { .. } => space,
+            Rays::Converging { .. } => LightSpace { diagonal: Vec2::ONE, ..space },
         }
     }
 

@@ -1,4 +1,4 @@
-//! Eight rectangles with a nearness in one cache line, and a point against all of them.
+//! Eight boxes of light space in 80 bytes, and a point against all of them.
 //!
 //! Planes lie on the ray tracer's grids of eight bits per axis ([`Grid`]). A point is rounded to lines of the grid once, and is then
 //! compared with four planes at a time inside a word.
@@ -9,21 +9,25 @@ use bytemuck::{Pod, Zeroable};
 use lt_math::glam::{UVec2, UVec4};
 
 /// Rows of 16 bytes to a node.
-pub const NODE_ROWS: u32 = 4;
+pub const NODE_ROWS: u32 = 5;
 
-/// Up to eight children in 64 bytes. All are nodes, one after the other, or all are triangles.
+/// Up to eight children in 80 bytes. All are nodes, one after the other, or all are triangles.
 ///
-/// The last line of the grid of nearness stands for all beyond it.
+/// A child's box is a rectangle in x and y, a range of the third coordinate of places ([`LightSpace::diagonal`](crate::LightSpace)), and
+/// a largest nearness. The last line of the grid of nearness stands for all beyond it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 pub struct LightNode {
-    /// Bits of where the grids of x, y and nearness begin; then, from the low byte, their exponents, and [`LightNode::LEAF`].
-    pub frame: UVec4,
+    /// Bits of where the grids begin: of x, y, the third coordinate, nearness.
+    pub low: UVec4,
     /// Lower planes in x of children 0 to 3 and 4 to 7, then upper planes. A slot without a child has them the wrong way round.
     pub x: UVec4,
     /// The same in y.
     pub y: UVec4,
-    /// Largest nearness of children 0 to 3 and 4 to 7; the first child, or the row with the first four triangles; zero.
+    /// The same in the third coordinate.
+    pub diagonal: UVec4,
+    /// Largest nearness of children 0 to 3 and 4 to 7; exponents of the grids, from the low byte; the first child, or [`LightNode::LEAF`]
+    /// and the row with the first four triangles.
     pub rest: UVec4,
 }
 
@@ -38,6 +42,12 @@ fn at_most(a: u32, b: u32) -> u32 {
     // Without the highest bits no byte borrows of the next.
     let of_rest = (b | HIGH).wrapping_sub(a & !HIGH);
     (b & !a) | (!(a ^ b) & of_rest)
+}
+
+/// Sets the highest bit of every byte whose planes a point, given by the lines around it, lies between.
+#[inline(always)]
+fn between(lower: u32, point: UVec2, upper: u32) -> u32 {
+    at_most(lower, point.x) & at_most(point.y, upper)
 }
 
 /// The highest bits of four bytes, as the lowest four bits.
@@ -60,67 +70,82 @@ fn lines(x: f32, low_bits: u32, exponent: u32) -> UVec2 {
 }
 
 impl LightNode {
-    /// Bit of the frame's last word: the children are triangles.
-    pub const LEAF: u32 = 1 << 24;
+    /// Bit of the last word: the children are triangles.
+    pub const LEAF: u32 = 1 << 31;
 
     /// The node at an index, counted in nodes, of a buffer of rows.
     #[inline(always)]
     pub fn load(rows: &[UVec4], index: u32) -> Self {
         let at = (index * NODE_ROWS) as usize;
-        LightNode { frame: rows[at], x: rows[at + 1], y: rows[at + 2], rest: rows[at + 3] }
+        LightNode {
+            low: rows[at],
+            x: rows[at + 1],
+            y: rows[at + 2],
+            diagonal: rows[at + 3],
+            rest: rows[at + 4],
+        }
     }
 
-    /// The grid of an axis: 0 and 1 of places, 2 of nearness.
+    /// The grid of x, y, the third coordinate, or nearness.
     pub fn grid(&self, axis: usize) -> Grid {
-        Grid { low: f32::from_bits(self.frame[axis]), exponent: byte(self.frame.w, axis as u32) }
+        Grid { low: f32::from_bits(self.low[axis]), exponent: byte(self.rest.z, axis as u32) }
     }
 
     /// Whether the children are triangles.
     #[inline(always)]
     pub fn is_leaf(&self) -> bool {
-        self.frame.w & Self::LEAF != 0
+        self.rest.w & Self::LEAF != 0
     }
 
-    /// The children whose box holds the point, a bit each. A point outside of the node may be found in a child at its border.
+    /// The first child, or the row with a leaf's first triangles.
     #[inline(always)]
-    pub fn holders(&self, point: &LightPoint) -> u32 {
-        let exponents = self.frame.w;
-        let x = lines(point.x, self.frame.x, byte(exponents, 0));
-        let y = lines(point.y, self.frame.y, byte(exponents, 1));
-        let z = lines(point.z, self.frame.z, byte(exponents, 2));
-        let first = at_most(self.x.x, x.x)
-            & at_most(x.y, self.x.z)
-            & at_most(self.y.x, y.x)
-            & at_most(y.y, self.y.z)
+    pub fn first(&self) -> u32 {
+        self.rest.w & !Self::LEAF
+    }
+
+    /// The children whose box holds a point with this third coordinate, a bit each. A point outside of the node may be found in a child at
+    /// its border.
+    #[inline(always)]
+    pub fn holders(&self, point: &LightPoint, diagonal: f32) -> u32 {
+        let exponents = self.rest.z;
+        let x = lines(point.x, self.low.x, byte(exponents, 0));
+        let y = lines(point.y, self.low.y, byte(exponents, 1));
+        let d = lines(diagonal, self.low.z, byte(exponents, 2));
+        let z = lines(point.z, self.low.w, byte(exponents, 3));
+        let first = between(self.x.x, x, self.x.z)
+            & between(self.y.x, y, self.y.z)
+            & between(self.diagonal.x, d, self.diagonal.z)
             & at_most(z.y, self.rest.x);
-        let second = at_most(self.x.y, x.x)
-            & at_most(x.y, self.x.w)
-            & at_most(self.y.y, y.x)
-            & at_most(y.y, self.y.w)
+        let second = between(self.x.y, x, self.x.w)
+            & between(self.y.y, y, self.y.w)
+            & between(self.diagonal.y, d, self.diagonal.w)
             & at_most(z.y, self.rest.y);
         gathered(first) | gathered(second) << 4
     }
 
-    /// Exact ends of every slot's box: least and largest x, least and largest y, largest nearness. Least beyond largest where there is none.
-    pub fn ends(&self) -> [[f64; 5]; 8] {
-        let grids = [0, 1, 2].map(|axis| self.grid(axis));
+    /// Exact ends of every slot's box: least and largest x, y and third coordinate, and largest nearness. Least beyond largest where there is
+    /// none.
+    pub fn ends(&self) -> [[f64; 7]; 8] {
+        let grids = [0, 1, 2, 3].map(|axis| self.grid(axis));
         core::array::from_fn(|slot| {
             let (half, at) = (slot / 4, slot as u32 % 4);
-            let line = |grid: &Grid, word: u32| f64::from(grid.low) + grid.step() * f64::from(byte(word, at));
-            let end = byte(self.rest[half], at);
-            [
-                line(&grids[0], self.x[half]),
-                line(&grids[0], self.x[2 + half]),
-                line(&grids[1], self.y[half]),
-                line(&grids[1], self.y[2 + half]),
-                if end == 255 { f64::INFINITY } else { line(&grids[2], self.rest[half]) },
-            ]
+            let line = |axis: usize, word: u32| {
+                f64::from(grids[axis].low) + grids[axis].step() * f64::from(byte(word, at))
+            };
+            let mut ends = [f64::INFINITY; 7];
+            for (axis, row) in [self.x, self.y, self.diagonal].into_iter().enumerate() {
+                (ends[2 * axis], ends[2 * axis + 1]) = (line(axis, row[half]), line(axis, row[2 + half]));
+            }
+            if byte(self.rest[half], at) < 255 {
+                ends[6] = line(3, self.rest[half]);
+            }
+            ends
         })
     }
 
     /// The triangle in a slot of a leaf.
     pub fn triangle(&self, rows: &[UVec4], slot: u32) -> u32 {
-        triangle_in(rows, self.rest.z, slot)
+        triangle_in(rows, self.first(), slot)
     }
 }
 

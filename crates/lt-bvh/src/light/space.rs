@@ -3,7 +3,7 @@
 use crate::axes::{main_axis, permute};
 use crate::ray::{NONE, Ray};
 use bytemuck::{Pod, Zeroable};
-use lt_math::glam::{UVec4, Vec3};
+use lt_math::glam::{UVec4, Vec2, Vec3};
 
 /// A shadow ray in light space.
 ///
@@ -22,7 +22,7 @@ impl LightPoint {
     /// The ray from `origin` to a sun: `origin` less its share of the ray's way along z. `origin` and `middle`, which is subtracted first,
     /// are given in permuted axes; `shear` has the ray tracer's sₓ and s_y, the ray's slopes.
     #[inline(always)]
-    pub fn parallel(origin: Vec3, middle: Vec3, shear: Vec3, sign: f32) -> Self {
+    pub fn parallel(origin: Vec3, middle: Vec3, shear: Vec2, sign: f32) -> Self {
         let q = origin - middle;
         LightPoint { x: q.x - shear.x * q.z, y: q.y - shear.y * q.z, z: sign * q.z }
     }
@@ -42,10 +42,10 @@ pub const LEAST_LENGTH: f32 = 1e-30;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct LightSpace {
-    /// Of a sun: the ray tracer's sₓ, s_y and s_z.
-    pub shear: Vec3,
-    /// Of a sun: the axis that becomes z.
-    pub axis: u32,
+    /// Of a sun: the ray tracer's sₓ and s_y.
+    pub shear: Vec2,
+    /// The third coordinate of a place is this times x and y: at most 1 in magnitude each.
+    pub diagonal: Vec2,
     /// Of a sun: what is subtracted from origins, in permuted axes.
     pub middle: Vec3,
     /// Of a sun: the sign of its direction along the axis.
@@ -56,8 +56,8 @@ pub struct LightSpace {
     pub is_parallel: u32,
     /// Upper corner.
     pub high: Vec3,
-    /// Explicit padding.
-    pub pad: u32,
+    /// Of a sun: the axis that becomes z.
+    pub axis: u32,
     /// Root nodes by the direction of the rays' main axis: +x (or all rays to a sun), −x, +y, −y. [`NONE`] where there is nothing.
     pub roots: UVec4,
     /// +z, −z; the rest is padding.
@@ -80,6 +80,12 @@ impl LightSpace {
         let d = ray.direction.abs();
         let is_long = d.x > LEAST_LENGTH || d.y > LEAST_LENGTH || d.z > LEAST_LENGTH;
         is_inside && low.z <= o.z && o.z <= high.z && (self.is_parallel != 0 || is_long)
+    }
+
+    /// The third coordinate of a point's place.
+    #[inline(always)]
+    pub fn diagonal(&self, point: &LightPoint) -> f32 {
+        self.diagonal.x * point.x + self.diagonal.y * point.y
     }
 
     /// The ray as a point, and the root of the tree that it walks ([`NONE`] for none). It must be one that is taken.

@@ -1,7 +1,6 @@
-//! A shadow ray, as a point of light space, through a tree of rectangles; what it finds is put to the ray tracer's own test.
+//! A shadow ray, as a point of light space, through a tree of boxes there; what it finds is put to the ray tracer's own test.
 //!
-//! A box test is five comparisons where a ray's takes six planes and divisions' margins, and only boxes that the point lies in are
-//! opened. The answer is [`occluded`]'s, because what decides is the same test of the same triangles; boxes must hold every point that
+//! A box is seven planes to compare with, where a ray has six to reach, and no farther one than the light looks past. The answer is [`occluded`]'s, because what decides is the same test of the same triangles; boxes must hold every point that
 //! this test might say yes to (`lt_irregular::PackedLightBvh` has the proof).
 
 use crate::any_hit::AnyHit;
@@ -51,30 +50,33 @@ pub fn occluded_in_light_space_probed<A: AnyHit, P: Probe>(
     if root == NONE {
         return false;
     }
+    let diagonal = space.diagonal(&point);
     let slab = nodes[0].slab(&ray);
     let shear = Shear::new(&ray);
     // Siblings still to visit: the first of eight, and a bit for each in the lowest byte.
     let mut stack = [0u32; MAX_DEPTH];
     let mut len = 0;
     let mut group = root << 8 | 1;
-    while group != 0 {
-        // Down to a leaf whose boxes hold the point. A loop of its own: threads that run in step test triangles together.
+    let mut is_blocked = false;
+    // Loops end at their foot: threads in step then run no body for nothing where all are done.
+    loop {
+        // Down to a leaf whose boxes hold the point, by itself, so that threads in step come to test triangles together.
         let mut hits = 0;
         let mut ids = 0;
-        while group != 0 && hits == 0 {
+        loop {
             let node = LightNode::load(rows, (group >> 8) + group.trailing_zeros());
             probe.node();
             group &= group - 1;
-            let holders = node.holders(&point);
+            let holders = node.holders(&point, diagonal);
             if node.is_leaf() {
                 hits = holders;
-                ids = node.rest.z;
+                ids = node.first();
             } else if holders != 0 {
                 if group & 0xff != 0 && len < MAX_DEPTH {
                     stack[len] = group;
                     len += 1;
                 }
-                group = node.rest.z << 8 | holders;
+                group = node.first() << 8 | holders;
             }
             if group & 0xff == 0 {
                 group = 0;
@@ -83,18 +85,31 @@ pub fn occluded_in_light_space_probed<A: AnyHit, P: Probe>(
                     group = stack[len];
                 }
             }
-        }
-        while hits != 0 {
-            let index = triangle_in(rows, ids, hits.trailing_zeros());
-            hits &= hits - 1;
-            probe.triangle();
-            let triangle = &triangles[index as usize];
-            let hit = shear.intersect(&ray, &slab, triangle, WHOLE_RAY);
-            let is_met = hit.is_hit && hit.t > ray.tmin && hit.t < ray.tmax;
-            if is_met && (triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v)) {
-                return true;
+            if hits != 0 || group == 0 {
+                break;
             }
         }
+        if hits != 0 {
+            loop {
+                let index = triangle_in(rows, ids, hits.trailing_zeros());
+                hits &= hits - 1;
+                probe.triangle();
+                let triangle = &triangles[index as usize];
+                let hit = shear.intersect(&ray, &slab, triangle, WHOLE_RAY);
+                let is_met = hit.is_hit && hit.t > ray.tmin && hit.t < ray.tmax;
+                if is_met && (triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v)) {
+                    is_blocked = true;
+                    hits = 0;
+                    group = 0;
+                }
+                if hits == 0 {
+                    break;
+                }
+            }
+        }
+        if group == 0 {
+            break;
+        }
     }
-    false
+    is_blocked
 }
