@@ -138,8 +138,15 @@ impl Tree {
 
 /// The triangles that a view can see, with their rectangles, in the order of the triangles. The same on all instructions.
 pub(crate) fn items(view: &View, casters: Casters<'_>) -> Vec<Item> {
+    let mut items = Vec::new();
+    fill_items(view, casters, &mut items);
+    items
+}
+
+/// [`items`] in a list that has memory already.
+pub(crate) fn fill_items(view: &View, casters: Casters<'_>, items: &mut Vec<Item>) {
     let chosen = Chosen::new(Instructions::best()).unwrap_or(Chosen::Portable);
-    let mut items = alloc::vec![Item { rect: Rect::EMPTY, triangle: 0 }; casters.triangles.len()];
+    items.resize(casters.triangles.len(), Item { rect: Rect::EMPTY, triangle: 0 });
     let one = |(at, items): (usize, &mut [Item])| {
         let first = at * TASK;
         let triangles = &casters.triangles[first..first + items.len()];
@@ -155,7 +162,6 @@ pub(crate) fn items(view: &View, casters: Casters<'_>) -> Vec<Item> {
     if !view.sees_all() {
         items.retain(|item| item.rect.x0 <= item.rect.x1);
     }
-    items
 }
 
 /// Fills in the rectangles of some triangles.

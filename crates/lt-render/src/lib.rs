@@ -42,6 +42,7 @@ mod sample_grid;
 mod session;
 mod setup;
 mod technique;
+mod technique_id;
 
 pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob, ShadedLight};
 pub use cascades::{Cascades, FarLevel, MAX_LEVELS, Splits, parse_count};
@@ -61,6 +62,5 @@ pub use plan::{Effect, EffectPlan, MaskEffects, Sequence};
 pub use sample_grid::SampleGrid;
 pub use session::{SceneInfo, Session};
 pub use setup::{MAX_SAMPLES, Setup};
-pub use technique::{
-    Doubt, Estimate, MapSource, MapTest, Removal, Resolve, Technique, TechniqueError, TemporalMask,
-};
+pub use technique::{Doubt, Estimate, MapSource, MapTest, Removal, Resolve, Technique, TemporalMask};
+pub use technique_id::TechniqueError;

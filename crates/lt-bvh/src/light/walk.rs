@@ -1,7 +1,8 @@
 //! A shadow ray, as a point of light space, through a tree of boxes there; what it finds is put to the ray tracer's own test.
 //!
-//! A box is seven planes to compare with, where a ray has six to reach, and no farther one than the light looks past. The answer is [`occluded`]'s, because what decides is the same test of the same triangles; boxes must hold every point that
-//! this test might say yes to (`lt_irregular::PackedLightBvh` has the proof).
+//! A box there is compared with seven planes, and none is looked at beyond the light. The answer is [`occluded`](crate::occluded)'s, because
+//! what decides is the same test of the same triangles; boxes must hold every point that this test might say yes to
+//! (`lt_irregular::PackedLightBvh` has the proof).
 
 use crate::any_hit::AnyHit;
 use crate::light::node::triangle_in;
@@ -17,7 +18,7 @@ use lt_math::glam::UVec4;
 /// Whether anything blocks a shadow ray to the light of `space`: [`occluded`](crate::occluded)'s answer, found in a tree over the light's
 /// own space.
 ///
-/// `rows` hold [`LightNode`]s, four rows each, and behind them the triangles of leaves, eight to two rows. `nodes` and `triangles` are
+/// `rows` hold [`LightNode`]s, [`NODE_ROWS`](crate::NODE_ROWS) each, and behind them the triangles of leaves, eight to two rows. `nodes` and `triangles` are
 /// the ray tracer's; rays that are no points of the space ([`LightSpace::takes`]) walk its tree.
 pub fn occluded_in_light_space<A: AnyHit>(
     rows: &[UVec4],

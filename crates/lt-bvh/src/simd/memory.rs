@@ -23,7 +23,7 @@ pub fn zeroed<T: Zeroable>(len: usize) -> Vec<T> {
 
 /// Starts to fetch the cache line at `at`, where the processor can.
 #[inline(always)]
-pub fn prefetch<T>(at: &T) {
+pub(crate) fn prefetch<T>(at: &T) {
     #[cfg(target_arch = "x86_64")]
     // SAFETY: every x86-64 processor has the instruction, and it changes nothing but the cache.
     unsafe {

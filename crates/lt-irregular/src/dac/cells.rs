@@ -1,6 +1,6 @@
 //! Cells of about as many points each, and which triangles meet them.
 //!
-//! Columns are cut where a sample of the points says that they are equally full, and each column into rows likewise: a horizon does not leave
+//! Few points have fewer cells: one that holds less than a leaf would leave most lanes of it idle. Columns are cut where a sample of the points says that they are equally full, and each column into rows likewise: a horizon does not leave
 //! all other points in one cell. Which cell a place lies in does not decrease with its coordinates, so that a triangle's rectangle
 //! meets the cells from its least corner's to its largest's, and no other.
 
@@ -14,14 +14,16 @@ use crate::view::View;
 use alloc::vec::Vec;
 use lt_math::glam::Vec3;
 
-/// Columns, and rows of each.
+/// Most columns, and rows of each.
 const SIDE: usize = 32;
-/// All of them.
+/// Most cells.
 pub(super) const CELLS: usize = SIDE * SIDE;
 /// Rays, or triangles, that one thread sorts together.
 pub(super) const CHUNK: usize = 1 << 15;
 /// Points that cells are made by, for each of them.
 const SAMPLES: usize = 16;
+/// Points that are worth a cell.
+const WORTH: usize = 512;
 /// A triangle that meets more cells than this is not filed in each: all look at it.
 const MOST: usize = 64;
 
@@ -41,11 +43,11 @@ fn place<P: Lanes>(lanes: P, bounds: &[f32; SIDE], at: f32) -> usize {
     (places.sum::<u32>() as usize).min(SIDE - 1)
 }
 
-/// What cuts sorted numbers into [`SIDE`] parts of one size.
-fn quantiles(sorted: &[f32]) -> [f32; SIDE] {
+/// What cuts sorted numbers into this many parts of one size, at most [`SIDE`].
+fn quantiles(sorted: &[f32], parts: usize) -> [f32; SIDE] {
     let mut bounds = [f32::INFINITY; SIDE];
-    for (i, bound) in bounds[..SIDE - 1].iter_mut().enumerate() {
-        *bound = sorted.get((i + 1) * sorted.len() / SIDE).copied().unwrap_or(f32::INFINITY);
+    for (i, bound) in bounds[..parts - 1].iter_mut().enumerate() {
+        *bound = sorted.get((i + 1) * sorted.len() / parts).copied().unwrap_or(f32::INFINITY);
     }
     bounds
 }
@@ -54,6 +56,7 @@ impl Grid {
     /// For points in some lists.
     pub fn of(chunks: &[Chunk]) -> Self {
         let count: usize = chunks.iter().map(|c| c.len).sum();
+        let side = (1..SIDE).find(|side| side * side * WORTH >= count).unwrap_or(SIDE);
         let step = (count / (CELLS * SAMPLES)).max(1);
         let mut sample: Vec<[f32; 2]> = Vec::with_capacity(count / step + chunks.len());
         for chunk in chunks {
@@ -62,14 +65,14 @@ impl Grid {
         }
         sample.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
         let xs: Vec<f32> = sample.iter().map(|s| s[0]).collect();
-        let columns = quantiles(&xs);
+        let columns = quantiles(&xs, side);
         let mut rows = [[f32::INFINITY; SIDE]; SIDE];
         let mut rest = &sample[..];
         for (rows, end) in rows.iter_mut().zip(columns) {
             let (column, others) = rest.split_at(rest.partition_point(|s| s[0] < end));
             let mut ys: Vec<f32> = column.iter().map(|s| s[1]).collect();
             ys.sort_unstable_by(f32::total_cmp);
-            *rows = quantiles(&ys);
+            *rows = quantiles(&ys, side);
             rest = others;
         }
         Grid { columns, rows }
@@ -108,7 +111,7 @@ pub(super) struct Chunk {
 }
 
 impl Chunk {
-    /// The rectangle of a cell's points is not known here, their number is.
+    /// How many points lie in a cell.
     pub fn count(&self, cell: usize) -> usize {
         (self.starts[cell + 1] - self.starts[cell]) as usize
     }
@@ -187,6 +190,8 @@ impl Work for Sort<'_> {
 /// Which of some triangles meet each cell.
 #[derive(Default)]
 pub(super) struct Filed {
+    /// Triangles with their cells, before they are sorted.
+    pairs: Vec<(u32, u16)>,
     /// Where each cell's begin in `members`, and where the last one's end.
     starts: Vec<u32>,
     /// Places among the items.
@@ -202,7 +207,7 @@ impl Filed {
         to.append(members.iter().map(|i| &items[*i as usize]), members.len(), at)
     }
 
-    /// Appends the large ones to a list that holds `at`; how many.
+    /// Appends those that all cells look at to a list that holds `at`; how many.
     pub fn append_large(&self, items: &[Item], to: &mut Lists, at: usize) -> usize {
         to.append(self.large.iter().map(|i| &items[*i as usize]), self.large.len(), at)
     }
@@ -227,11 +232,11 @@ impl Work for File<'_> {
     fn run<L: Level>(self, level: L) {
         let File { grid, is_used, rect, items, first, filed } = self;
         let lanes = level.points();
-        let Filed { starts, members, large } = filed;
+        let Filed { pairs, starts, members, large } = filed;
         starts.clear();
         starts.resize(CELLS + 1, 0);
         large.clear();
-        let mut pairs: Vec<(u32, u16)> = Vec::with_capacity(2 * items.len());
+        pairs.clear();
         for (i, item) in items.iter().enumerate() {
             let r = &item.rect;
             let meets = r.x0 <= rect.x1 && rect.x0 <= r.x1 && r.y0 <= rect.y1 && rect.y0 <= r.y1;
@@ -252,7 +257,7 @@ impl Work for File<'_> {
                 large.push((first + i) as u32);
             }
         }
-        for (_, cell) in &pairs {
+        for (_, cell) in pairs.iter() {
             starts[*cell as usize + 1] += 1;
         }
         for cell in 0..CELLS {
@@ -262,7 +267,7 @@ impl Work for File<'_> {
         next.copy_from_slice(&starts[..CELLS]);
         members.clear();
         members.resize(pairs.len(), 0);
-        for (item, cell) in pairs {
+        for &(item, cell) in pairs.iter() {
             let next = &mut next[cell as usize % CELLS];
             members[*next as usize] = item;
             *next += 1;

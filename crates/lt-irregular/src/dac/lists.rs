@@ -51,14 +51,14 @@ impl Lists {
         mask != 0
     }
 
-    /// Writes those triangles that may block points in `rect`, of nearness from `rect.z` to `far`, to `to`; how
+    /// Writes those triangles of `from`, or of this very list, that may block points in `rect`, of nearness from `rect.z` to `far`, to `to`; how
     /// many, and which of them covers the rectangle, beyond all points, with the largest nearness.
     #[inline(always)]
     pub fn take<P: Lanes>(
         &mut self,
         lanes: P,
-        start: usize,
-        len: usize,
+        from: Option<&Lists>,
+        (start, len): (usize, usize),
         bounds: &(Rect, f32),
         to: usize,
     ) -> (usize, Option<usize>) {
@@ -71,9 +71,10 @@ impl Lists {
         let near = lanes.splat(rect.z);
         let mut end = to;
         for at in (start..start + len).step_by(P::WIDTH) {
-            let (a0, a1) = (lanes.load(&self.x0[at..]), lanes.load(&self.x1[at..]));
-            let (b0, b1) = (lanes.load(&self.y0[at..]), lanes.load(&self.y1[at..]));
-            let z = lanes.load(&self.z[at..]);
+            let rows = from.unwrap_or(self);
+            let (a0, a1) = (lanes.load(&rows.x0[at..]), lanes.load(&rows.x1[at..]));
+            let (b0, b1) = (lanes.load(&rows.y0[at..]), lanes.load(&rows.y1[at..]));
+            let z = lanes.load(&rows.z[at..]);
             let mut mask =
                 lanes.le(a0, x1) & lanes.le(x0, a1) & lanes.le(b0, y1) & lanes.le(y0, b1) & lanes.le(near, z);
             let left = start + len - at;
@@ -82,7 +83,7 @@ impl Lists {
             }
             if mask != 0 {
                 let mut ids = [0; 16];
-                ids[..P::WIDTH].copy_from_slice(&self.ids[at..at + P::WIDTH]);
+                ids[..P::WIDTH].copy_from_slice(&rows.ids[at..at + P::WIDTH]);
                 lanes.compress(mask, a0, &mut self.x0[end..]);
                 lanes.compress(mask, a1, &mut self.x1[end..]);
                 lanes.compress(mask, b0, &mut self.y0[end..]);

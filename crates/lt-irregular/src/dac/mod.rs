@@ -22,7 +22,7 @@ use crate::level::{Chosen, Instructions, Work};
 use crate::rect::Rect;
 use crate::split::Item;
 use crate::tile::{Late, TILE, Tile};
-use crate::tree::items;
+use crate::tree::fill_items;
 use crate::view::{Bounds, View};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -57,6 +57,9 @@ pub struct DivideAndConquer {
 #[derive(Default)]
 pub struct Workspace {
     chunks: Vec<Chunk>,
+    items: Vec<Item>,
+    /// Triangles that all cells look at.
+    large: Lists,
     filed: Vec<Filed>,
 }
 
@@ -186,7 +189,7 @@ fn each_chunk<T: Sync, M: Send, R: Send>(
 impl<A: AnyHit + Sync> Scene<'_, A> {
     /// Marks what is blocked; how many rays the view takes.
     fn solve(&self, workspace: &mut Workspace, out: &mut [bool]) -> usize {
-        let Workspace { chunks, filed } = workspace;
+        let Workspace { chunks, items, large, filed } = workspace;
         chunks.resize_with(self.origins.len().div_ceil(CHUNK), Chunk::default);
         let (chosen, view) = (self.chosen, self.view);
         let bounds = each_chunk(self.origins, chunks, |first, origins, chunk| {
@@ -201,17 +204,20 @@ impl<A: AnyHit + Sync> Scene<'_, A> {
         each_chunk(self.origins, chunks, |_, _, chunk| chosen.run(Sort { grid: &grid, chunk }));
         let counts: Vec<usize> = (0..CELLS).map(|cell| chunks.iter().map(|c| c.count(cell)).sum()).collect();
         let is_used: Vec<bool> = counts.iter().map(|count| *count > 0).collect();
-        let items = items(view, self.query.casters);
+        fill_items(view, self.query.casters, items);
         filed.resize_with(items.len().div_ceil(CHUNK), Filed::default);
-        each_chunk(&items, filed, |first, items, filed| {
+        each_chunk(items, filed, |first, items, filed| {
             chosen.run(File { grid: &grid, is_used: &is_used, rect: &rect, items, first, filed });
         });
+        let count = filed.iter().fold(0, |count, filed| count + filed.append_large(items, large, count));
+        let large = (&*large, count);
         let cells = |scratch: &mut Scratch, cell: usize| -> Vec<u32> {
-            if counts[cell] == 0 {
+            let members = counts[cell];
+            if members == 0 {
                 return Vec::new();
             }
-            let triangles = scratch.gather(cell, counts[cell], chunks, filed, &items);
-            chosen.run(Task { scene: self, members: counts[cell], triangles, scratch, blocked: Vec::new() })
+            let triangles = scratch.gather(cell, members, chunks, filed, items);
+            chosen.run(Task { scene: self, members, triangles, large, scratch, blocked: Vec::new() })
         };
         #[cfg(feature = "std")]
         let blocked: Vec<Vec<u32>> = (0..CELLS).into_par_iter().map_init(Scratch::default, cells).collect();
@@ -240,7 +246,7 @@ impl<A: AnyHit + Sync> Scene<'_, A> {
 }
 
 impl Scratch {
-    /// Copies a cell's points and triangles to the start of the lists; how many triangles.
+    /// Copies a cell's points, and the triangles filed with it, to the start of the lists; how many triangles.
     fn gather(
         &mut self,
         cell: usize,
@@ -258,7 +264,6 @@ impl Scratch {
         let mut triangles = 0;
         for filed in filed {
             triangles += filed.append(cell, items, &mut self.lists, triangles);
-            triangles += filed.append_large(items, &mut self.lists, triangles);
         }
         triangles
     }
@@ -269,6 +274,8 @@ struct Task<'a, A> {
     scene: &'a Scene<'a, A>,
     members: usize,
     triangles: usize,
+    /// Those that are filed with no cell, and how many.
+    large: (&'a Lists, usize),
     scratch: &'a mut Scratch,
     blocked: Vec<u32>,
 }
@@ -283,7 +290,9 @@ impl<A: AnyHit + Sync> Work for Task<'_, A> {
         let mut path = core::mem::take(&mut self.scratch.path);
         let bounds = self.scratch.points.bounds(lanes, 0, self.members);
         let all = Part { start: 0, len: self.members, bounds };
-        self.enter(level, &mut path, &all, (0, self.triangles), self.members + SLACK);
+        let (large, count) = self.large;
+        let (found, _) = self.scratch.lists.take(lanes, Some(large), (0, count), &bounds, self.triangles);
+        self.enter(level, &mut path, &all, (0, self.triangles + found), self.members + SLACK);
         // A loop and not a recursion: a function that calls itself would not be compiled for the instructions asked for.
         while let Some(step) = path.last_mut() {
             if step.done == 2 {
@@ -318,7 +327,7 @@ impl<A: AnyHit + Sync> Task<'_, A> {
     ) {
         let behind = first + count;
         let Scratch { lists, points, .. } = &mut *self.scratch;
-        let (triangles, cover) = lists.take(level.points(), first, count, &part.bounds, behind);
+        let (triangles, cover) = lists.take(level.points(), None, (first, count), &part.bounds, behind);
         if triangles == 0 {
             return;
         }

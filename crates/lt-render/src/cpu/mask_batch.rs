@@ -10,7 +10,7 @@ use lt_shaders::evaluate::Verdict;
 use lt_shaders::sampling::sample_place;
 
 use super::asks::Asks;
-use super::batch::{BATCH, LIT, Lanes, MAPPED, Rows};
+use super::footprints::{BATCH, LIT, Lanes, MAPPED, Rows};
 use super::planes::{BlockBits, PIECE, load_piece, pack, place_in_block, store_piece};
 use super::tiles::{SIDE, Tiles};
 use crate::MaskEffects;

@@ -5,6 +5,7 @@
 
 mod asks;
 mod batch;
+mod footprints;
 mod history;
 mod kept_map;
 mod layers;
